@@ -9,6 +9,8 @@ import subprocess
 import pytest
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+OPTIONS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run
+--disable-background-networking --disable-component-update --disable-sync --enable-logging=stderr"""
 # Pixels; Chromium makes no narrower window, except for a picture.
 _NARROWEST = 500
 
@@ -21,21 +23,7 @@ def needs_chromium(test):
 def open_page(url, folder, *arguments):
     """Open a page; returns its DOM after the scripts, and the log of Chromium with console messages."""
     assert CHROMIUM is not None
-    command = [
-        CHROMIUM,
-        "--headless",
-        "--no-sandbox",
-        "--disable-gpu",
-        "--disable-quic",
-        "--no-first-run",
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--disable-sync",
-        "--enable-logging=stderr",
-        f"--user-data-dir={folder / 'profile'}",
-        *arguments,
-        url,
-    ]
+    command = [CHROMIUM, *OPTIONS.split(), f"--user-data-dir={folder / 'profile'}", *arguments, url]
     result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     console = [line for line in result.stderr.splitlines() if "CONSOLE" in line]
     return result.stdout, console

@@ -14,22 +14,8 @@ for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"):
 import placecat.stages  # noqa: E402, F401  before NumPy: it chooses the kernels of OpenBLAS
 
 # Helpers of the tests: modules without tests in these folders.
-for _folder in (
-    ".",
-    "campaign",
-    "categorizer",
-    "experiment",
-    "footage",
-    "homes",
-    "replication",
-    "runs",
-    "schema",
-    "sequences",
-    "stages",
-    "thesis",
-    "vision",
-    "vision/networks",
-):
+_FOLDERS = "categorizer experiment footage homes replication runs schema sequences stages thesis vision"
+for _folder in (".", "campaign", *_FOLDERS.split(), "vision/networks"):
     sys.path.insert(0, str(Path(__file__).parent / _folder))
 
 from number_of_examples import IN_FULL  # noqa: E402  in a folder that was just added

@@ -58,22 +58,12 @@ def noted(table):
 
 
 def addition():
+    measured = (("RVM", "Home 1", 30.5), ("RVM", "Average", 31.25), ("SVM", "Home 1", 33.0))
     rows = [
-        ("Addition", "", "RVM", "Home 1", np.nan, 30.5, np.nan, 0, MEASURED),
-        ("Addition", "", "RVM", "Average", np.nan, 31.25, np.nan, 0, MEASURED),
-        ("Addition", "", "SVM", "Home 1", np.nan, 33.0, np.nan, 0, MEASURED),
-        (
-            "Addition",
-            "",
-            "SVM",
-            "Average",
-            np.nan,
-            np.nan,
-            np.nan,
-            0,
-            (Note(Kind.MEASURED, "too few frames"),),
-        ),
+        ("Addition", "", row, column, np.nan, value, np.nan, 0, MEASURED) for row, column, value in measured
     ]
+    too_few = (Note(Kind.MEASURED, "too few frames"),)
+    rows.append(("Addition", "", "SVM", "Average", np.nan, np.nan, np.nan, 0, too_few))
     columns = list(cells(5).columns.drop("note"))
     named = {"name": "rvm", "number": None, "title": "RVM beside SVM", "thesis_data": None}
     return Table(named, noted(pd.DataFrame(rows, columns=columns)), DATASET)
@@ -111,20 +101,8 @@ def findings(count=34):
         rows.append((number, "4.10", claim, said, seen, difference, low, high, "6 homes", verdict, reason))
     missing = ("difference -3.00", "", *[np.nan] * 3, "", "undecided", "this data has no such cue")
     rows[-1] = (count, "4.4", "Nothing measured.", *missing)
-    names = [
-        "number",
-        "section",
-        "claim",
-        "published",
-        "measured",
-        "difference",
-        "low",
-        "high",
-        "units",
-        "verdict",
-        "reason",
-    ]
-    return pd.DataFrame(rows, columns=names)
+    names = "number section claim published measured difference low high units verdict reason"
+    return pd.DataFrame(rows, columns=names.split())
 
 
 def comparisons():
@@ -142,30 +120,11 @@ def comparisons():
 
 
 def in_text():
+    color, no_home = ("gist_without_color", "4.2"), (Note(Kind.MEASURED, "no such home"),)
     rows = [
-        ("gist_without_color", "4.2", "without colour", "Home 6", 35.41, 30.11, np.nan, 0, ON_OTHER_DATA),
-        (
-            "gist_without_color",
-            "4.2",
-            "difference",
-            "Home 6",
-            -3.0,
-            -1.0,
-            np.nan,
-            0,
-            (*ON_OTHER_DATA, QUOTE),
-        ),
-        (
-            "flat_k_means",
-            "4.10",
-            "flat < hierarchical & more",
-            "Home 1",
-            30.0,
-            np.nan,
-            np.nan,
-            0,
-            (Note(Kind.MEASURED, "no such home"),),
-        ),
+        (*color, "without colour", "Home 6", 35.41, 30.11, np.nan, 0, ON_OTHER_DATA),
+        (*color, "difference", "Home 6", -3.0, -1.0, np.nan, 0, (*ON_OTHER_DATA, QUOTE)),
+        ("flat_k_means", "4.10", "flat < hierarchical & more", "Home 1", 30.0, np.nan, np.nan, 0, no_home),
         ("short", "4.4", "short colour descriptor", "Average", 28.0, 27.0, 1.5, 2, ()),
     ]
     names = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "notes"]

@@ -102,6 +102,29 @@ def run(folder, *command, check=True, **extra):
     return result
 
 
+def init(folder):
+    """Begin a repository of git and DVC."""
+    run(folder, "git", "init", "-q")
+    run(folder, "dvc", "init", "-q")
+    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+
+
+def commit(folder):
+    """Commit everything."""
+    run(folder, "git", "add", ".")
+    run(
+        folder,
+        "git",
+        "-c",
+        "user.name=test",
+        "-c",
+        "user.email=test@example.org",
+        "commit",
+        "-qm",
+        "measured",
+    )
+
+
 def copy_project(folder, overrides=SMALL):
     """Copy what git holds of the pipeline, draw small homes, compose small settings, and initialise DVC.
 
@@ -128,9 +151,7 @@ def copy_project(folder, overrides=SMALL):
     for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
         shutil.copy(ROOT / name, folder / name)
     (folder / "params.yaml").write_text(compose(overrides, conf=folder / "conf"))
-    run(folder, "git", "init", "-q")
-    run(folder, "dvc", "init", "-q")
-    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+    init(folder)
     return folder
 
 

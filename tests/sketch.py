@@ -5,7 +5,6 @@ furniture are random for every home and room, from the same ranges for every cla
 distinguish classes. The drawings test the workflow. Accuracies on them say nothing about real homes.
 """
 
-import shutil
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -13,7 +12,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
 from placecat.seeds import derive
 
 Colour = tuple[int, int, int]
@@ -26,15 +24,7 @@ _JPEG = (cv2.IMWRITE_JPEG_QUALITY, 90)
 
 
 class Pen:
-    """Draws shapes with an outline on a canvas, in random colours.
-
-    Attributes
-    ----------
-    canvas
-        (H, W, 3) uint8, BGR; drawn on in place.
-    rng
-        Source of every choice.
-    """
+    """Draws shapes with an outline on a canvas, (H, W, 3) uint8 BGR, in random colours."""
 
     def __init__(self, canvas: Image, rng: np.random.Generator) -> None:
         self.canvas = canvas
@@ -76,76 +66,22 @@ Thing = Callable[[Pen, float, float, float], None]
 
 
 def draw_homes(
-    out: Path,
-    *,
-    homes: int = 6,
-    frames_per_room: int = 16,
-    width: int = 640,
-    height: int = 360,
-    seed: int = 0,
+    out: Path, *, homes: int = 6, frames_per_room: int = 16, width: int = 640, height: int = 360
 ) -> None:
-    """Draw homes in the layout that `placecat.sequences.vpc2009` reads.
+    """Draw homes in the layout that `placecat.sequences.vpc2009` reads; equal arguments give equal bytes.
 
     Each home shows kitchen, bathroom, living room, dining room and bedroom, two of them a second time, a
-    corridor and the transitions between them. One home has two floors.
-
-    Parameters
-    ----------
-    out
-        Folder to create, with ``Home1``, ``Home2``, ... It appears once it is complete; an empty one may
-        exist.
-    homes
-        Number of homes, at least 1.
-    frames_per_room
-        Frames of a first visit, at least 2; a second visit and the corridor have half as many.
-    width, height
-        Frame size in pixels, at least 32 each.
-    seed
-        Equal seeds give equal bytes.
-
-    Raises
-    ------
-    PlacecatError
-        If `out` exists and is not empty, or a number is too small.
+    corridor and the transitions between them. One home has two floors. `frames_per_room`, at least 2, are
+    those of a first visit; a second visit and the corridor have half as many.
     """
-    smallest = {"homes": 1, "frames_per_room": 2, "width": 32, "height": 32}
-    given = {"homes": homes, "frames_per_room": frames_per_room, "width": width, "height": height}
-    for setting, least in smallest.items():
-        if given[setting] < least:
-            raise PlacecatError(f"{setting} is {given[setting]}; set it to {least} or more.")
-    if out.exists() and (not out.is_dir() or any(out.iterdir())):
-        raise PlacecatError(f"{out}: already there; remove it to draw the homes again.")
-    partial = out.with_name(f".{out.name}.partial")
-    shutil.rmtree(partial, ignore_errors=True)
-    partial.mkdir(parents=True)
-    grain = np.random.default_rng(derive("sketch", seed, "noise"))
+    grain = np.random.default_rng(derive("sketch", 0, "noise"))
     film = _Film(width, height, grain.normal(0, 2.2, (height + 64, width + 64, 3)).astype(np.int16))
-    try:
-        for number in range(1, homes + 1):
-            storeys = number == min(4, homes)
-            _draw_home(partial / f"Home{number}", film, frames_per_room, storeys, (seed, number))
-        if out.exists():
-            out.rmdir()
-        partial.rename(out)
-    finally:
-        shutil.rmtree(partial, ignore_errors=True)
+    for number in range(1, homes + 1):
+        _draw_home(out / f"Home{number}", film, frames_per_room, number == min(4, homes), number)
 
 
 def draw_room(room: str, rng: np.random.Generator) -> Image:
-    """Draw the wall of a room.
-
-    Parameters
-    ----------
-    room
-        A key of `ROOMS`.
-    rng
-        Source of every choice.
-
-    Returns
-    -------
-    numpy.ndarray
-        (WALL_HEIGHT, WALL_WIDTH, 3) uint8, BGR.
-    """
+    """Draw the wall of a room, a key of `ROOMS`: (WALL_HEIGHT, WALL_WIDTH, 3) uint8 BGR."""
     canvas = np.empty((WALL_HEIGHT, WALL_WIDTH, 3), dtype=np.uint8)
     pen = Pen(canvas, rng)
     _shell(pen)
@@ -199,25 +135,20 @@ class _Film:
         return cv2.add(bright, noise, dtype=cv2.CV_8U)  # type: ignore[return-value]
 
 
-def _draw_home(folder: Path, film: _Film, stay: int, storeys: bool, key: tuple[int, int]) -> None:
-    rng = np.random.default_rng(derive("sketch", *key))
-    walls = {room: draw_room(room, np.random.default_rng(derive("sketch", *key, room))) for room in ROOMS}
+def _draw_home(folder: Path, film: _Film, stay: int, storeys: bool, number: int) -> None:
+    key = ("sketch", 0, number)
+    rng = np.random.default_rng(derive(*key))
+    walls = {room: draw_room(room, np.random.default_rng(derive(*key, room))) for room in ROOMS}
     text: list[str] = []
     for floor, visits in enumerate(_tour(rng, storeys), start=1):
         (folder / str(floor)).mkdir(parents=True)
         frames, segments = _walk(visits, walls, film, stay, rng)
-        for number, frame in enumerate(frames, start=1):
-            _write(folder / str(floor) / f"{number:08d}.jpg", frame)
+        for place, frame in enumerate(frames, start=1):
+            path = folder / str(floor) / f"{place:08d}.jpg"
+            path.write_bytes(cv2.imencode(".jpg", frame, _JPEG)[1].tobytes())
         text += [f"{floor}/", str(len(frames))]
         text += [f"{first:<8d}{last:<8d}{label}" for first, last, label in segments] + ["-1      -1      end"]
     (folder / "label.txt").write_text("\n".join([*text, "-1      -1      end"]) + "\n", encoding="ascii")
-
-
-def _write(path: Path, frame: Image) -> None:
-    done, data = cv2.imencode(".jpg", frame, _JPEG)
-    if not done:
-        raise PlacecatError(f"{path}: OpenCV cannot encode a JPEG; install opencv-python-headless with JPEG.")
-    path.write_bytes(data.tobytes())
 
 
 def _tour(rng: np.random.Generator, storeys: bool) -> list[list[tuple[str, bool]]]:
@@ -289,20 +220,7 @@ def _cross(before: Image, after: Image, film: _Film, count: int, rng: np.random.
 
 
 def shade(colour: Colour, factor: float) -> Colour:
-    """Darken (below 1) or brighten a colour.
-
-    Parameters
-    ----------
-    colour
-        BGR, 0 to 255.
-    factor
-        Multiplies each channel; results above 255 are cut off.
-
-    Returns
-    -------
-    tuple of int
-        BGR.
-    """
+    """Darken (below 1) or brighten a BGR colour."""
     blue, green, red = (min(255, round(channel * factor)) for channel in colour)
     return blue, green, red
 

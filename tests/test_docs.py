@@ -288,6 +288,15 @@ def test_the_devcontainer_runs_a_target_of_make():
     assert opened["postCreateCommand"].startswith("make ")
 
 
+def test_make_help_names_every_target_in_one_line():
+    targets = re.search(r"^\.PHONY: (help .*)$", MAKEFILE, re.MULTILINE)[1].split()
+    # `make test` says that it enters a folder.
+    for command in (["make", "--no-print-directory", "help"], ["make", "--no-print-directory"]):
+        shown = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+        assert sorted(line.split()[1] for line in shown.splitlines()) == sorted(targets)
+        assert all(len(line.split(maxsplit=2)) == 3 for line in shown.splitlines())
+
+
 def anchors(text):
     titles = re.findall(r"^#+ (.+)$", FENCE.sub("", text), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
@@ -308,20 +317,10 @@ def test_links_lead_somewhere(page):
 @pytest.mark.slow
 def test_the_site_is_built_without_a_warning_and_loads_nothing(tmp_path):
     pytest.importorskip("sphinx")
-    build = (
-        "sphinx",
-        "-q",
-        "-W",
-        "--keep-going",
-        "-c",
-        "docs",
-        "-d",
-        tmp_path / "doctrees",
-        ".",
-        tmp_path / "site",
-    )
+    trees, site = tmp_path / "doctrees", tmp_path / "site"
+    build = ("sphinx", "-q", "-W", "--keep-going", "-c", "docs", "-d", trees, ".", site)
     subprocess.run([sys.executable, "-m", *build], cwd=ROOT, check=True)
-    pages = list((tmp_path / "site").rglob("*.html"))
+    pages = list(site.rglob("*.html"))
     assert {page.stem for page in pages} >= {"index", "method", "security", "CONTRIBUTING"}
     for page in pages:
         assert re.findall(r"<(?:script|img|link)[^>]*(?:src|href)=\"https?:", page.read_text()) == []

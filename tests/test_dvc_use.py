@@ -8,7 +8,7 @@ import pytest
 import yaml
 
 from placecat.config.compose import compose
-from project import ROOT, contents, light_conf, rendered, repro, run
+from project import ROOT, commit, contents, init, light_conf, rendered, repro, run
 from sketch import draw_homes
 
 IDENTITY = {
@@ -29,8 +29,7 @@ def clone(reproduced, tmp_path_factory):
     first, second = base / "first", base / "second"
     shutil.copytree(folder, first, symlinks=True)
     run(first, "dvc", "remote", "add", "-q", "-d", "store", "../store")
-    run(first, "git", "add", ".")
-    run(first, "git", "commit", "-qm", "measured", **IDENTITY)
+    commit(first)
     run(first, "dvc", "push", "-q")
     run(base, "git", "clone", "-q", "first", "second")
     for out in rendered():
@@ -69,12 +68,9 @@ def experiments(tmp_path_factory):
     (folder / ".gitignore").write_text("/data/sequences\n/data/times\n__pycache__/\n")
     draw_homes(folder / "data/drawn", homes=4, frames_per_room=2)
     (folder / "params.yaml").write_text(compose(OWN_HOMES, conf=conf))
-    run(folder, "git", "init", "-q")
-    run(folder, "dvc", "init", "-q")
-    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+    init(folder)
     repro(folder)
-    run(folder, "git", "add", ".")
-    run(folder, "git", "commit", "-qm", "measured", **IDENTITY)
+    commit(folder)
     return folder
 
 

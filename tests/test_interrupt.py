@@ -10,7 +10,7 @@ import time
 import pytest
 import yaml
 
-from project import ROOT, contents, environment, repro, run
+from project import ROOT, contents, environment, init, repro, run
 from sketch import draw_homes
 
 HOMES = ("Home1", "Home2", "Home3")
@@ -42,9 +42,7 @@ def project(tmp_path):
     (folder / "params.yaml").write_text(yaml.safe_dump(own))
     # More frames than a task takes, so that both workers are busy.
     draw_homes(folder / "data/drawn", homes=3, frames_per_room=8)
-    run(folder, "git", "init", "-q")
-    run(folder, "dvc", "init", "-q")
-    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+    init(folder)
     return folder
 
 

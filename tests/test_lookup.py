@@ -4,6 +4,7 @@ import importlib
 import inspect
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -58,7 +59,10 @@ def test_a_module_that_is_no_python_or_lacks_a_package_is_no_traceback(shapes):
 
 
 def test_nothing_is_imported_to_know_the_settings(shapes):
-    assert lookup.parameters(shapes.name, "square", "describe") == {"unit": True, "scale": False}
+    assert lookup.parameters(shapes.name, "square", "describe") == {
+        "unit": (True, Any),
+        "scale": (False, Any),
+    }
     assert lookup.parameters(shapes.name, "square", "size") == {}
     assert lookup.parameters(shapes.name, "circle", "describe") == {}
     assert "shapes_for_test.square" not in sys.modules
@@ -90,7 +94,8 @@ def test_settings_of_functions_match_python(package, name, function):
         if one.kind is one.KEYWORD_ONLY
     }
     assert expected
-    assert lookup.parameters(package, name, function) == expected
+    found = lookup.parameters(package, name, function)
+    assert {setting: is_needed for setting, (is_needed, _) in found.items()} == expected
 
 
 def test_settings_of_estimators_match_scikit_learn():

@@ -1,6 +1,5 @@
 import json
 import shutil
-from pathlib import Path
 
 import pytest
 import yaml
@@ -8,9 +7,8 @@ import yaml
 from placecat.__main__ import main
 from placecat.errors import PlacecatError
 from placecat.stages import sequences
-from project import light_conf, run
+from project import ROOT, commit, init, light_conf, run
 
-ROOT = Path(__file__).resolve().parents[1]
 # One worker runs the small project of these tests once.
 pytestmark = pytest.mark.xdist_group("main")
 
@@ -188,9 +186,7 @@ def ran(tmp_path_factory):
         ".gitignore": "/data\n",
     }.items():
         (folder / name).write_text(text)
-    run(folder, "git", "init", "-q")
-    run(folder, "dvc", "init", "-q")
-    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+    init(folder)
     return folder, placecat(folder, "repro")
 
 
@@ -205,11 +201,6 @@ def committed(ran, tmp_path):
 
 def placecat(folder, *arguments, **extra):
     return run(folder, "python", "-m", "placecat", *arguments, check=False, **extra)
-
-
-def commit(folder):
-    run(folder, "git", "add", "-A")
-    run(folder, "git", "-c", "user.name=a", "-c", "user.email=a@b", "commit", "-q", "-m", "tables")
 
 
 def refused(result, message):

@@ -7,7 +7,7 @@ import pytest
 import yaml
 
 from placecat.training import fold_file
-from project import HOMES, ROOT, SITES, SMALL, contents, repro, run
+from project import HOMES, ROOT, SITES, SMALL, commit, contents, init, repro, run
 from sketch import draw_homes
 from test_adding import BLOCKS
 
@@ -97,12 +97,9 @@ def before(tmp_path_factory):
     for root in SITES.values():
         draw_homes(folder / root, homes=1, frames_per_room=2, width=320, height=180)
     own(folder, "python", "-m", "placecat", "params", *SETTINGS)
-    run(folder, "git", "init", "-q")
-    run(folder, "dvc", "init", "-q")
-    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+    init(folder)
     own(folder, "dvc", "repro", "features")
-    run(folder, "git", "add", ".")
-    run(folder, "git", "-c", "user.name=test", "-c", "user.email=test@localhost", "commit", "-qm", "before")
+    commit(folder)
     return folder
 
 

@@ -3,14 +3,15 @@
 import json
 import shutil
 
+import numpy as np
 import pandas as pd
 import pytest
 
 from placecat import files
+from placecat.config.compose import compose
 from placecat.training import fold_file
-from project import HOMES, ROOT, SMALL, compose, contents, copy_project, light_conf, rendered, repro, run
+from project import HOMES, ROOT, SMALL, commit, contents, copy_project, light_conf, rendered, repro, run
 
-IDENTITY = ("-c", "user.name=test", "-c", "user.email=test@example.org")
 pytestmark = pytest.mark.xdist_group("pipeline")
 
 
@@ -92,12 +93,14 @@ def numbers_in(content):
         yield content
 
 
-def test_dvc_knows_the_tables_as_metrics_and_draws_its_plots(reproduced, tmp_path):
-    folder, _, _ = reproduced
-    copy = tmp_path / "copy"
-    shutil.copytree(folder, copy, symlinks=True)
-    run(copy, "git", "add", ".")
-    run(copy, "git", *IDENTITY, "commit", "-qm", "measured")
+@pytest.fixture
+def copy(reproduced, tmp_path):
+    """A copy of what was reproduced, to change."""
+    return shutil.copytree(reproduced[0], tmp_path / "copy", symlinks=True)
+
+
+def test_dvc_knows_the_tables_as_metrics_and_draws_its_plots(copy):
+    commit(copy)
     path = copy / "reports/metrics.json"
     metrics = json.loads(path.read_text())
     before = metrics["table_26"]
@@ -113,8 +116,6 @@ def test_dvc_knows_the_tables_as_metrics_and_draws_its_plots(reproduced, tmp_pat
 
 def test_the_features_are_memory_mappable_and_nothing_is_pickled(reproduced):
     folder, _, _ = reproduced
-    import numpy as np
-
     hog = np.load(folder / "data/features/Home1/local_hog.npy", mmap_mode="r", allow_pickle=False)
     frames = pd.read_csv(folder / "data/sequences/Home1/frames.csv")
     assert hog.shape == (len(frames), 38, 128)
@@ -123,17 +124,14 @@ def test_the_features_are_memory_mappable_and_nothing_is_pickled(reproduced):
 
 
 def test_a_second_repro_has_nothing_to_do(reproduced):
-    folder, _, _ = reproduced
-    ran, _ = repro(folder)
+    ran, _ = repro(reproduced[0])
     assert ran == []
 
 
-def test_the_videos_are_checked_and_never_rendered(reproduced, tmp_path):
+def test_the_videos_are_checked_and_never_rendered(reproduced, copy):
     """Neither another video nor another renderer starts the frozen stage, which takes hours."""
-    folder, _, output = reproduced
+    _, _, output = reproduced
     assert "Verifying outputs in frozen stage: 'render'" in output
-    copy = tmp_path / "copy"
-    shutil.copytree(folder, copy, symlinks=True)
     (copy / rendered()[0] / "other.mp4").write_bytes(b"")
     for name in ("__init__", "render"):
         source = copy / f"src/placecat_homes/{name}.py"
@@ -154,18 +152,8 @@ def test_two_runs_from_nothing_give_the_same_bytes(reproduced, tmp_path):
     shutil.copy(folder / "dvc.lock", again)
     other = {"PLACECAT_WORKERS": "2", "OPENBLAS_NUM_THREADS": "2", "OMP_NUM_THREADS": "2"}
     run(again, "python", ROOT / "tests/every_stage.py", OPENBLAS_CORETYPE="", **other)
-    computed = (
-        "features",
-        "tracks",
-        "codebooks",
-        "cues",
-        "smoothing",
-        "site_features",
-        "splits",
-        "trials",
-        "scores",
-    )
-    parts = ("reports", "data/model.placecat", *(f"data/{part}" for part in computed))
+    computed = ("features", "tracks", "codebooks", "cues", "smoothing", "site_features", "splits", "trials")
+    parts = ("reports", "data/model.placecat", "data/scores", *(f"data/{part}" for part in computed))
     first, second = contents(folder, *parts), contents(again, *parts)
     assert first.keys() == second.keys()
     assert [name for name in first if first[name] != second[name]] == []
@@ -174,8 +162,6 @@ def test_two_runs_from_nothing_give_the_same_bytes(reproduced, tmp_path):
 @pytest.mark.parametrize("system", ["das_551_best", "das_451_all", "das_551_tracked", "das_551_extra"])
 def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, monkeypatch, system):
     """A system trained without a home and read from its file names that home's frames as the stages do."""
-    import numpy as np
-
     from placecat import settings
     from placecat.categorizer import Categorizer, model_file
     from placecat.categorizer.train import train
@@ -203,10 +189,7 @@ def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, mon
         np.testing.assert_array_equal([getattr(one, attribute) for one in decisions], expected)
 
 
-def test_changing_one_cue_runs_that_cue_and_what_follows_only(reproduced, tmp_path):
-    folder, _, _ = reproduced
-    copy = tmp_path / "copy"
-    shutil.copytree(folder, copy, symlinks=True)
+def test_changing_one_cue_runs_that_cue_and_what_follows_only(copy):
     overrides = [*SMALL, "cues.hog_tracked.classifier.base.alpha=0.5"]
     (copy / "params.yaml").write_text(compose(overrides, conf=copy / "conf"))
     # Stages of which DVC knows only that params.yaml has changed find that none of their items has.
@@ -219,10 +202,7 @@ def test_changing_one_cue_runs_that_cue_and_what_follows_only(reproduced, tmp_pa
     assert changed == {"hog_tracked", "das_551_tracked"}
 
 
-def test_changing_one_home_describes_that_home_only(reproduced, tmp_path):
-    folder, _, _ = reproduced
-    copy = tmp_path / "copy"
-    shutil.copytree(folder, copy, symlinks=True)
+def test_changing_one_home_describes_that_home_only(copy):
     frame = next((copy / HOMES / "Home2").rglob("*.jpg"))
     content = next((copy / HOMES / "Home3").rglob("*.jpg")).read_bytes()
     frame.unlink()
@@ -298,14 +278,6 @@ def light(tmp_path_factory):
         ("cues.hog_y.classifier.clusters=61", "cues", "46", "1"),
         ("cues.hog_y.classifier.base.alfa=1", "cues", "'alfa'", "1"),
         ("codebooks.hog_y.tree.max_clusters=40", "codebooks", "31 ", "1"),
-    ],
-    ids=[
-        "impossible nu",
-        "infeasible nu",
-        "impossible number",
-        "more than the codebook has",
-        "unknown setting",
-        "impossible codebook",
     ],
 )
 def test_impossible_settings_give_one_message_and_leave_nothing(

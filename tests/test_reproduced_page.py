@@ -10,11 +10,15 @@ from browser import evaluate, needs_chromium
 pytestmark = pytest.mark.xdist_group("pipeline")
 
 
+@pytest.fixture
+def page(reproduced):
+    return reproduced[0] / "reports/index.html"
+
+
 @needs_chromium
-def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(reproduced, tmp_path):
-    folder, _, _ = reproduced
+def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(page, tmp_path):
     found, console = evaluate(
-        folder / "reports/index.html",
+        page,
         tmp_path,
         """
         const tables = {};
@@ -33,7 +37,7 @@ def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(reproduc
         """,
     )
     assert console == []
-    written = {path.stem for path in (folder / "reports/tables").glob("*.csv")}
+    written = {path.stem for path in (page.parent / "tables").glob("*.csv")}
     assert len(found["tables"]) == len(written) >= 31
     assert {f"table-{number}" for number in range(1, 32)} <= set(found["tables"])
     for cells in found["tables"].values():
@@ -41,7 +45,7 @@ def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(reproduc
         # A number, or the letter of the footnote that explains why it is missing.
         assert all(re.fullmatch(r"\d{1,3}\.\d\d", number) or mark for number, mark in cells)
     assert sum(number != "" for cells in found["tables"].values() for number, _ in cells) > 500
-    figures = json.loads((folder / "reports/figures/figures.json").read_text())
+    figures = json.loads((page.parent / "figures/figures.json").read_text())
     added = [f"addition-{one['name']}".replace("_", "-") for one in figures if one["number"] is None]
     anchors = [f"figure-{one['number']}" for one in figures if one["number"] is not None]
     assert sorted(found["figures"]) == sorted([*anchors, *added])
@@ -53,36 +57,29 @@ def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(reproduc
 
 @needs_chromium
 @pytest.mark.parametrize("width", [390, 1200])
-def test_the_page_fits_its_window(reproduced, tmp_path, width):
+def test_the_page_fits_its_window(page, tmp_path, width):
     """Wide tables scroll inside the page; the page itself does not."""
-    folder, _, _ = reproduced
     script = "const root = document.documentElement; return [innerWidth, root.clientWidth, root.scrollWidth];"
-    (window, inner, needed), _ = evaluate(folder / "reports/index.html", tmp_path, script, width=width)
+    (window, inner, needed), _ = evaluate(page, tmp_path, script, width=width)
     assert window == width
     assert needed == inner
 
 
-def test_the_page_says_that_the_data_differ(reproduced):
-    folder, _, _ = reproduced
-    text = (folder / "reports/index.html").read_text()
+def test_the_page_says_that_the_data_differ(page):
+    text = page.read_text()
     assert text.count("other data, so the shading also shows a difference of the data") == 31
 
 
-def test_the_page_needs_no_server(reproduced):
-    folder, _, _ = reproduced
-    text = (folder / "reports/index.html").read_text()
-    links = re.findall(r'(?:src|href)="(?!#|data:)([^"]*)"', text)
+def test_the_page_needs_no_server(page):
+    links = re.findall(r'(?:src|href)="(?!#|data:)([^"]*)"', page.read_text())
     # The page is complete without them.
-    assert sorted(links) == sorted(
-        f"figures/{path.name}" for path in (folder / "reports/figures").glob("*.pdf")
-    )
+    assert sorted(links) == sorted(f"figures/{path.name}" for path in (page.parent / "figures").glob("*.pdf"))
 
 
 @needs_chromium
-def test_every_cell_opens_its_explanation(reproduced, tmp_path):
-    folder, _, _ = reproduced
+def test_every_cell_opens_its_explanation(page, tmp_path):
     found, console = evaluate(
-        folder / "reports/index.html",
+        page,
         tmp_path,
         """
         const { cells } = JSON.parse(document.getElementById("explanations").textContent);

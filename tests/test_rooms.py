@@ -1,4 +1,4 @@
-"""Dependencies between the rooms of the package run one way."""
+"""Dependencies between the packages, and between the rooms of placecat, run one way."""
 
 import ast
 from graphlib import TopologicalSorter
@@ -6,17 +6,19 @@ from pathlib import Path
 
 import pytest
 
-PACKAGE = Path(__file__).resolve().parents[1] / "src/placecat"
+SOURCE = Path(__file__).resolve().parents[1] / "src"
+PACKAGE = SOURCE / "placecat"
+# The packages, and the others that each may import.
+MAY_USE = {
+    "placecat": set(),
+    "placecat_homes": {"placecat"},
+    "placecat_bench": {"placecat"},
+    "hydra_plugins": {"placecat"},
+}
 WRITERS = {"thesis", "provenance", "explain", "report", "mlflow_log"}
 # Modules that a room must not import, anywhere in its text.
-NEVER = {
-    "vision": WRITERS | {"results", "drawing"},
-    "learning": WRITERS | {"results", "drawing"},
-    "fusion": WRITERS | {"results", "drawing"},
-    "cues": WRITERS | {"results", "drawing"},
-    "training": WRITERS | {"results", "drawing"},
-    "evaluation": WRITERS | {"results", "drawing"},
-    "categorizer": WRITERS | {"results", "drawing"},
+COMPUTING = ("vision", "learning", "fusion", "cues", "training", "evaluation", "categorizer")
+NEVER = dict.fromkeys(COMPUTING, WRITERS | {"results", "drawing"}) | {
     "predict": WRITERS | {"results"},
     "panoramas": WRITERS | {"results", "drawing", "stages"},
     "drawing": WRITERS | {"results"},
@@ -31,29 +33,42 @@ NEVER = {
 WRITING_STAGES = {"tables", "findings", "figures", "report", "tracking"}
 
 
-def rooms_used(path):
-    """Rooms that a module imports from."""
+def imported(path):
+    """Dotted names of all imports in the text of a module."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
+            yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:
-            names = [f"{node.module}.{alias.name}" for alias in node.names]
-        else:
-            continue
-        yield from (name.split(".")[1] for name in names if name.startswith("placecat."))
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def rooms_used(path):
+    """Rooms that a module imports from."""
+    return {name.split(".")[1] for name in imported(path) if name.startswith("placecat.")}
+
+
+def test_every_package_is_known():
+    assert {path.name for path in SOURCE.iterdir() if any(path.rglob("*.py"))} == set(MAY_USE)
+
+
+@pytest.mark.parametrize("package", MAY_USE)
+def test_the_method_imports_neither_the_renderer_nor_the_benchmarks(package):
+    others = set(MAY_USE) - MAY_USE[package] - {package}
+    for path in (SOURCE / package).rglob("*.py"):
+        assert not others & {name.partition(".")[0] for name in imported(path)}, path.relative_to(SOURCE)
 
 
 @pytest.mark.parametrize("room", NEVER)
 def test_arrows_run_one_way(room):
     for path in (PACKAGE / room).rglob("*.py"):
-        assert not NEVER[room] & set(rooms_used(path)), path.relative_to(PACKAGE)
+        assert not NEVER[room] & rooms_used(path), path.relative_to(PACKAGE)
 
 
 def test_rooms_have_no_circle():
     rooms = {}
     for path in PACKAGE.rglob("*.py"):
         room = path.relative_to(PACKAGE).parts[0].removesuffix(".py")
-        rooms.setdefault(room, set()).update(set(rooms_used(path)) - {room})
+        rooms.setdefault(room, set()).update(rooms_used(path) - {room})
     # Raises CycleError, which names the rooms of a circle.
     TopologicalSorter(rooms).prepare()
     assert len(rooms) > 20
@@ -63,7 +78,7 @@ def test_no_stage_that_computes_imports_the_report():
     computing = [path for path in (PACKAGE / "stages").glob("*.py") if path.stem not in WRITING_STAGES]
     assert len(computing) > 10
     for path in computing:
-        assert not {"provenance", "report", "mlflow_log"} & set(rooms_used(path)), path.name
+        assert not {"provenance", "report", "mlflow_log"} & rooms_used(path), path.name
 
 
 def test_the_check_sees_every_kind_of_import(tmp_path):
@@ -72,4 +87,4 @@ def test_the_check_sees_every_kind_of_import(tmp_path):
         "import placecat.report.page\nfrom placecat import thesis\n\n\ndef late():\n"
         "    from placecat.mlflow_log.store import connect\n"
     )
-    assert set(rooms_used(module)) == {"report", "thesis", "mlflow_log"}
+    assert rooms_used(module) == {"report", "thesis", "mlflow_log"}

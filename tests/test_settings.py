@@ -22,15 +22,14 @@ def test_a_missing_setting_lists_the_existing_ones():
         settings.get({"a": {"b": 1}}, "a.c")
 
 
-@pytest.mark.parametrize(("text", "message"), [("a: [1", "is not valid YAML"), ("", "is empty")])
-def test_broken_params_give_one_message(tmp_path, text, message):
-    (tmp_path / "params.yaml").write_text(text)
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [("a: [1", "is not valid YAML"), ("", "is empty"), (None, "run `placecat params`")],
+)
+def test_broken_or_missing_params_give_one_message(tmp_path, text, message):
+    if text is not None:
+        (tmp_path / "params.yaml").write_text(text)
     with pytest.raises(PlacecatError, match=message):
-        settings.load(tmp_path / "params.yaml")
-
-
-def test_missing_params_have_a_remedy(tmp_path):
-    with pytest.raises(PlacecatError, match="run `placecat params`"):
         settings.load(tmp_path / "params.yaml")
 
 

@@ -73,26 +73,19 @@ def made_homes(root, planted):
     return data_set("homes") | {"root": root, "homes": homes}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("planted", "found"),
     [
-        pytest.param(lambda room: {}, set(), id="nothing", marks=pytest.mark.slow),
-        pytest.param(
-            lambda room: {"tint": 20 * (room - 2)}, {"mean colour"}, id="a tint", marks=pytest.mark.slow
-        ),
-        pytest.param(
-            lambda room: {"light": 20 * (room - 2)},
-            {"mean colour", "brightness"},
-            id="light",
-            marks=pytest.mark.slow,
-        ),
-        pytest.param(
+        (lambda room: {}, set()),
+        (lambda room: {"tint": 20 * (room - 2)}, {"mean colour"}),
+        (lambda room: {"light": 20 * (room - 2)}, {"mean colour", "brightness"}),
+        (
             lambda room: {"grain": 4 * room},
             {"JPEG size", "video size of the frame", "video size of 5 s"},
-            id="grain",
-            marks=pytest.mark.slow,
         ),
     ],
+    ids=["nothing", "a tint", "light", "grain"],
 )
 def test_a_planted_shortcut_is_found(tmp_path, planted, found):
     table = measure(made_homes(tmp_path, planted))

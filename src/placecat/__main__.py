@@ -26,7 +26,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     given = list(sys.argv[1:] if arguments is None else arguments)
     with exiting(), redirect_stdout(Terminal(sys.stdout)):
         if given[:1] in (["experiment"], ["search"]):
-            _hydra(given[0], given[1:])
+            from placecat.experiment import application
+
+            run = application.search if given[0] == "search" else application.main
+            run(given[1:])
         else:
             options = _parser().parse_args(given)
             status = options.run(options)
@@ -151,15 +154,6 @@ def _add_results(commands: Commands) -> None:
         "of a walk through the sixth. Writes a timeline, an annotated clip and a page with both to "
         "predictions/demo. Works without a previous `placecat repro`.",
     )
-
-
-def _hydra(command: str, arguments: list[str]) -> None:
-    from placecat.experiment import application
-
-    if command == "search":
-        application.search(arguments)
-    else:
-        application.main(arguments)
 
 
 def _params(options: argparse.Namespace) -> int:

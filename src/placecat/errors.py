@@ -109,7 +109,7 @@ def refusal(error: OSError, path: object = None) -> str:
     return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED.get(number, 'choose another folder')}"
 
 
-def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:
-    """Return `before` and a question that suggests the nearest valid name; "" if none is near."""
+def did_you_mean(name: object, valid: Iterable[str]) -> str:
+    """Return a semicolon and a question that suggests the nearest valid name; "" if none is near."""
     nearest = difflib.get_close_matches(str(name), list(valid), n=1)
-    return f"{before}did you mean {nearest[0]!r}?" if nearest else ""
+    return f"; did you mean {nearest[0]!r}?" if nearest else ""

@@ -81,26 +81,21 @@ def estimator(package: str, name: object, what: str) -> str:
     return public[0]
 
 
-def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
+def parameters(package: str, name: str, definition: str) -> dict[str, tuple[bool, Any]]:
     """List the settings of a function or class without importing it.
 
     A function's settings are its keyword-only parameters; a class's are all parameters of ``__init__``.
-    Maps each setting to whether it is required, in source order; empty if the module lacks `definition`.
-    """
-    found = _taking(package, name, definition)
-    return {} if found is None else {argument.arg: needed for argument, needed in _settings(found)}
-
-
-def types(package: str, name: str, definition: str) -> dict[str, Any]:
-    """Return the types of the settings that :func:`parameters` lists, without importing the code.
-
-    A type includes its range, if any (:mod:`placecat.ranges`). It is Any if the annotation uses
+    Maps each setting, in source order, to whether it is required and its type; empty if the module lacks
+    `definition`. A type includes its range, if any (:mod:`placecat.ranges`). It is Any if the annotation uses
     anything but Python's types, :mod:`typing`, the ranges, and names defined in this package's modules.
     """
     found = _taking(package, name, definition)
     if found is None:
         return {}
-    return {argument.arg: _type(found.module, argument.annotation) for argument, _ in _settings(found)}
+    return {
+        argument.arg: (needed, _type(found.module, argument.annotation))
+        for argument, needed in _settings(found)
+    }
 
 
 def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
@@ -214,10 +209,7 @@ def _is_estimator(full_name: str, name: str) -> bool:
 
 
 def _is_abstract(node: ast.ClassDef) -> bool:
-    methods = [one for one in node.body if isinstance(one, ast.FunctionDef)]
-    return any(
-        isinstance(d, ast.Name) and d.id == "abstractmethod" for m in methods for d in m.decorator_list
-    )
+    return any(isinstance(one, ast.Name) and one.id == "abstractmethod" for one in ast.walk(node))
 
 
 def _taking(package: str, name: str, definition: str) -> _Definition | None:

@@ -89,9 +89,4 @@ def seed_name(seed: int | None) -> str:
 
 def codebook(name: str, training_set: str, seed: int) -> Path:
     """Return a codebook's file for one training set (see :class:`placecat.training.plan.Plan`) and seed."""
-    return CODEBOOKS / name / codebook_file(training_set, seed)
-
-
-def codebook_file(training_set: str, seed: int) -> str:
-    """Return the file name of a codebook for one training set and seed."""
-    return f"{training_set}.{seed_name(seed)}.npz"
+    return CODEBOOKS / name / f"{training_set}.{seed_name(seed)}.npz"

@@ -48,13 +48,8 @@ def get(params: Mapping[str, Any], name: str) -> Any:
 
 
 def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str) -> None:
-    """Refuse settings that are not keyword parameters of `function`; the PlacecatError lists valid ones."""
-    valid = [
-        name
-        for name, parameter in inspect.signature(function).parameters.items()
-        if parameter.kind in (parameter.KEYWORD_ONLY, parameter.POSITIONAL_OR_KEYWORD) and name != "self"
-    ]
-    refuse_unknown(settings, valid, where)
+    """Refuse settings that are not parameters of `function`; the PlacecatError lists valid ones."""
+    refuse_unknown(settings, list(inspect.signature(function).parameters), where)
 
 
 def refuse_unknown(settings: Mapping[str, Any], valid: list[str], where: str) -> None:

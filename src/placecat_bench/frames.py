@@ -14,14 +14,27 @@ from placecat.footage.recording import Recording
 from placecat.stages.features import feature_options
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.maps import FrameMaps
+from placecat.vision.memory import keep_freed_memory
 
 HOMES = Path("data/homes")
 # As in the thesis.
 REGIONS = 25
+# Pairs of calls, each with all frames.
+REPEATS = 15
 
 Image = NDArray[np.uint8]
 # A frame's maps and its salient regions.
 Described = tuple[FrameMaps, NDArray[np.float32]]
+
+
+def prepared(frames: Sequence[Image] | None = None) -> tuple[list[Image], list[Image]]:
+    """Return JPEG files of frames, by default one from each rendered home, and the decoded frames.
+
+    Like the stage `features`, the process keeps freed memory from now on.
+    """
+    keep_freed_memory()
+    files = jpegs() if frames is None else [encoded(frame) for frame in frames]
+    return files, [decoded(file) for file in files]
 
 
 def jpegs(homes: Path = HOMES) -> list[Image]:

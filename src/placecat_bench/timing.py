@@ -39,19 +39,16 @@ def median_seconds(call: Callable[[], Any], repeats: int) -> float:
 
 
 class Latest:
-    """Our and their calls, with their last results, which are compared too and may take minutes."""
+    """A call that keeps its last result, which is compared too and may take minutes."""
 
-    def __init__(self, ours: Callable[[], Any], theirs: Callable[[], Any]) -> None:
-        self._calls = {"ours": ours, "theirs": theirs}
-        self._results: dict[str, Any] = {}
-        self.calls = partial(self.call, "ours"), partial(self.call, "theirs")
+    def __init__(self, call: Callable[..., Any], *args: Any) -> None:
+        self._call = partial(call, *args)
 
-    def call(self, name: str) -> None:
-        """Make the call "ours" or "theirs", and keep its result."""
-        self._results[name] = self._calls[name]()
+    def __call__(self) -> Any:
+        """Make the call, and return its result."""
+        self._result = self._call()
+        return self._result
 
-    def result(self, name: str) -> Any:
+    def result(self) -> Any:
         """Return the last call's result; make the call first if there was none."""
-        if name not in self._results:
-            self.call(name)
-        return self._results[name]
+        return self._result if hasattr(self, "_result") else self()

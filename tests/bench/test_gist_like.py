@@ -7,9 +7,7 @@ def test_every_home_has_every_place_on_several_visits():
     frames = draw_frames(503, 7, range(3))
     assert frames.descriptors.shape == (503, 7)
     assert frames.descriptors.dtype == np.float32
-    assert np.bincount(frames.home).tolist() == [168, 168, 167]
-    for home in range(3):
-        place = frames.place[frames.home == home]
+    for place in np.split(frames.place, [168, 336]):
         assert np.unique(place).tolist() == list(range(CLASSES))
         # Four rounds through the rooms.
         assert np.count_nonzero(np.diff(place)) == 4 * CLASSES - 1
@@ -18,7 +16,7 @@ def test_every_home_has_every_place_on_several_visits():
 def test_a_home_does_not_depend_on_the_others():
     alone, among = draw_frames(60, 7, [1]), draw_frames(120, 7, [0, 1])
     np.testing.assert_allclose(alone.descriptors, among.descriptors[60:], rtol=1e-5)
-    other = draw_frames(60, 7, [1], seed=1)
+    other = draw_frames(60, 7, [2])
     assert not np.allclose(alone.descriptors, other.descriptors)
 
 

@@ -1,18 +1,15 @@
-import copy
 import shutil
-from pathlib import Path
 
 import pytest
 import yaml
+from changed_settings import PARAMS, ROOT, changed, refused
 
-from placecat import settings
 from placecat.config.compose import compose, found, write_params
 from placecat.errors import PlacecatError
 from placecat.schema import references
 from project import light_conf
 
-CONF = Path(__file__).resolve().parents[2] / "conf"
-PARAMS = settings.load(CONF.parent / "params.yaml")
+CONF = ROOT / "conf"
 
 
 @pytest.fixture(scope="module")
@@ -55,9 +52,7 @@ def test_the_data_set_is_one_override(composed):
     ],
 )
 def test_wrong_overrides_are_refused_in_one_line(composed, override, message):
-    with pytest.raises(PlacecatError, match=message) as caught:
-        composed(override)
-    assert "\n" not in str(caught.value)
+    refused(composed, override, message)
 
 
 @pytest.mark.parametrize("path", sorted((CONF / "dataset").glob("*.yaml")), ids=lambda path: path.stem)
@@ -119,9 +114,7 @@ def own_conf(tmp_path):
 )
 def test_a_cue_of_a_descriptor_that_is_not_there_is_refused_with_its_file(own_conf, descriptor, message):
     (own_conf / "cue/new.yaml").write_text(f"codebook: null\ndescriptor: {descriptor}\n")
-    with pytest.raises(PlacecatError, match=message) as caught:
-        found(own_conf)
-    assert "\n" not in str(caught.value)
+    refused(found, own_conf, message)
 
 
 def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
@@ -134,14 +127,6 @@ def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
     (own_conf / "codebook/centrist_cells.yaml").unlink()
     content = yaml.safe_load(found(own_conf))
     assert content["descriptors"] == {"holistic": {"gist": {"color": True, "center_surround": True}}}
-
-
-def _set(params, name, value):
-    *path, last = name.split(".")
-    part = params
-    for key in path:
-        part = part[key]
-    part[last] = value
 
 
 @pytest.mark.parametrize(
@@ -181,28 +166,25 @@ def _set(params, name, value):
     ],
 )
 def test_a_name_of_nothing_is_refused_before_any_stage_runs(setting, value, message):
-    params = copy.deepcopy(PARAMS)
-    references.check(params)
-    references.check({})
-    _set(params, setting, value)
-    with pytest.raises(PlacecatError, match=message) as caught:
-        references.check(params)
-    assert "\n" not in str(caught.value)
+    refused(references.check, changed(setting, value), message)
 
 
 def test_an_opinion_pool_needs_cues_that_are_cross_validated():
-    params = copy.deepcopy(PARAMS)
-    _set(params, "systems.das_551_best.integrator", {"method": "log_pool", "shrinkage": 0.1})
+    pool = {"method": "log_pool", "shrinkage": 0.1}
+    params = changed("systems.das_551_best.integrator", pool)
     references.check(params)
-    _set(params, "cues.sift_y.cross_validate", False)
-    with pytest.raises(PlacecatError, match=r"has method: log_pool: there is no cue with cross.* 'sift_y'"):
-        references.check(params)
+    params = changed("cues.sift_y.cross_validate", False, params)
+    refused(references.check, params, r"has method: log_pool: there is no cue with cross.* 'sift_y'")
 
 
 @pytest.mark.parametrize("section", ["protocol", "smoothing", "tracking", "descriptors", "dataset"])
 def test_a_section_without_settings_names_nothing(section):
     references.check({section: None})
-    references.check({"protocol": {"extra": None}})
+
+
+def test_names_of_something_pass():
+    for params in (PARAMS, {}, {"protocol": {"extra": None}}):
+        references.check(params)
 
 
 def test_params_with_a_name_of_nothing_are_not_written(tmp_path, monkeypatch):
@@ -217,23 +199,21 @@ def test_the_same_settings_are_composed_once(tmp_path, monkeypatch):
     from placecat.config import compose as module
 
     (tmp_path / "conf").mkdir()
-    (tmp_path / "conf/config.yaml").write_text("verdict: {}\n")
     monkeypatch.chdir(tmp_path)
     calls = []
     monkeypatch.setattr(module, "compose", lambda overrides: calls.append(overrides) or "figures: {}\n")
-    write_params()
-    write_params()
-    assert len(calls) == 1
-    write_params(["a=1"])
-    assert len(calls) == 2
-    (tmp_path / "conf/new.yaml").write_text("a: 1\n")
-    write_params(["a=1"])
-    assert len(calls) == 3
-    (tmp_path / "params.yaml").write_text("edited: 1\n")
-    write_params(["a=1"])
-    assert len(calls) == 4
-    assert (tmp_path / "params.yaml").read_text() == "figures: {}\n"
-    (tmp_path / "conf/new.yaml").write_text("a: ${oc.env:HOME}\n")
-    write_params(["a=1"])
-    write_params(["a=1"])
-    assert len(calls) == 6
+    # A file that changes, the overrides, and the number of compositions so far; the environment may change.
+    for file, text, overrides, expected in (
+        ("conf/config.yaml", "verdict: {}\n", [], 1),
+        (None, None, [], 1),
+        (None, None, ["a=1"], 2),
+        ("conf/new.yaml", "a: 1\n", ["a=1"], 3),
+        ("params.yaml", "edited: 1\n", ["a=1"], 4),
+        ("conf/new.yaml", "a: ${oc.env:HOME}\n", ["a=1"], 5),
+        (None, None, ["a=1"], 6),
+    ):
+        if file is not None:
+            (tmp_path / file).write_text(text)
+        write_params(overrides)
+        assert len(calls) == expected, (file, overrides)
+        assert (tmp_path / "params.yaml").read_text() == "figures: {}\n"

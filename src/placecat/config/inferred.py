@@ -5,8 +5,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from placecat import settings
 from placecat.errors import PlacecatError
 from placecat.vision import discovery, holistic, local
@@ -79,11 +77,6 @@ def _files(conf: Path, *folders: str) -> Iterator[tuple[Path, dict[str, Any]]]:
 
 
 def _read(conf: Path, folder: str) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Yield the path and content of each YAML file in a folder that contains a mapping."""
+    """Yield the path and content of each YAML file in a folder."""
     for path in sorted((conf / folder).glob("*.yaml")):
-        try:
-            content = yaml.load(path.read_text(encoding="utf-8"), Loader=settings.Loader)
-        except yaml.YAMLError as error:
-            raise PlacecatError(f"{path} is not valid YAML: {' '.join(str(error).split())}") from None
-        if isinstance(content, dict):
-            yield path, content
+        yield path, settings.read_yaml(path, "write its settings, or remove it")

@@ -77,14 +77,11 @@ def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
     """Return a mistake's place, without the type name that pydantic adds to `loc` for unions."""
     place: list[str] = []
     for part in loc:
-        if isinstance(content, Mapping | list) and _has(content, part):
+        is_key = isinstance(content, Mapping) and part in content
+        if is_key or (isinstance(content, list) and isinstance(part, int)):
             place.append(str(part))
             content = content[part]
     return tuple(place)
-
-
-def _has(here: Any, part: Any) -> bool:
-    return part in here if isinstance(here, Mapping) else isinstance(part, int) and part < len(here)
 
 
 def _short(value: Any) -> str:

@@ -2,12 +2,30 @@
 
 from typing import Annotated, Any, Literal
 
-from annotated_types import MinLen
-from pydantic import BaseModel, ConfigDict
+from annotated_types import Interval, MinLen
+from pydantic import AfterValidator, BaseModel, ConfigDict
 
-from placecat.ranges import Seed
+from placecat.ranges import Count, Seed
 from placecat.schema.names import Distinct, Key
 
+
+def _odd(number: int) -> int:
+    if number % 2 == 0:
+        raise ValueError("it must be odd")
+    return number
+
+
+def _ascending(numbers: list[int]) -> list[int]:
+    if sorted(set(numbers)) != numbers:
+        raise ValueError("it must be ascending")
+    return numbers
+
+
+Odd = Annotated[Count, AfterValidator(_odd)]
+Window = Annotated[int, Interval(ge=3, le=999), AfterValidator(_odd)]
+Level = Annotated[int, Interval(ge=1, le=16)]
+"""Levels of an image pyramid."""
+Levels = Annotated[list[Level], MinLen(1), AfterValidator(_ascending)]
 # Settings that are checked by the function that takes them.
 Own = dict[str, Any]
 Seeds = Annotated[Distinct[Seed], MinLen(1)]

@@ -12,9 +12,8 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from placecat import lookup
 from placecat.ranges import Count, Index, NonNegative, PartShare, Pixels, Positive, Seed, Share, Two
-from placecat.schema.base import Keys, Own, Schemes, Section, Seeds
+from placecat.schema.base import Keys, Level, Levels, Odd, Own, Schemes, Section, Seeds, Window
 from placecat.schema.names import Distinct, FileName, Folder, Key, Label, Text
-from placecat.schema.numbers import Level, Levels, Odd, Window
 
 
 class Dataset(Section):

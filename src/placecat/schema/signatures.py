@@ -115,9 +115,8 @@ class _Setting(NamedTuple):
 @lru_cache
 def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
     """Return the settings of a function or class; see :func:`placecat.lookup.parameters`."""
-    needed = lookup.parameters(package, name, definition)
-    kinds = lookup.types(package, name, definition)
-    return {setting: _Setting(needed[setting], schema.of_type(kinds[setting])) for setting in needed}
+    found = lookup.parameters(package, name, definition)
+    return {setting: _Setting(needed, schema.of_type(kind)) for setting, (needed, kind) in found.items()}
 
 
 @lru_cache

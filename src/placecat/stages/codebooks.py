@@ -37,7 +37,7 @@ def plan(name: str, params: Mapping[str, Any]) -> items.Work:
     cue = Cue(codebook["descriptor"], {}, codebook)
     tested = settings.get(params, "protocol.test_homes")
     tasks = {
-        paths.codebook_file(fold.training_set, seed): (fold, cue, seed)
+        paths.codebook(name, fold.training_set, seed).name: (fold, cue, seed)
         for scheme in codebook["schemes"]
         for fold in plans.of_homes(params, scheme, tested)
         for seed in settings.get(params, "protocol.seeds")

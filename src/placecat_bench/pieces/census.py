@@ -7,6 +7,8 @@ straight neighbours are compared. It also computes codes of border pixels, which
 """
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Any
 
 import cv2
 import numpy as np
@@ -14,7 +16,7 @@ from numpy.typing import NDArray
 
 from placecat.vision.census import CODES, cell_histograms, census
 from placecat_bench.comparison import Comparison, Limit, Peer
-from placecat_bench.frames import Image, decoded, jpegs, size
+from placecat_bench.frames import REPEATS, Image, prepared, size
 
 PIECE = "Census histograms"
 PEER = Peer("scikit-image: local_binary_pattern and NumPy's histogram", "scikit-image")
@@ -24,20 +26,13 @@ OUR_STRAIGHT = (8, 64, 16, 2)
 THEIR_STRAIGHT = (1, 4, 16, 64)
 
 
-def entries(
-    *,
-    images: Sequence[Image] | None = None,
-    width: int = 320,
-    height: int = 180,
-    cells: int = 4,
-    repeats: int = 15,
-) -> Iterator[Comparison | Limit]:
+def entries(*, images: Sequence[Image] | None = None, cells: int = 4) -> Iterator[Comparison | Limit]:
     """Yield comparisons of the times, and of the histograms, with `cells` cells along each axis.
 
-    `images` are (h, w) uint8 of one size; the default is a frame of each rendered home, reduced to `width`
-    and `height`. A repeat is a pair of calls with all images.
+    `images` are (h, w) uint8 of one size; the default is a frame of each rendered home, reduced to 320x180. A
+    repeat is a pair of calls with all images.
     """
-    given = reduced_frames(width, height) if images is None else images
+    given = reduced_frames() if images is None else images
     text = f"{size(given[0])}, {cells}x{cells} cells"
     codes = [census(image) for image in given]
     yield Comparison(
@@ -47,7 +42,7 @@ def entries(
         lambda: [ours(image, cells) for image in given],
         lambda: [theirs(image, cells) for image in given],
         faster=40,
-        repeats=repeats,
+        repeats=REPEATS,
         parts={
             "codes": lambda: [census(image) for image in given],
             "histograms": lambda: [cell_histograms(some, cells) for some in codes],
@@ -60,7 +55,7 @@ def entries(
         lambda: [ours(image, cells) for image in given],
         lambda: [by_mahotas(image, cells) for image in given],
         faster=20,
-        repeats=repeats,
+        repeats=REPEATS,
     )
     yield Limit(
         PIECE,
@@ -72,11 +67,10 @@ def entries(
     )
 
 
-def reduced_frames(width: int, height: int) -> list[Image]:
-    """Return a frame of each rendered home as a grey image, (height, width) uint8."""
-    greys = [cv2.cvtColor(decoded(file), cv2.COLOR_BGR2GRAY) for file in jpegs()]
-    small = [cv2.resize(grey, (width, height), interpolation=cv2.INTER_AREA) for grey in greys]
-    return [np.asarray(image, np.uint8) for image in small]
+def reduced_frames() -> list[Image]:
+    """Return a frame of each rendered home as a grey image, (180, 320) uint8."""
+    greys = [cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) for frame in prepared()[1]]
+    return [np.asarray(cv2.resize(grey, (320, 180), interpolation=cv2.INTER_AREA)) for grey in greys]
 
 
 def ours(image: Image, cells: int) -> NDArray[np.float32]:
@@ -89,37 +83,23 @@ def theirs(image: Image, cells: int) -> NDArray[np.float64]:
     from skimage.feature import local_binary_pattern
 
     codes = local_binary_pattern(image, P=8, R=1)[1:-1, 1:-1]
-    height, width = codes.shape
-    rows = []
-    for row in range(cells):
-        for column in range(cells):
-            block = codes[
-                row * height // cells : (row + 1) * height // cells,
-                column * width // cells : (column + 1) * width // cells,
-            ]
-            rows.append(np.histogram(block, bins=CODES, range=(0, CODES))[0] / block.size)
-    return np.array(rows)
+    blocks = _blocks(codes, cells)
+    return np.array([np.histogram(block, bins=CODES, range=(0, CODES))[0] / block.size for block in blocks])
 
 
 def by_mahotas(image: Image, cells: int) -> NDArray[np.float64]:
     """Compute mahotas's histograms in the same cells, (cells**2, 36); it counts rotated patterns as one."""
     from mahotas.features import lbp
 
-    height, width = image.shape
-    return np.array(
-        [
-            lbp(
-                image[
-                    row * height // cells : (row + 1) * height // cells,
-                    column * width // cells : (column + 1) * width // cells,
-                ],
-                radius=1,
-                points=8,
-            )
-            for row in range(cells)
-            for column in range(cells)
-        ]
-    )
+    return np.array([lbp(block, radius=1, points=8) for block in _blocks(image, cells)])
+
+
+def _blocks(image: NDArray[Any], cells: int) -> Iterator[NDArray[Any]]:
+    """Yield an image's cells, row by row."""
+    rows, columns = (np.arange(cells + 1) * length // cells for length in image.shape)
+    for top, bottom in pairwise(rows):
+        for left, right in pairwise(columns):
+            yield image[top:bottom, left:right]
 
 
 def largest_difference(image: Image, cells: int) -> float:

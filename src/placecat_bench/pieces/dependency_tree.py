@@ -110,12 +110,12 @@ def _comparison(
     )
 
 
-def chained_codes(samples: int, variables: int, n_values: int, seed: int = 0) -> NDArray[np.int32]:
+def chained_codes(samples: int, variables: int, n_values: int) -> NDArray[np.int32]:
     """Draw codes, (samples, variables) int32 in [0, n_values), from a tree.
 
     About half of each variable's samples repeat the value of one earlier variable.
     """
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     codes = rng.integers(n_values, size=(samples, variables), dtype=np.int32)
     for variable in range(1, variables):
         repeated = rng.random(samples) < 0.5

@@ -12,9 +12,8 @@ from typing import Any
 from placecat.vision import holistic, local
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.frame import describe_frame
-from placecat.vision.memory import keep_freed_memory
 from placecat_bench.comparison import Comparison, Limit, Peer
-from placecat_bench.frames import REGIONS, Image, decoded, encoded, jpegs, options, size
+from placecat_bench.frames import REGIONS, REPEATS, Image, decoded, options, prepared, size
 from placecat_bench.timing import median_seconds
 
 PIECE = "All features of a frame"
@@ -24,29 +23,26 @@ PEER = Peer("OpenCV: imdecode", "opencv-python-headless")
 Options = Mapping[str, Any]
 
 
-def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Comparison | Limit]:
+def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | Limit]:
     """Yield comparisons of the time with decoding, and the frames per second including decoding.
 
-    Parameters
-    ----------
-    frames
-        Frames of one size; by default, one from each rendered home.
-    repeats
-        Number of pairs of calls, each with all frames.
+    `frames` have one size; by default, there is one from each rendered home.
     """
-    keep_freed_memory()
-    files = jpegs() if frames is None else [encoded(frame) for frame in frames]
-    pictures = [decoded(file) for file in files]
+    files, pictures = prepared(frames)
     every = options()
     text = f"{size(pictures[0])} JPEG"
-    yield from _of(files, pictures, for_cues(every), f"{text}, for the cues", repeats)
-    yield from _of(files, pictures, every, f"{text}, for the trials too", repeats)
+    yield from _of(files, pictures, for_cues(every), f"{text}, for the cues")
+    yield from _of(files, pictures, every, f"{text}, for the trials too")
 
 
 def _of(
-    files: Sequence[Image], pictures: Sequence[Image], own: Options, text: str, repeats: int
+    files: Sequence[Image], pictures: Sequence[Image], own: Options, text: str
 ) -> Iterator[Comparison | Limit]:
     spent = parts(pictures, own)
+
+    def from_files() -> list[Any]:
+        return [describe_frame(decoded(file), own) for file in files]
+
     yield Comparison(
         PIECE,
         text,
@@ -54,17 +50,14 @@ def _of(
         lambda: [describe_frame(picture, own) for picture in pictures],
         lambda: [decoded(file) for file in files],
         at_most=7,
-        repeats=repeats,
+        repeats=REPEATS,
         parts=spent,
     )
     yield Limit(
         PIECE,
         text,
         "frames/s on one core, with decoding",
-        lambda: (
-            len(files)
-            / median_seconds(lambda: [describe_frame(decoded(file), own) for file in files], repeats)
-        ),
+        lambda: len(files) / median_seconds(from_files, REPEATS),
         at_least=40,
         parts={"decoding": lambda: [decoded(file) for file in files], **spent},
     )
@@ -79,19 +72,9 @@ def for_cues(every: Options) -> dict[str, Any]:
 
 
 def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part of describing all frames.
+    """Make a function for each part of describing all frames: maps, regions and each descriptor.
 
-    Parameters
-    ----------
-    frames
-        (H, W, 3) uint8 BGR.
-    own
-        Settings of `placecat.vision.frame.describe_frame`.
-
-    Returns
-    -------
-    dict
-        Maps, regions and each descriptor. Shared work counts towards every descriptor that needs it.
+    `frames` are (H, W, 3) uint8 BGR. Shared work counts towards every descriptor that needs it.
     """
     maps = [compute_maps(frame, **own["attention"]) for frame in frames]
     regions = [find_regions(one, **own["regions"]) for one in maps]

@@ -6,7 +6,7 @@ the shares of correctly decided training frames are compared too. LightGBM and X
 with as many trees of depth 1 and as many bins, using all samples in every round and full steps.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.learning.gentle_adaboost import GentleAdaBoost
-from placecat_bench.comparison import Comparison, Entry, Limit, Peer
-from placecat_bench.gist_like import draw_frames
+from placecat_bench.comparison import LEAST_REPEATS, Comparison, Entry, Limit, Peer
+from placecat_bench.gist_like import draw_frames, points_behind
 from placecat_bench.timing import Latest
 
 PIECE = "Gentle AdaBoost"
@@ -33,34 +33,30 @@ _SUM = 256
 def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Iterator[Entry]:
     """Yield comparisons of the times, and of how well both decide the training frames after all stumps."""
     drawn = draw_frames(frames, features, HOMES)
-    X, positive = drawn.descriptors, drawn.place == 0
-    text = f"{frames} x {features}, {rounds} rounds"
-    base = GentleAdaBoost(rounds)
-    calls = partial(ours, X, positive, rounds), partial(theirs, X, positive, rounds)
-    parts = {"bins of the features": partial(base.prepare, X)}
-    yield Comparison(PIECE, text, PEER, *calls, faster=4, parts=parts)
-
-    def behind() -> float:
-        decisions = theirs(X, positive, rounds).predict(X, flags=_SUM)[1][:, 0]
-        found = np.mean(ours(X, positive, rounds).predict(X) == positive)
-        return 100.0 * float(np.mean((decisions > 0) == positive) - found)
-
-    yield Limit(PIECE, text, "points of training accuracy behind OpenCV's", behind, at_most=1, peer=PEER)
+    given = drawn.descriptors, drawn.place == 0, rounds
+    yield from _beside(PEER, theirs, given, faster=4, repeats=LEAST_REPEATS)
     for name, peer in OTHERS.items():
-        yield from _beside(name, peer, X, positive, rounds, text)
+        yield from _beside(peer, partial(by, name), given, faster=1, repeats=15)
 
 
 def _beside(
-    name: str, peer: Peer, X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int, text: str
+    peer: Peer,
+    call: Callable[..., Any],
+    given: tuple[NDArray[np.float32], NDArray[np.bool_], int],
+    *,
+    faster: float,
+    repeats: int,
 ) -> Iterator[Entry]:
-    models = Latest(ours=lambda: ours(X, positive, rounds), theirs=lambda: by(name, X, positive, rounds))
+    X, positive, rounds = given
+    text = f"{len(X)} x {X.shape[1]}, {rounds} rounds"
+    our, their = Latest(ours, *given), Latest(call, *given)
     parts = {"bins of the features": lambda: GentleAdaBoost(rounds).prepare(X)}
-    calls = (lambda: models.call("ours")), (lambda: models.call("theirs"))
-    yield Comparison(PIECE, text, peer, *calls, faster=1, repeats=15, parts=parts)
+    yield Comparison(PIECE, text, peer, our, their, faster=faster, repeats=repeats, parts=parts)
 
     def behind() -> float:
-        right = {who: np.mean(models.result(who).predict(X) == positive) for who in ("ours", "theirs")}
-        return 100.0 * float(right["theirs"] - right["ours"])
+        model = their.result()
+        decided = model.predict(X, flags=_SUM)[1][:, 0] > 0 if peer is PEER else model.predict(X)
+        return points_behind(our.result().predict(X), decided, positive)
 
     quantity = f"points of training accuracy behind {peer.name.partition(':')[0]}'s"
     yield Limit(PIECE, text, quantity, behind, at_most=1, peer=peer)

@@ -14,18 +14,16 @@ from numpy.typing import NDArray
 
 from placecat.vision.attention import compute_maps
 from placecat.vision.holistic import gist
-from placecat.vision.memory import keep_freed_memory
 from placecat_bench.comparison import TORCH, Comparison, Peer
-from placecat_bench.frames import Image, decoded, jpegs, options, size
+from placecat_bench.frames import REPEATS, Image, options, prepared, size
 
 PEER = Peer("torchgist: GIST", "torchgist", extra=TORCH)
 _SIDE = 256
 
 
-def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Comparison]:
+def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison]:
     """Yield the comparison of the times, by default for one frame from each rendered home."""
-    keep_freed_memory()
-    pictures = [decoded(file) for file in jpegs()] if frames is None else frames
+    _, pictures = prepared(frames)
     attention = options()["attention"]
     maps = [compute_maps(picture, gist.MAPS, **attention) for picture in pictures]
     squares = [np.asarray(cv2.resize(picture, (_SIDE, _SIDE)), np.uint8) for picture in pictures]
@@ -36,7 +34,7 @@ def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iter
         lambda: [ours(picture, attention) for picture in pictures],
         lambda: theirs(squares),
         faster=5,
-        repeats=repeats,
+        repeats=REPEATS,
         parts={
             "maps": lambda: [compute_maps(picture, gist.MAPS, **attention) for picture in pictures],
             "means": lambda: [gist.describe(*one) for one in zip(pictures, maps, strict=True)],

@@ -26,13 +26,13 @@ from placecat.learning.nearest import nearest_centers
 from placecat.vision.attention import compute_maps
 from placecat.vision.local import sift
 from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.frames import HOMES
 from placecat_bench.timing import Latest
 
 PIECE = "Hierarchical k-means"
 PEER = Peer("FLANN: hierarchical_kmeans", "pyflann-ibeis")
 SUPERKMEANS = Peer("superkmeans: SuperKMeans, hierarchical", "superkmeans")
 FAISS = Peer("faiss: Kmeans", "faiss-cpu")
-HOMES = Path("data/homes")
 BRANCHING = 16
 ITERATIONS = 11
 _FRAME_STEP = 13
@@ -64,33 +64,25 @@ def _cut(
     faster: float,
 ) -> Iterator[Comparison | Limit]:
     text = f"{len(points)} x {points.shape[1]}, {n_clusters} clusters"
-    centers = Latest(ours=lambda: ours(points, n_clusters), theirs=lambda: call(points, n_clusters))
+    our, their = Latest(ours, points, n_clusters), Latest(call, points, n_clusters)
+    parts = {"first split": lambda: ours(points, BRANCHING)}
+    # FLANN takes half a minute.
+    yield Comparison(PIECE, text, peer, our, their, faster=faster, warm_up=False, parts=parts)
 
     def relative_inertia() -> float:
-        return inertia(points, centers.result("ours")) / inertia(points, centers.result("theirs"))
+        return inertia(points, our.result()) / inertia(points, their.result())
 
-    yield Comparison(
-        PIECE,
-        text,
-        peer,
-        lambda: centers.call("ours"),
-        lambda: centers.call("theirs"),
-        faster=faster,
-        # FLANN takes half a minute.
-        warm_up=False,
-        parts={"first split": lambda: ours(points, BRANCHING)},
-    )
     quantity = f"inertia by {peer.name.partition(':')[0]}'s"
     yield Limit(PIECE, text, quantity, relative_inertia, at_most=1.02, peer=peer)
 
 
-def draw_descriptors(points: int, homes: Path = HOMES, seed: int = 0) -> NDArray[np.float32]:
+def draw_descriptors(points: int, homes: Path) -> NDArray[np.float32]:
     """Describe random positions and scales in every 13th frame, using as many videos as necessary.
 
     Returns (points, 128) float32, whole numbers from 0 to 255. Raises PlacecatError if the videos have too
     few frames.
     """
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     parts: list[NDArray[np.float32]] = []
     for frame in islice(_frames(homes), -(-points // _REGIONS)):
         maps = compute_maps(frame, fields=("grey",))

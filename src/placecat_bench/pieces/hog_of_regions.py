@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 
 from placecat.vision.local import hog
 from placecat.vision.maps import FrameMaps
-from placecat.vision.memory import keep_freed_memory
 from placecat.vision.patches import cut, region_side, to_bytes
 from placecat_bench.comparison import Absent, Comparison, Entry, Limit, Peer
-from placecat_bench.frames import REGIONS, Described, Image, decoded, jpegs, size, with_regions
+from placecat_bench.frames import REGIONS, REPEATS, Described, Image, prepared, size, with_regions
 
 PIECE = "HOG of regions"
 PEER = Peer("OpenCV: HOGDescriptor.compute for each region", "opencv-python-headless")
@@ -24,16 +23,12 @@ DLIB = Absent(
 )
 
 
-def entries(
-    *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
-) -> Iterator[Entry]:
+def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> Iterator[Entry]:
     """Yield comparisons of the times, and of the descriptors, for `count` regions per frame.
 
-    `frames` have one size; by default, there is one from each rendered home. A repeat is a pair of calls with
-    all frames.
+    `frames` have one size; by default, there is one from each rendered home.
     """
-    keep_freed_memory()
-    pictures = [decoded(file) for file in jpegs()] if frames is None else frames
+    _, pictures = prepared(frames)
     text = f"{count} regions of {size(pictures[0])}"
     given = with_regions(pictures, count)
     patches = [patches_of(*one) for one in given]
@@ -44,7 +39,7 @@ def entries(
         lambda: ours(given),
         lambda: theirs(given),
         faster=2,
-        repeats=repeats,
+        repeats=REPEATS,
         parts={
             "cutting": lambda: [patches_of(*one) for one in given],
             "resizing": lambda: [[resized(patch) for patch in some] for some in patches],

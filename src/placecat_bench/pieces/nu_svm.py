@@ -75,43 +75,34 @@ def _beside(
     faster: tuple[float, float] = (3, 5),
     at_most: float = 5e-3,
 ) -> Iterator[Entry]:
-    models = Latest(ours=lambda: ours(known, train), theirs=lambda: fit(known, train))
+    our, their = Latest(ours, known, train), Latest(fit, known, train)
 
     @cache
     def gram() -> NDArray[Any]:
         return rbf_gram(known, BASE.gamma, BASE.gram_dtype)
 
-    yield Comparison(
-        PIECE,
-        texts[0],
-        peer,
-        lambda: models.call("ours"),
-        lambda: models.call("theirs"),
-        faster=faster[0],
-        warm_up=False,
-        parts={
-            "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
-            "fits on it": lambda: ours(known, train, gram()),
-        },
-    )
+    parts = {
+        "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
+        "fits on it": lambda: ours(known, train, gram()),
+    }
+    yield Comparison(PIECE, texts[0], peer, our, their, faster=faster[0], warm_up=False, parts=parts)
     gram.cache_clear()
 
-    def machine() -> Any:
-        return models.result("ours").scorer_
+    def found() -> Any:
+        return our.result().predict_proba(unknown)
 
-    yield Comparison(
-        PIECE,
-        texts[1],
-        peer,
-        lambda: models.result("ours").predict_proba(unknown),
-        lambda: models.result("theirs")(unknown),
-        faster=faster[1],
-        parts={"kernel values": lambda: rbf_cross(unknown, machine().support_vectors, machine().gamma)},
-    )
+    def expected() -> Any:
+        return their.result()(unknown)
+
+    def kernel_values() -> Any:
+        machine = our.result().scorer_
+        return rbf_cross(unknown, machine.support_vectors, machine.gamma)
+
+    parts = {"kernel values": kernel_values}
+    yield Comparison(PIECE, texts[1], peer, found, expected, faster=faster[1], parts=parts)
 
     def largest_difference() -> float:
-        found, expected = models.result("ours").predict_proba(unknown), models.result("theirs")(unknown)
-        return float(np.abs(found - expected).max())
+        return float(np.abs(found() - expected()).max())
 
     quantity = "largest difference of a probability"
     yield Limit(PIECE, texts[1], quantity, largest_difference, at_most=at_most, peer=peer)
@@ -119,8 +110,7 @@ def _beside(
 
 def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = None) -> OneAgainstAll:
     """Fit our scheme, which leaves out random parts of the frames in turn."""
-    model = OneAgainstAll(BASE, combination="certainty")
-    return model.fit(X, frames.place, gram=gram)
+    return OneAgainstAll(BASE, combination="certainty").fit(X, frames.place, gram=gram)
 
 
 def theirs(X: NDArray[np.float32], frames: Frames) -> Predict:

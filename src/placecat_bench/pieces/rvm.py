@@ -22,7 +22,7 @@ from placecat.learning.kernels import rbf_gram
 from placecat.learning.rvm import RVM
 from placecat.learning.scaling import KernelScaling
 from placecat_bench.comparison import Comparison, Limit, Peer
-from placecat_bench.gist_like import CLASSES, draw_frames
+from placecat_bench.gist_like import CLASSES, draw_frames, points_behind
 from placecat_bench.timing import Latest, seconds
 
 PIECE = "RVM"
@@ -40,50 +40,37 @@ def entries(
 
     sklearn-rvm receives the `fewest` frames, fastrvm a `few`. `features` is a descriptor's length.
     """
-    yield from _beside(PRUNING, by_pruning, fewest, features, faster=10)
-    yield from _beside(PEER, theirs, few, features, faster=1)
-    yield _alone(many, features)
+    for peer, call, number, faster in ((PRUNING, by_pruning, fewest, 10), (PEER, theirs, few, 1)):
+        yield from _beside(peer, call, *scaled_frames(number, features), faster)
+    X, place = scaled_frames(many, features)
+    yield Limit(
+        PIECE,
+        f"{many} x {features}",
+        f"seconds, the slowest of {CLASSES} classes",
+        lambda: max(seconds(partial(ours, X, place == number)) for number in range(CLASSES)),
+        at_most=60,
+        parts={"Gram matrix": lambda: rbf_gram(X, GAMMA)},
+    )
 
 
 def _beside(
     peer: Peer,
     call: Callable[[NDArray[np.float64], NDArray[np.bool_]], Any],
-    few: int,
-    features: int,
-    *,
+    X: NDArray[np.float32],
+    place: NDArray[np.int64],
     faster: float,
 ) -> Iterator[Comparison | Limit]:
-    X, place = scaled_frames(few, features)
-    positive, in_their_type = place == PLACE, X.astype(np.float64)
-    text = f"{few} x {features}"
-    models = Latest(ours=lambda: ours(X, positive), theirs=lambda: call(in_their_type, positive))
-
-    def behind() -> float:
-        right = {name: np.mean(models.result(name).predict(X) == positive) for name in ("ours", "theirs")}
-        return 100.0 * float(right["theirs"] - right["ours"])
-
+    positive, text = place == PLACE, f"{len(X)} x {X.shape[1]}"
+    our, their = Latest(ours, X, positive), Latest(call, X.astype(np.float64), positive)
     parts = {"Gram matrix": lambda: rbf_gram(X, GAMMA)}
     # The peer takes a minute.
-    calls = partial(models.call, "ours"), partial(models.call, "theirs")
-    yield Comparison(PIECE, text, peer, *calls, faster=faster, warm_up=False, parts=parts)
+    yield Comparison(PIECE, text, peer, our, their, faster=faster, warm_up=False, parts=parts)
     quantity = f"points of training accuracy behind {peer.package}'s"
+
+    def behind() -> float:
+        return points_behind(our.result().predict(X), their.result().predict(X), positive)
+
     yield Limit(PIECE, text, quantity, behind, at_most=1, peer=peer)
-
-
-def _alone(many: int, features: int) -> Limit:
-    X, place = scaled_frames(many, features)
-
-    def slowest() -> float:
-        return max(seconds(partial(ours, X, place == number)) for number in range(CLASSES))
-
-    return Limit(
-        PIECE,
-        f"{many} x {features}",
-        f"seconds, the slowest of {CLASSES} classes",
-        slowest,
-        at_most=60,
-        parts={"Gram matrix": lambda: rbf_gram(X, GAMMA)},
-    )
 
 
 def scaled_frames(n: int, features: int) -> tuple[NDArray[np.float32], NDArray[np.int64]]:

@@ -12,11 +12,10 @@ from typing import Any
 from placecat.vision.attention import compute_maps
 from placecat.vision.discovery import settings_of
 from placecat.vision.maps import FIELDS
-from placecat.vision.memory import keep_freed_memory
 from placecat.vision.saliency import Saliency, saliency
 from placecat_bench.comparison import Absent, Comparison, Entry, Peer
 from placecat_bench.contributed import FOLDER, PACKAGE, contributed
-from placecat_bench.frames import Image, decoded, encoded, jpegs, options, size
+from placecat_bench.frames import REPEATS, Image, decoded, options, prepared, size
 
 PIECE = "Saliency alone"
 PEER = Peer("OpenCV: imdecode", "opencv-python-headless")
@@ -29,38 +28,25 @@ VOCUS2 = Absent(PIECE, "", "VOCUS2", "no package: C++ sources, whose build was n
 READ = tuple(name for name in FIELDS if name != "color")
 
 
-def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Entry]:
+def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Entry]:
     """Yield comparisons of the time with decoding, and with OpenCV's saliency.
 
-    `frames` have one size; by default, there is one from each rendered home. A repeat is a pair of calls with
-    all frames.
+    `frames` have one size; by default, there is one from each rendered home.
     """
-    keep_freed_memory()
-    files = jpegs() if frames is None else [encoded(frame) for frame in frames]
-    pictures = [decoded(file) for file in files]
+    files, pictures = prepared(frames)
     own = options()
-    yield Comparison(
-        PIECE,
-        f"{size(pictures[0])} JPEG",
-        PEER,
-        lambda: [saliency_of(picture, own) for picture in pictures],
-        lambda: [decoded(file) for file in files],
-        at_most=4.5,
-        repeats=repeats,
-        parts=parts(pictures, own),
-    )
+    text, spent = size(pictures[0]), parts(pictures, own)
+
+    def ours() -> list[Saliency]:
+        return [saliency_of(picture, own) for picture in pictures]
+
+    def decoding() -> list[Image]:
+        return [decoded(file) for file in files]
+
+    yield Comparison(PIECE, f"{text} JPEG", PEER, ours, decoding, at_most=4.5, repeats=REPEATS, parts=spent)
     for name, peer in CONTRIBUTED.items():
         with contributed(name, pictures) as theirs:
-            yield Comparison(
-                PIECE,
-                size(pictures[0]),
-                peer,
-                lambda: [saliency_of(picture, own) for picture in pictures],
-                theirs,
-                faster=2,
-                repeats=repeats,
-                parts=parts(pictures, own),
-            )
+            yield Comparison(PIECE, text, peer, ours, theirs, faster=2, repeats=REPEATS, parts=spent)
     yield VOCUS2
 
 

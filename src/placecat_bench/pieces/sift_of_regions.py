@@ -9,6 +9,7 @@ kornia describes patches; it receives patches cut by our code, with the regions'
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 import cv2
@@ -17,10 +18,9 @@ from numpy.typing import NDArray
 
 from placecat.vision.local import sift
 from placecat.vision.maps import FrameMaps
-from placecat.vision.memory import keep_freed_memory
 from placecat.vision.patches import cut, region_side, to_bytes
-from placecat_bench.comparison import TORCH, Comparison, Limit, Peer
-from placecat_bench.frames import REGIONS, Described, Image, decoded, jpegs, size, with_regions
+from placecat_bench.comparison import TORCH, Comparison, Peer
+from placecat_bench.frames import REGIONS, REPEATS, Described, Image, prepared, size, with_regions
 
 PEER = Peer("OpenCV: SIFT.compute on each level", "opencv-python-headless")
 KORNIA = Peer("kornia: SIFTDescriptor of cut patches", "kornia", extra=TORCH)
@@ -30,46 +30,23 @@ PIECE = "SIFT of regions"
 Points = tuple[Image, list[cv2.KeyPoint]]
 
 
-def entries(
-    *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
-) -> Iterator[Comparison | Limit]:
-    """Yield comparisons of our time with the peers' times.
+def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> Iterator[Comparison]:
+    """Yield comparisons of our time with the peers' times, for `count` regions per frame.
 
-    Parameters
-    ----------
-    frames
-        Frames of one size; by default, one from each rendered home.
-    count
-        Number of regions per frame.
-    repeats
-        Number of pairs of calls, each with all frames.
+    `frames` have one size; by default, there is one from each rendered home.
     """
-    keep_freed_memory()
-    pictures = [decoded(file) for file in jpegs()] if frames is None else frames
+    _, pictures = prepared(frames)
     given = with_regions(pictures, count)
     points = [keypoints(*one) for one in given]
-    text = f"{count} regions of {size(pictures[0])}"
-    yield Comparison(
-        PIECE,
-        text,
-        PEER,
-        lambda: ours(given),
-        lambda: theirs(points),
-        faster=4,
-        repeats=repeats,
-        parts=parts(given),
-    )
+    text, spent = f"{count} regions of {size(pictures[0])}", parts(given)
     patches = [cut(maps.grey, regions, region_side(maps.width)) for maps, regions in given]
-    yield Comparison(
-        PIECE,
-        text,
-        KORNIA,
-        lambda: ours(given),
-        lambda: by_kornia(patches),
-        faster=2,
-        repeats=repeats,
-        parts=parts(given),
-    )
+    for peer, call, faster in (
+        (PEER, partial(theirs, points), 4),
+        (KORNIA, partial(by_kornia, patches), 2),
+    ):
+        yield Comparison(
+            PIECE, text, peer, partial(ours, given), call, faster=faster, repeats=REPEATS, parts=spent
+        )
 
 
 def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:

@@ -1,18 +1,21 @@
 """The command `python -m placecat_bench.scale`."""
 
 import shutil
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import pandas as pd
+import psutil
 
 from placecat import files, paths
+from placecat.compute import parallel
 from placecat.config import conf_file
 from placecat.errors import PlacecatError
 from placecat.runs import linked_folder
-from placecat_bench.scale import full_run, measurements, project, summary
+from placecat_bench.scale import full_run, measurements, project
 from placecat_bench.scale.database import read_homes
+from placecat_bench.scale.watching import GIB
 
 SETTINGS = paths.CONF / "scale.yaml"
 _NAMES = ["sizes", "test_homes", "stages", "regions", "jitter", "most_gib", "homes"]
@@ -60,9 +63,43 @@ def run(
             shutil.rmtree(place)
         measured = pd.concat(parts).sort_values("frames", kind="stable", ignore_index=True)
         files.write_csv(output / paths.SCALE_STAGES.name, measured)
-        facts = summary.facts(measured, options)
+        facts = _facts(measured, options)
         if len(parts) > 1:
             files.write_csv(output / paths.SCALE_GROWTH.name, measurements.growths(measured))
         facts["full_run"] = full_run.estimate(measured, params)
         files.write_json(output / paths.SCALE_FACTS.name, facts)
-    print(summary.text(facts))
+    print(_text(facts))
+
+
+def _facts(measured: pd.DataFrame, options: Mapping[str, Any]) -> dict[str, Any]:
+    most = measured[measured["frames"] == measured["frames"].max()]
+    highest = most.loc[most["peak_gib"].idxmax()]
+    peak = float(highest["peak_gib"])
+    return {
+        "machine": {
+            "cores": psutil.cpu_count(),
+            "memory_gib": round(psutil.virtual_memory().total / GIB, 1),
+            "workers": parallel.workers(),
+        },
+        "test_homes": list(options["test_homes"]),
+        "sizes": sorted(int(frames) for frames in measured["frames"].unique()),
+        "largest": {
+            "frames": int(most["frames"].iloc[0]),
+            "seconds": round(float(most["seconds"].sum()), 1),
+            "cpu_seconds": round(float(most["cpu_seconds"].sum()), 1),
+            "peak_gib": round(peak, 2),
+            "peak_stage": str(highest["stage"]),
+            "most_gib": float(options["most_gib"]),
+            "met": peak <= float(options["most_gib"]),
+        },
+    }
+
+
+def _text(facts: Mapping[str, Any]) -> str:
+    largest, full = facts["largest"], facts["full_run"]
+    return (
+        f"{largest['frames']} frames, tested on {', '.join(facts['test_homes'])}: "
+        f"{largest['seconds'] / 60:.1f} min; at most {largest['peak_gib']:.1f} GiB "
+        f"({largest['peak_stage']}; {largest['most_gib']:g} GiB are asked for).\n"
+        f"A run from nothing on so many frames, all homes tested, would take about {full['hours']:.1f} h."
+    )

@@ -1,7 +1,8 @@
 """The numbers of frames per label in a home database, and a possible order of labels in a walk."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import zip_longest
 from typing import Any
 
 import numpy as np
@@ -39,13 +40,11 @@ class Home:
 
         The number of stretches stays the same, unless a label then has fewer frames.
         """
-        fewer = {label: max(1, round(frames * size)) for label, (frames, _) in self.labels.items()}
-        stretches = {label: count for label, (_, count) in self.labels.items()}
-        return Home(
-            self.name,
-            self.floors,
-            {label: (frames, min(stretches[label], frames)) for label, frames in fewer.items()},
-        )
+        labels = {}
+        for label, (frames, stretches) in self.labels.items():
+            fewer = max(1, round(frames * size))
+            labels[label] = (fewer, min(stretches, fewer))
+        return replace(self, labels=labels)
 
     def walk(self) -> list[Stretch]:
         """Shuffle stretches of random lengths, with transitions between them; the home's name is the seed."""
@@ -56,12 +55,8 @@ class Home:
             shares = 1 + rng.multinomial(frames - count, rng.dirichlet(np.full(count, 4.0)))
             own = transitions if label == TRANSITION else places
             own += [(label, int(share)) for share in shares]
-        ordered: list[tuple[str, int]] = []
-        rest = list(transitions)
-        for number in rng.permutation(len(places)):
-            ordered += [places[number], *rest[:1]]
-            rest = rest[1:]
-        ordered += rest
+        shuffled = [places[number] for number in rng.permutation(len(places))]
+        ordered = [one for pair in zip_longest(shuffled, transitions) for one in pair if one is not None]
         ends = np.linspace(0, len(ordered), self.floors + 1)[1:]
         return [
             Stretch(1 + int(np.searchsorted(ends, number, side="right")), label, frames)

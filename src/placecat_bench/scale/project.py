@@ -40,7 +40,9 @@ def build(
     """
     params = settings.load()
     sources = list(settings.get(params, "dataset.homes"))
-    _check_sources(sources)
+    for path in [*LINKED, *(made / home for home in sources for made in (paths.FEATURES, paths.TRACKS))]:
+        if not path.exists():
+            raise PlacecatError(f"{path} is missing: run `make repro` first, to make the source features")
     if folder.exists():
         shutil.rmtree(folder)
     (folder / paths.DATA).mkdir(parents=True)
@@ -57,13 +59,6 @@ def build(
         locally=True,
     )
     return own
-
-
-def _check_sources(sources: Sequence[str]) -> None:
-    wanted = [*LINKED, *(folder / home for home in sources for folder in (paths.FEATURES, paths.TRACKS))]
-    for path in wanted:
-        if not path.exists():
-            raise PlacecatError(f"{path} is missing: run `make repro` first, to make the source features")
 
 
 def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:

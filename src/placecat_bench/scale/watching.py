@@ -75,15 +75,9 @@ def _look(pid: int, cpu: dict[int, float]) -> int:
         try:
             times = one.cpu_times()
             cpu[one.pid] = times.user + times.system
-            total += memory(one)
+            memory = one.memory_full_info().pss if psutil.LINUX else one.memory_info().rss
+            total += int(memory)
         # The process has ended.
         except (psutil.NoSuchProcess, psutil.AccessDenied):
             continue
     return total
-
-
-def memory(process: psutil.Process) -> int:
-    """Return a process's memory in bytes: proportional set size on Linux, resident memory elsewhere."""
-    if psutil.LINUX:
-        return int(process.memory_full_info().pss)
-    return int(process.memory_info().rss)

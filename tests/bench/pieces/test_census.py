@@ -35,7 +35,7 @@ def test_the_peer_says_the_same():
 
 
 def test_its_entries_and_targets():
-    timed, other, limit = census.entries(images=[IMAGE], cells=2, repeats=5)
+    timed, other, limit = census.entries(images=[IMAGE], cells=2)
     assert [(entry.input, entry.target) for entry in (timed, other, limit)] == [
         ("31x23, 2x2 cells", "at least 40x faster"),
         ("31x23, 2x2 cells", "at least 20x faster"),
@@ -53,10 +53,9 @@ def test_a_difference_is_seen(monkeypatch):
 
 def test_grey_images_of_the_homes(monkeypatch):
     color = np.random.default_rng(1).integers(0, 256, (36, 64, 3)).astype(np.uint8)
-    monkeypatch.setattr(census, "jpegs", lambda: [None])
-    monkeypatch.setattr(census, "decoded", lambda file: color)
-    (image,) = census.reduced_frames(32, 18)
-    assert image.shape == (18, 32)
+    monkeypatch.setattr(census, "prepared", lambda: (None, [color]))
+    (image,) = census.reduced_frames()
+    assert image.shape == (180, 320)
     assert image.dtype == np.uint8
 
 

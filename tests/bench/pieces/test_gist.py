@@ -2,13 +2,11 @@ import pytest
 from makers import frame
 
 from placecat_bench.pieces import gist
-from project import ROOT
 
 
 @pytest.fixture
-def entry(monkeypatch):
-    monkeypatch.chdir(ROOT)
-    (entry,) = gist.entries(frames=[frame()], repeats=5)
+def entry():
+    (entry,) = gist.entries(frames=[frame()])
     return entry
 
 

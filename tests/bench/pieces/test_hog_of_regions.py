@@ -3,13 +3,11 @@ import pytest
 from makers import frame
 
 from placecat_bench.pieces import hog_of_regions
-from project import ROOT
 
 
 @pytest.fixture
-def entries(monkeypatch):
-    monkeypatch.chdir(ROOT)
-    return list(hog_of_regions.entries(frames=[frame(), frame(seed=3)], count=7, repeats=5))
+def entries():
+    return list(hog_of_regions.entries(frames=[frame(), frame(seed=3)], count=7))
 
 
 def test_its_entries_and_targets(entries):

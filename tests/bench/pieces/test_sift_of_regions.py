@@ -6,16 +6,10 @@ from makers import frame
 from placecat.vision.patches import region_side
 from placecat_bench.frames import with_regions
 from placecat_bench.pieces import sift_of_regions
-from project import ROOT
-
-
-@pytest.fixture(autouse=True)
-def in_the_project(monkeypatch):
-    monkeypatch.chdir(ROOT)
 
 
 def test_its_entry_and_target():
-    entry, other = sift_of_regions.entries(frames=[frame(), frame(seed=3)], count=7, repeats=5)
+    entry, other = sift_of_regions.entries(frames=[frame(), frame(seed=3)], count=7)
     assert (entry.input, entry.target) == ("7 regions of 320x240", "at least 4x faster")
     assert (other.input, other.target) == ("7 regions of 320x240", "at least 2x faster")
     for ours, theirs in zip(entry.ours(), entry.theirs(), strict=True):
@@ -43,6 +37,6 @@ def test_the_peer_describes_the_same_squares():
 
 def test_kornia_describes_the_same_patches():
     pytest.importorskip("kornia", reason="without the extra bench-torch")
-    _, other = sift_of_regions.entries(frames=[frame()], count=7, repeats=5)
+    _, other = sift_of_regions.entries(frames=[frame()], count=7)
     (ours,), (theirs,) = other.ours(), other.theirs()
     assert ours.shape == theirs.shape

@@ -2,28 +2,25 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from placecat_bench.scale import growth
-from placecat_bench.scale.measurements import COLUMNS, GROWTH_COLUMNS, growths
+from placecat_bench.scale.measurements import COLUMNS, GROWTH_COLUMNS, fit, growths
 
 
 @pytest.mark.parametrize("exponent", [0.0, 1.0, 2.5])
 def test_a_power_law_is_found(exponent):
     frames = np.array([400, 100, 200, 800])
-    found = growth.fit(frames, 3.0 * frames**exponent)
-    assert found.exponent == found.last == exponent
-    assert found.r2 == pytest.approx(1.0)
+    assert fit(frames, 3.0 * frames**exponent) == (exponent, pytest.approx(1.0), exponent)
 
 
 def test_a_constant_part_lowers_the_exponent_but_less_the_last():
     frames = np.array([100, 200, 400, 800])
-    found = growth.fit(frames, 10.0 + 1e-3 * frames**2)
-    assert found.exponent < found.last < 2.0
-    assert found.r2 < 1.0
+    exponent, r2, last = fit(frames, 10.0 + 1e-3 * frames**2)
+    assert exponent < last < 2.0
+    assert r2 < 1.0
 
 
 def test_one_size_has_no_exponent():
     with pytest.raises(ValueError, match="two different"):
-        growth.fit([100, 100], [1.0, 2.0])
+        fit([100, 100], [1.0, 2.0])
 
 
 def test_all_is_the_sum_of_the_stages_and_their_highest_peak():
