@@ -5,7 +5,7 @@ import pytest
 from made_results import PARAMS, STUDIES
 from placecat.cues import codebook
 from placecat.cues.codebook import FROZEN, seed_of
-from placecat.cues.cue_input import HOLISTIC, LOCAL
+from placecat.cues.cue_input import SETTINGS
 from placecat.errors import PlacecatError
 from placecat.evaluation.trials import expand
 
@@ -100,6 +100,6 @@ def test_a_renamed_setting_or_descriptor_keeps_its_seed(monkeypatch):
 
 
 def test_every_setting_of_a_descriptor_has_a_frozen_name():
-    assert FROZEN.keys() == LOCAL | HOLISTIC
+    assert FROZEN.keys() == {name for names in SETTINGS.values() for name in names}
     with pytest.raises(PlacecatError, match="no setting 'sharpness'"):
         seed({"kind": "holistic", "name": "gist", "sharpness": 1}, 1)

@@ -7,7 +7,6 @@ its module; a new module needs no registration.
 
 import logging
 from collections.abc import Mapping, Sequence
-from functools import partial
 from types import ModuleType
 from typing import Any
 
@@ -16,8 +15,7 @@ from numpy.typing import NDArray
 
 from placecat import lookup, settings
 from placecat.cues.codebook import Codebook
-from placecat.cues.descriptors import Descriptors
-from placecat.cues.model import CueModel
+from placecat.cues.descriptors import CueModel, Descriptors
 from placecat.errors import PlacecatError
 from placecat.learning.calibration import CENTRED, CONSECUTIVE, make_folds
 
@@ -93,10 +91,10 @@ def cross_validate(
             ", ".join(names.tolist()),
         )
         folds = make_folds(index, None, CONSECUTIVE, _PARTS)
-    fit_one = partial(fit, classifier=classifier, classes=classes, codebook=codebook)
     proba = np.empty((len(train), len(classes)))
     for kept, held_out in folds:
-        model = fit_one(train.take(kept), labels[kept], homes[kept])
+        inputs = train.take(kept), labels[kept], homes[kept]
+        model = fit(*inputs, classifier=classifier, classes=classes, codebook=codebook)
         proba[held_out] = model.predict_proba(train.take(held_out))
     return proba
 
