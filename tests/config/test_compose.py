@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from placecat import settings
+from placecat import lookup, settings
 from placecat.config.compose import compose, found, write_params
 from placecat.errors import PlacecatError
 from placecat.schema import references
@@ -71,16 +71,15 @@ def test_every_data_set_composes_and_names_a_reader(composed, path):
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
 def test_every_classifier_builds(composed, path):
     """Every classifier's configuration names a model and estimators with valid settings."""
-    from placecat import cues
     from placecat.cues import estimators
 
     found = composed(f"classifier@cues.gist.classifier={path.stem}")["cues"]["gist"]["classifier"]
-    assert found["model"] in cues.model_names()
+    assert found["model"] in lookup.names("placecat.cues", "fit")
     if "cue" in found:
         # A model that lets another one decide.
         assert found["clusters"] == found["cue"]["clusters"]
         found = found["cue"]
-        assert found["model"] in cues.model_names()
+        assert found["model"] in lookup.names("placecat.cues", "fit")
     base = estimators.build(found["base"], "base")
     assert base.get_params().items() >= {k: v for k, v in found["base"].items() if k != "name"}.items()
     if "scheme" in found:

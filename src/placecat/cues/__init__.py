@@ -21,17 +21,12 @@ from placecat.learning.calibration import CENTRED, CONSECUTIVE, make_folds
 
 logger = logging.getLogger(__name__)
 
-__all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "model_names", "of_regions_only"]
+__all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "of_regions_only"]
 
 # Number of parts if frames are left out instead of homes.
 _PARTS = 5
 # Minimum number of training frames per place in the other homes; calibration needs them.
 _LEAST = 2
-
-
-def model_names() -> list[str]:
-    """Return the names of the models: modules of this package with a function `fit`."""
-    return lookup.names(__name__, "fit")
 
 
 def fit(

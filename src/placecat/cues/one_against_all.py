@@ -24,12 +24,6 @@ class OneAgainstAllCue:
         self.scheme = scheme
         self.facts: dict[str, Any] = {}
 
-    def transform(self, x: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Apply reduction and scaling."""
-        for step in self.steps:
-            x = _transformed(step, x)
-        return x
-
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
         """Return (n, n_classes) distributions over places; those of a frame's regions are multiplied."""
         _, rows = remembered("rows", (frames, None), lambda: _rows(frames, None))
@@ -37,7 +31,9 @@ class OneAgainstAllCue:
             # Without frames or regions, the matrix is empty; estimators refuse that.
             proba = np.empty((0, len(self.scheme.classes_)))
         else:
-            proba = self.scheme.predict_proba(self.transform(rows))
+            for step in self.steps:
+                rows = _transformed(step, rows)
+            proba = self.scheme.predict_proba(rows)
         if not frames.is_set:
             return proba
         log_proba = np.log(np.maximum(proba, np.finfo(np.float64).tiny))
