@@ -27,7 +27,7 @@ def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
         if kind not in ("local", "holistic") or name is None or described.exists():
             continue
         try:
-            own = discovery.settings_of(discovery.load(kind, name).describe)
+            own = dict(discovery.settings_of(discovery.load(kind, name).describe))
         except (PlacecatError, ImportError) as error:
             raise PlacecatError(f"{path}: {error}") from None
         for setting, value in own.items():

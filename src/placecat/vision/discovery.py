@@ -2,6 +2,7 @@
 
 import inspect
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from types import ModuleType
 from typing import Any
 
@@ -9,7 +10,8 @@ from placecat import lookup
 from placecat.schema import signatures
 
 
-def settings_of(function: Callable[..., Any]) -> dict[str, Any]:
+@lru_cache(maxsize=256)
+def settings_of(function: Callable[..., Any]) -> Mapping[str, Any]:
     """Return a function's settings (its keyword-only parameters) with their defaults, in order.
 
     A required setting has the default `inspect.Parameter.empty`.
