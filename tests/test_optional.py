@@ -17,7 +17,7 @@ from placecat.sequences import listing
 from placecat.stages import site_sequences
 from placecat.thesis import definitions, layouts
 from placecat.thesis.tables import tables_of
-from placecat.vision import holistic, local
+from placecat.vision import discovery
 from project import ROOT
 
 NAMES = sorted(path.stem for path in (ROOT / "conf/optional").glob("*.yaml"))
@@ -51,9 +51,9 @@ def test_everything_that_was_there_stays(name):
 @EVERY
 def test_all_settings_are_known_and_given(name):
     extended = with_optional(name)
-    for kind, package in (("local", local), ("holistic", holistic)):
+    for kind in ("local", "holistic"):
         for descriptor in extended["descriptors"][kind].keys() - PARAMS["descriptors"][kind].keys():
-            module, own = package.entry(descriptor, extended["descriptors"][kind][descriptor])
+            module, own = discovery.entry(kind, descriptor, extended["descriptors"][kind][descriptor])
             settings = inspect.signature(module.describe).parameters.values()
             defaults = {one.name: one.default for one in settings if one.kind is one.KEYWORD_ONLY}
             assert own == defaults

@@ -189,18 +189,26 @@ def settings_in_code():
     from placecat.evaluation.quality import home_quality
     from placecat.fusion.smoothing import fit
     from placecat.learning.toy_circles import toy_circles
-    from placecat.vision import holistic, local
-    from placecat.vision.attention import compute_maps, find_regions
+    from placecat.vision import discovery
+    from placecat.vision.attention import compute_maps
     from placecat.vision.information import information
+    from placecat.vision.orientation import orientation_maps
+    from placecat.vision.regions import accept, select_regions
+    from placecat.vision.saliency import saliency
+    from placecat.vision.spectral_residual import spectral_residual
     from placecat.vision.tracking import RegionTracker
 
     params = yaml.safe_load((ROOT / "params.yaml").read_text())
-    yield "attention", params["attention"], compute_maps, {"frame_bgr", "fields"}
-    yield "regions", params["regions"], find_regions, {"maps"}
-    yield "information", params["information"], information, {"maps"}
-    for kind, package in (("local", local), ("holistic", holistic)):
+    for section, functions in {
+        "attention": (compute_maps, orientation_maps, spectral_residual),
+        "regions": (select_regions, accept, saliency),
+        "information": (information,),
+    }.items():
+        in_code = set().union(*map(discovery.settings_of, functions))
+        assert set(params[section]) == in_code, section
+    for kind in ("local", "holistic"):
         for name, settings in params["descriptors"][kind].items():
-            module, own = package.entry(name, settings)
+            module, own = discovery.entry(kind, name, settings)
             given = {"maps", "regions", "frame"}
             yield f"descriptors.{kind}.{name}", own, module.describe, given
     tracking = {name: value for name, value in params["tracking"].items() if name != "descriptors"}

@@ -7,7 +7,7 @@ from placecat.categorizer.card import make_card
 from placecat.categorizer.system import TrainedCue, TrainedSystem
 from placecat.cues import Codebook, Descriptors
 from placecat.fusion import integrate, smoothing
-from placecat.vision.frame import layout
+from placecat.vision.frame import describe_frame
 
 CLASSES = ["bedroom", "kitchen", "bathroom"]
 SIZE = (320, 180)
@@ -50,7 +50,8 @@ def make_system(tracked=False):
     n = 90
     labels = np.tile(np.arange(3), n // 3).astype(np.int16)
     homes = np.repeat(["a", "b", "c"], n // 3)
-    shapes = {name: shape for name, (shape, _) in layout(VISION).items()}
+    blank = np.zeros((256, 256, 3), np.uint8)
+    shapes = {name: array.shape for name, array in describe_frame(blank, VISION).items()}
     whole = Descriptors(rng.random((n, *shapes["holistic_gist"]), dtype=np.float32) + labels[:, None] / 9)
     _, size = shapes["local_hog"]
     sets = Descriptors(rng.random((n, 10, size + 1), dtype=np.float32), rng.integers(0, 11, n))

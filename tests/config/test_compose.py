@@ -4,6 +4,7 @@ import pytest
 import yaml
 from changed_settings import PARAMS, ROOT, changed, refused
 
+from placecat import lookup
 from placecat.config.compose import compose, found, write_params
 from placecat.errors import PlacecatError
 from placecat.schema import references
@@ -66,16 +67,15 @@ def test_every_data_set_composes_and_names_a_reader(composed, path):
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
 def test_every_classifier_builds(composed, path):
     """Every classifier's configuration names a model and estimators with valid settings."""
-    from placecat import cues
     from placecat.cues import estimators
 
     found = composed(f"classifier@cues.gist.classifier={path.stem}")["cues"]["gist"]["classifier"]
-    assert found["model"] in cues.model_names()
+    assert found["model"] in lookup.names("placecat.cues", "fit")
     if "cue" in found:
         # A model that lets another one decide.
         assert found["clusters"] == found["cue"]["clusters"]
         found = found["cue"]
-        assert found["model"] in cues.model_names()
+        assert found["model"] in lookup.names("placecat.cues", "fit")
     base = estimators.build(found["base"], "base")
     assert base.get_params().items() >= {k: v for k, v in found["base"].items() if k != "name"}.items()
     if "scheme" in found:

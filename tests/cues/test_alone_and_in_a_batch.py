@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from placecat import cues
+from placecat import cues, lookup
 from placecat.cues import Codebook, Descriptors
 from placecat.fusion import integrate, votes
 
@@ -11,7 +11,7 @@ PLACES = ["bedroom", "kitchen", "bathroom", "hallway"]
 TREE = {"name": "hierarchical_kmeans", "max_clusters": 31, "branching": 4, "max_iter": 5}
 SVM = {"name": "nu_svm", "gamma": 2.0, "nu": 0.2}
 BOOSTING = {"name": "gentle_adaboost", "n_rounds": 12}
-# By the names of `placecat.cues.model_names()`; classifiers of a new one belong here.
+# By the names of the models; classifiers of a new one belong here.
 CLASSIFIERS = {
     "discriminative_regions": [
         {"cue": {"model": "joint_probability", "base": {"name": "naive_bayes"}}, "clusters": 31, "keep": 0.5},
@@ -60,7 +60,7 @@ def assert_alone_as_in_a_batch(ask, n):
 
 
 @pytest.mark.parametrize("kind", ["whole", "regions"])
-@pytest.mark.parametrize("model", cues.model_names())
+@pytest.mark.parametrize("model", lookup.names("placecat.cues", "fit"))
 def test_a_frame_alone_is_as_in_a_batch(model, kind):
     if kind == "whole" and cues.of_regions_only(model):
         return

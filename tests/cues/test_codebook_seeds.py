@@ -3,9 +3,7 @@
 import pytest
 
 from made_results import PARAMS, STUDIES
-from placecat.cues import codebook
-from placecat.cues.codebook import FROZEN, seed_of
-from placecat.cues.cue_input import HOLISTIC, LOCAL
+from placecat.cues.codebook import seed_of
 from placecat.errors import PlacecatError
 from placecat.evaluation.trials import expand
 
@@ -91,15 +89,6 @@ def test_seeds_of_the_trials_are_unchanged():
     assert {name: number for number, name in first.items()} == TRIALS
 
 
-def test_a_renamed_setting_or_descriptor_keeps_its_seed(monkeypatch):
-    hog = PARAMS["codebooks"]["hog_y"]["descriptor"]
-    monkeypatch.setitem(codebook.FROZEN, "limit", "max_regions")
-    monkeypatch.setitem(codebook.RENAMED, "gradients", "hog")
-    renamed = {"limit" if key == "max_regions" else key: value for key, value in hog.items()}
-    assert seed(renamed | {"name": "gradients"}, 1) == CODEBOOKS["hog_y"]
-
-
-def test_every_setting_of_a_descriptor_has_a_frozen_name():
-    assert FROZEN.keys() == LOCAL | HOLISTIC
+def test_a_setting_without_a_pinned_seed_is_refused():
     with pytest.raises(PlacecatError, match="no setting 'sharpness'"):
         seed({"kind": "holistic", "name": "gist", "sharpness": 1}, 1)

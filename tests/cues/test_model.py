@@ -1,7 +1,7 @@
 import numpy as np
 
 from placecat.cues.descriptors import Descriptors
-from placecat.cues.model import product_of_rows
+from placecat.cues.one_against_all import product_of_rows
 
 
 def test_regions_multiply_and_a_frame_without_regions_is_uniform():

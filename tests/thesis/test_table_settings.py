@@ -5,7 +5,8 @@ import pytest
 
 import made_results
 from made_results import PARAMS, ROOT
-from placecat.cues import estimators, model_names
+from placecat import lookup
+from placecat.cues import estimators
 from placecat.evaluation.trials import expand
 from placecat.learning.spatial_pca import SpatialPCA
 from placecat.results.sources import sources
@@ -89,7 +90,7 @@ def check(trial):
         assert set(descriptor) - {"variant"} == known
         assert descriptor["color"] is None or descriptor["color"] in PARAMS["descriptors"]["local"]
         assert descriptor["max_regions"] <= regions["max_regions"]
-    assert classifier["model"] in model_names()
+    assert classifier["model"] in lookup.names("placecat.cues", "fit")
     if classifier["model"] == "discriminative_regions":
         assert set(classifier) == {"model", "cue", "clusters", "keep"}
         assert descriptor["kind"] == "local"

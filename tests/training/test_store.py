@@ -6,7 +6,7 @@ from placecat import files
 from placecat.errors import PlacecatError
 from placecat.sequences import listing
 from placecat.training import store
-from placecat.vision import local
+from placecat.vision.discovery import load
 
 HOG = {
     "kind": "local",
@@ -32,7 +32,7 @@ def test_shape_and_position_side_by_side(folder):
     assert read.x.shape == (90, 3, 7)
     np.testing.assert_array_equal(read.counts, counts)
     frame = int(np.flatnonzero(counts == 2)[0])
-    expected = hog[frame, :2] / np.float32(local.load("hog").SPREAD)
+    expected = hog[frame, :2] / np.float32(load("local", "hog").SPREAD)
     np.testing.assert_allclose(read.x[frame, :2, :6], expected, rtol=1e-6)
     np.testing.assert_allclose(read.x[frame, :2, 6], 2 * regions[frame, :2, 1] / 360, rtol=1e-6)
     assert (read.x[frame, 2] == 0).all()
@@ -48,7 +48,7 @@ def test_only_requested_rows_are_read(folder):
 def test_colour_is_appended(folder):
     read = store.read_descriptors("H1", HOG | {"color": "color_mv", "y_pos": False})
     assert read.x.shape == (90, 3, 8)
-    color = np.load(folder / "local_color_mv.npy")[:, :3] / np.float32(local.load("color_mv").SPREAD)
+    color = np.load(folder / "local_color_mv.npy")[:, :3] / np.float32(load("local", "color_mv").SPREAD)
     color[np.arange(3)[None, :] >= read.counts[:, None]] = 0
     np.testing.assert_allclose(read.x[:, :, 6:], color, rtol=1e-6)
 

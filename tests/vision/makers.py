@@ -7,6 +7,8 @@ import cv2
 import numpy as np
 import pytest
 
+from placecat import lookup
+from placecat.vision.discovery import load
 from placecat.vision.maps import FrameMaps
 
 SCALES = (2, 3, 4, 5)
@@ -68,15 +70,20 @@ def missing(module: ModuleType) -> str:
     return next((name for name in needed if importlib.util.find_spec(name) is None), "")
 
 
-def installed(package: ModuleType) -> list[str]:
-    """The descriptors of `placecat.vision.holistic` or `local` whose packages are installed."""
-    return [name for name in package.names() if not missing(package.load(name))]
+def names(kind: str) -> list[str]:
+    """The holistic or local descriptors."""
+    return lookup.names(f"placecat.vision.{kind}", "describe")
 
 
-def every(package: ModuleType) -> list:
+def installed(kind: str) -> list[str]:
+    """The holistic or local descriptors whose packages are installed."""
+    return [name for name in names(kind) if not missing(load(kind, name))]
+
+
+def every(kind: str) -> list:
     """Every descriptor as a parameter of a test, which skips those whose packages are not installed."""
     return [
         pytest.param(name, marks=pytest.mark.skipif(bool(lacks), reason=f"{name} needs {lacks}"))
-        for name in package.names()
-        for lacks in [missing(package.load(name))]
+        for name in names(kind)
+        for lacks in [missing(load(kind, name))]
     ]

@@ -1,3 +1,4 @@
+import cv2
 import numpy as np
 import pytest
 import reference_attention as reference
@@ -89,3 +90,13 @@ def test_wrong_types(wrong):
 def test_wrong_shapes(shape):
     with pytest.raises(PlacecatError, match="shape"):
         color.check_frame(np.zeros(shape, np.uint8))
+
+
+def test_reduced_grey():
+    image = reference.frame(3, 360, 640)
+    reduced = color.reduced_grey(image, 320)
+    assert reduced.shape == (180, 320)
+    grey = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
+    np.testing.assert_allclose(reduced, grey.reshape(180, 2, 320, 2).mean(axis=(1, 3)), atol=0.51)
+    for width in (640, 900, None):
+        np.testing.assert_array_equal(color.reduced_grey(image, width), grey)

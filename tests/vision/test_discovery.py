@@ -1,36 +1,34 @@
+import inspect
+
 import pytest
+from makers import names
 
 from placecat.errors import PlacecatError
-from placecat.vision import holistic, local
-from placecat.vision.discovery import check_settings, settings_of
+from placecat.vision.discovery import entry, load, parts_of, settings_of
 
 
-def function(maps: int, *, image: str = "intensity", width: int | None = None) -> None: ...
+def function(maps: int, *, gabor_size: int = 9, radii: tuple[int, ...], scales: object = None) -> None: ...
+
+
+def other(*, use_residual: bool = True) -> None: ...
 
 
 def test_settings_of() -> None:
-    assert settings_of(function) == {"image": "intensity", "width": None}
+    assert settings_of(function) == {"gabor_size": 9, "radii": inspect.Parameter.empty, "scales": None}
 
 
-def test_unknown_setting_names_owner_setting_and_valid_ones() -> None:
-    with pytest.raises(
-        PlacecatError,
-        match=r"local descriptor 'x' has no setting 'images'; did you mean 'image'.*image, width",
-    ):
-        check_settings(function, {"image": "a", "images": 1}, "local descriptor 'x'")
-    check_settings(function, {"image": "a"}, "local descriptor 'x'")
-
-
-def test_positional_parameters_are_no_settings() -> None:
-    with pytest.raises(PlacecatError, match="no setting 'maps'"):
-        check_settings(function, {"maps": 1}, "x")
-    with pytest.raises(PlacecatError, match="valid: none"):
-        check_settings(len, {"a": 1}, "x")
+def test_settings_are_split_and_checked() -> None:
+    settings = {"use_residual": False, "radii": [1]}
+    assert parts_of("attention", settings, function, other) == [{"radii": [1]}, {"use_residual": False}]
+    with pytest.raises(PlacecatError, match=r"attention has no setting 'scale'; did you mean 'scales'"):
+        parts_of("attention", {"scale": [2]}, function)
+    with pytest.raises(PlacecatError, match=r"attention\.gabor_size=8: it must be odd"):
+        parts_of("attention", {"gabor_size": 8}, function)
 
 
 def test_descriptors_of_the_thesis_are_found() -> None:
-    assert {"centrist", "color_mv", "hog", "orientation_mv", "sift"} <= set(local.names())
-    assert {"centrist", "gist"} <= set(holistic.names())
+    assert {"centrist", "color_mv", "hog", "orientation_mv", "sift"} <= set(names("local"))
+    assert {"centrist", "gist"} <= set(names("holistic"))
 
 
 @pytest.mark.parametrize("name", ["surf", "concatenate", "", "hog.x", "../hog"])
@@ -38,29 +36,11 @@ def test_unknown_descriptor(name: str) -> None:
     with pytest.raises(
         PlacecatError, match=r"local descriptor .* does not exist.* centrist, color_mv, hog, orientation_mv"
     ):
-        local.load(name)
-
-
-def test_refusal_names_the_descriptor() -> None:
-    with pytest.raises(PlacecatError, match=r"local descriptor 'hog' has no setting 'cells'.*interpolation"):
-        local.entry("hog", {"cells": 3})
-    with pytest.raises(PlacecatError, match=r"holistic descriptor 'gist' has no setting 'colour'.*color, "):
-        holistic.entry("gist", {"colour": False})
+        load("local", name)
 
 
 def test_an_entry_is_a_module_or_a_variant_of_one() -> None:
-    assert local.entry("hog", {"border": "reflect"}) == (local.load("hog"), {"border": "reflect"})
+    assert entry("local", "hog", {"border": "reflect"}) == (load("local", "hog"), {"border": "reflect"})
     given = {"descriptor": "centrist", "width": None}
-    assert holistic.entry("centrist_full", given) == (holistic.load("centrist"), {"width": None})
+    assert entry("holistic", "centrist_full", given) == (load("holistic", "centrist"), {"width": None})
     assert given == {"descriptor": "centrist", "width": None}
-
-
-def test_refusal_names_the_variant() -> None:
-    with pytest.raises(PlacecatError, match=r"local descriptor 'short' has no setting 'cells'.*grid"):
-        local.entry("short", {"descriptor": "color_mv", "cells": 0})
-    with pytest.raises(
-        PlacecatError, match=r"entry 'short': local descriptor 'surf' does not exist: use one"
-    ):
-        local.entry("short", {"descriptor": "surf"})
-    with pytest.raises(PlacecatError, match=r"entry 'x': holistic descriptor None does not exist"):
-        holistic.entry("x", {"descriptor": None})

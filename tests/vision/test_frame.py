@@ -7,18 +7,17 @@ import yaml
 from makers import frame, installed
 
 from placecat.errors import PlacecatError
-from placecat.vision import holistic, local
 from placecat.vision.attention import compute_maps, find_regions
-from placecat.vision.discovery import settings_of
-from placecat.vision.frame import check, describe_frame, layout
+from placecat.vision.discovery import entry, load, settings_of
+from placecat.vision.frame import check, describe_frame
 from placecat.vision.information import information
 from placecat.vision.maps import FIELDS, FrameMaps
 
 DESCRIPTORS = Path(__file__).resolve().parents[2] / "conf/descriptor"
 
 ALL = {
-    "local": {name: {} for name in installed(local)},
-    "holistic": {name: {} for name in installed(holistic)},
+    "local": {name: {} for name in installed("local")},
+    "holistic": {name: {} for name in installed("holistic")},
 }
 
 
@@ -27,7 +26,7 @@ def test_equals_the_parts() -> None:
     settings = {
         "attention": {"scales": [2, 3, 4]},
         "regions": {"max_regions": 7},
-        "local": {"color_mv": {"grid": 0}, "hog": None},
+        "local": {"color_mv": {"grid": 0}, "hog": {}},
         "holistic": {"gist": {"color": False}},
         "information": {"unit": 255},
     }
@@ -37,11 +36,11 @@ def test_equals_the_parts() -> None:
     assert (found["count"], len(found["regions"])) == (len(regions), 7)
     np.testing.assert_array_equal(found["regions"][: len(regions)], regions)
     assert [name for name in found if name.startswith("local_")] == ["local_color_mv", "local_hog"]
-    color = local.load("color_mv").describe(maps, regions, grid=0)
+    color = load("local", "color_mv").describe(maps, regions, grid=0)
     np.testing.assert_array_equal(found["local_color_mv"][: len(regions)], color)
-    hog = local.load("hog").describe(maps, regions)
+    hog = load("local", "hog").describe(maps, regions)
     np.testing.assert_array_equal(found["local_hog"][: len(regions)], hog)
-    gist = holistic.load("gist").describe(picture, maps, color=False)
+    gist = load("holistic", "gist").describe(picture, maps, color=False)
     np.testing.assert_array_equal(found["holistic_gist"], gist)
     assert found["information"] == np.float32(information(maps, unit=255))
 
@@ -66,12 +65,15 @@ def test_flat_frame_has_no_regions() -> None:
 
 
 @pytest.mark.parametrize("size", [(160, 120), (333, 217)])
-def test_layout_foretells_every_frame(size: tuple[int, int]) -> None:
-    found = describe_frame(frame(*size), ALL)
-    assert layout(ALL) == {name: (array.shape, array.dtype) for name, array in found.items()}
-    assert layout(ALL)["local_sift"] == ((25, 128), np.dtype(np.float32))
-    assert layout(ALL)["holistic_centrist"] == ((4096,), np.dtype(np.float32))
-    assert layout(ALL)["count"] == ((), np.dtype(np.int16))
+def test_shapes_and_types_are_those_of_every_frame(size: tuple[int, int]) -> None:
+    found, blank = (
+        {name: (array.shape, array.dtype) for name, array in describe_frame(image, ALL).items()}
+        for image in (frame(*size), np.zeros((256, 256, 3), np.uint8))
+    )
+    assert found == blank
+    assert found["local_sift"] == ((25, 128), np.dtype(np.float32))
+    assert found["holistic_centrist"] == ((4096,), np.dtype(np.float32))
+    assert found["count"] == ((), np.dtype(np.int16))
 
 
 def test_deterministic_to_the_byte() -> None:
@@ -105,16 +107,16 @@ def test_a_variant_has_another_name_and_the_numbers_of_its_module() -> None:
     regions = find_regions(maps)
     assert list(found) == [
         "count",
-        "information",
         "regions",
         "local_centrist",
         "local_edges",
+        "information",
         "holistic_gist_raw",
     ]
-    edges = local.load("centrist").describe(maps, regions, image="laplacian")
+    edges = load("local", "centrist").describe(maps, regions, image="laplacian")
     np.testing.assert_array_equal(found["local_edges"][: len(edges)], edges)
     assert (found["local_edges"] != found["local_centrist"]).any()
-    raw = holistic.load("gist").describe(picture, maps, center_surround=False)
+    raw = load("holistic", "gist").describe(picture, maps, center_surround=False)
     np.testing.assert_array_equal(found["holistic_gist_raw"], raw)
 
 
@@ -153,8 +155,7 @@ def test_maps_that_nothing_reads_are_left_out_without_a_change(
 def test_every_descriptor_of_the_configuration_is_valid_and_complete(kind: str, path: Path) -> None:
     settings = yaml.safe_load(path.read_text())
     check({kind: {path.stem: settings}})
-    package = {"local": local, "holistic": holistic}[kind]
-    module, own = package.entry(path.stem, settings)
+    module, own = entry(kind, path.stem, settings)
     assert set(own) == set(settings_of(module.describe))
     name = module.__name__.rpartition(".")[2]
     if name != path.stem:
@@ -164,32 +165,70 @@ def test_every_descriptor_of_the_configuration_is_valid_and_complete(kind: str, 
 
 
 def test_only_requested_features_are_computed() -> None:
-    assert list(describe_frame(frame(), {})) == ["count", "information", "regions"]
+    assert list(describe_frame(frame(), {})) == ["count", "regions", "information"]
     assert list(describe_frame(frame(), {"holistic": {"gist": {}}}))[3:] == ["holistic_gist"]
 
 
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"locals": {}}, "Unknown section 'locals'.*attention, regions, local, holistic, information"),
-        ({"attention": {"scale": 2}}, "section 'attention' .* has no setting 'scale'.*scales"),
-        ({"regions": {"maps": 2}}, "section 'regions' .* has no setting 'maps'.*max_regions"),
-        ({"information": {"level": 2}}, "section 'information' .* has no setting 'level'.*fine"),
+        ({"locals": {}}, "no setting 'locals'.*attention, regions, local, holistic, information"),
+        ({"attention": {"scale": 2}}, "attention has no setting 'scale'.*scales"),
+        ({"regions": {"maps": 2}}, "regions has no setting 'maps'.*max_regions"),
+        ({"information": {"level": 2}}, "information has no setting 'level'.*fine"),
         ({"local": {"surf": {}}}, "local descriptor 'surf' does not exist"),
-        (
-            {"local": {"sift": {"upright": True}}},
-            "local descriptor 'sift' has no setting 'upright'.*orientation",
-        ),
-        ({"holistic": {"gist": {"cells": 3}}}, "holistic descriptor 'gist' has no setting 'cells'"),
+        ({"local": {"sift": {"upright": True}}}, "local.sift has no setting 'upright'.*orientation"),
+        ({"holistic": {"gist": {"cells": 3}}}, "holistic.gist has no setting 'cells'"),
         (
             {"holistic": {"gist_raw": {"descriptor": "gist", "raw": True}}},
-            "holistic descriptor 'gist_raw' has no setting 'raw'",
+            "holistic.gist_raw has no setting 'raw'",
         ),
-        ({"local": {"mine": {"descriptor": "surf"}}}, "entry 'mine': local descriptor 'surf' does not exist"),
+        ({"local": {"mine": {"descriptor": "surf"}}}, "local.mine: local descriptor 'surf' does not exist"),
+        ({"holistic": {"x": {"descriptor": None}}}, "holistic descriptor None does not exist"),
     ],
 )
 def test_refusals(settings: dict, message: str) -> None:
     with pytest.raises(PlacecatError, match=message):
         check(settings)
-    with pytest.raises(PlacecatError, match=message):
-        describe_frame(frame(), settings)
+
+
+@pytest.mark.parametrize(
+    ("section", "settings"),
+    [
+        ("attention", {"scales": []}),
+        ("attention", {"scales": [3, 2]}),
+        ("attention", {"radii": []}),
+        ("attention", {"gabor_size": 4}),
+        ("attention", {"gabor_sigma": 0}),
+        ("attention", {"residual_box": 2}),
+        ("attention", {"residual_sigma": -1}),
+        ("attention", {"residual_width": 1}),
+        ("attention", {"residual_floor": 0}),
+        ("regions", {"max_regions": 0}),
+        ("regions", {"fusion_scale": -1}),
+        ("regions", {"color_unit": 0}),
+        ("regions", {"maximum_window": 2}),
+        ("regions", {"maximum_window": 4}),
+        ("information", {"unit": 0}),
+        ("information", {"unit": float("nan")}),
+        ("local.centrist", {"image": "sobel"}),
+        ("local.centrist", {"kernel": "big"}),
+        ("local.color_mv", {"grid": -1}),
+        ("local.orientation_mv", {"grid": -1}),
+        ("local.hog", {"interpolation": "lanczos"}),
+        ("local.sift", {"orientation": "north"}),
+        ("holistic.centrist", {"width": 15}),
+        ("holistic.centrist", {"image": "sobel"}),
+        ("holistic.centrist", {"kernel": "sobel"}),
+        ("holistic.centrist", {"interpolation": "cubic"}),
+        ("holistic.embedding", {"width": 0}),
+        ("holistic.embedding", {"mean": [0.5]}),
+        ("holistic.embedding", {"std": [1.0, 0.0, 1.0]}),
+        ("holistic.embedding", {"pool": "max"}),
+    ],
+)
+def test_values_out_of_range_are_refused(section: str, settings: dict) -> None:
+    *kind, name = section.split(".")
+    (setting,) = settings
+    with pytest.raises(PlacecatError, match=rf"{section}\.{setting}.*: "):
+        check({kind[0]: {name: settings}} if kind else {name: settings})

@@ -44,5 +44,3 @@ def test_refusals() -> None:
         information(maps(), fine=1)
     with pytest.raises(PlacecatError, match="levels 4 and 3"):
         information(maps(), fine=4, coarse=3)
-    with pytest.raises(PlacecatError, match=r"unit .* must be positive"):
-        information(maps(), unit=0)

@@ -1,32 +1,19 @@
-import copy
 import dataclasses
+from functools import partial
 
-import numpy as np
 from makers import maps
 
 
-def test_once_calls_once_for_each_array_and_argument() -> None:
+def test_a_result_is_computed_once_for_each_key() -> None:
     made, calls = maps(), []
 
-    def add(array: np.ndarray, number: int) -> np.ndarray:
+    def note(number: int) -> list[int]:
         calls.append(number)
-        return array + number
+        return [number]
 
-    first = made.once(add, made.grey[2], 1)
-    assert made.once(add, made.grey[2], 1) is first
-    assert made.once(add, made.grey[2], 2)[0, 0] == made.grey[2][0, 0] + 2
-    assert made.once(add, made.grey[3], 1).shape == made.grey[3].shape
-    assert calls == [1, 2, 1]
-    dataclasses.replace(made).once(add, made.grey[2], 1)
-    assert calls == [1, 2, 1, 1]
-
-
-def test_once_never_mistakes_one_array_for_another() -> None:
-    made = maps()
-    for value in range(50):
-        # Freed, so the next one is likely to get its address and id.
-        assert made.once(np.max, np.full(4, value)) == value
-    # Copies have other arrays, at the addresses of earlier ones.
-    other = copy.deepcopy(made)
-    other._kept.update({(np.max, id(other.grey[2])): (np.zeros(1), "wrong")})
-    assert other.once(np.max, other.grey[2]) == other.grey[2].max()
+    first = made.remembered(("a", 1), partial(note, 1))
+    assert made.remembered(("a", 1), partial(note, 2)) is first
+    assert made.remembered(("a", 2), partial(note, 3)) == [3]
+    assert calls == [1, 3]
+    # Changed maps have other results.
+    assert dataclasses.replace(made).remembered(("a", 1), partial(note, 4)) == [4]

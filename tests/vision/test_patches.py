@@ -74,10 +74,6 @@ def test_refusals() -> None:
         cut({0: LEVEL}, region(1, 1, 7), 3)
     with pytest.raises(PlacecatError, match=r"scale 0\.5"):
         cut({0: LEVEL}, region(1, 1, 0.5), 3)
-    with pytest.raises(PlacecatError, match=r"'wrap'.*replicate, reflect"):
-        cut({0: LEVEL}, region(1, 1), 3, border="wrap")
-    with pytest.raises(PlacecatError, match=r"\(n, 4\).*\(3,\)"):
-        cut({0: LEVEL}, np.zeros(3, np.float32), 3)
 
 
 def test_to_bytes_rounds_and_clips() -> None:

@@ -5,7 +5,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from number_of_examples import examples
-from placecat.errors import PlacecatError
 from placecat.vision import regions as module
 from placecat.vision import saliency
 from placecat.vision.attention import compute_maps
@@ -44,7 +43,6 @@ def test_acceptance_is_strict_and_uses_the_scale_of_the_new_point():
 
 def test_radius():
     assert module.radius(np.array([2, 3, 4, 5], np.float32), 1280).tolist() == [40, 80, 160, 320]
-    assert module.radius(2, 640, radius_factor=1 / 64) == 40
     assert module.radius(2, 640).dtype == np.float32
 
 
@@ -65,10 +63,10 @@ def test_scales_and_regions_equal_transcription(prepared):
         }
         for channel in saliency.CHANNELS
     }
-    terms = {c: np.float32(fused.weights[c]) * fused.conspicuity[c] for c in saliency.CHANNELS}
+    terms = {c: np.float32(one.weight) * one.conspicuity for c, one in fused.channels.items()}
     subterms = {
-        c: dict(enumerate(fused.subchannels[c] * fused.subchannel_weights[c][:, None, None]))
-        for c in saliency.CHANNELS
+        c: dict(enumerate(one.subchannels * one.subchannel_weights[:, None, None]))
+        for c, one in fused.channels.items()
     }
     expected = reference.regions(features, (fused.saliency, terms, subterms), maps.width)
     got = module.select_regions(maps, fused)
@@ -101,11 +99,6 @@ def test_looking_at_more_points_only_when_needed(prepared):
         kept = reference.accept(every.tolist(), maps.width, most)
         got = module.select_regions(maps, fused, max_regions=most)
         np.testing.assert_array_equal(got[:, :3], every[kept])
-
-
-def test_impossible_settings():
-    with pytest.raises(PlacecatError, match="max_regions"):
-        module.accept(np.zeros((1, 3), np.float32), 640, max_regions=0)
 
 
 def test_no_points():

@@ -10,9 +10,10 @@ from makers import smooth
 
 from number_of_examples import examples
 from placecat.errors import PlacecatError
+from placecat.schema.signatures import check_vision
 from placecat.vision.discovery import settings_of
 from placecat.vision.regions import accept
-from placecat.vision.tracking import RegionTracker, reduced_grey
+from placecat.vision.tracking import RegionTracker
 
 WIDTH, HEIGHT = 640, 360
 CONF = Path(__file__).resolve().parents[2] / "conf/tracking/lucas_kanade.yaml"
@@ -206,15 +207,6 @@ def test_positions_are_pixels_of_the_frame_at_any_reduced_width():
         np.testing.assert_allclose(got[:, :2], found[:, :2] + [8, -4], atol=0.6)
 
 
-def test_reduced_grey():
-    image = view(0, 0)
-    reduced = reduced_grey(image, 320)
-    assert reduced.shape == (180, 320)
-    grey = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(float)
-    np.testing.assert_allclose(reduced, grey.reshape(180, 2, 320, 2).mean(axis=(1, 3)), atol=0.51)
-    assert reduced_grey(image, 640).shape == reduced_grey(image, 900).shape == (360, 640)
-
-
 def test_no_regions_at_all():
     tracker = RegionTracker()
     for _ in range(3):
@@ -233,18 +225,18 @@ def test_the_configuration_has_every_setting_with_its_default():
 
 
 @pytest.mark.parametrize(
-    ("wrong", "message"),
+    "wrong",
     [
-        ({"max_regions": 0}, "max_regions must be at least 1"),
-        ({"window": 20}, "window odd"),
-        ({"width": 8}, "width must be at least 16"),
-        ({"levels": -1}, "levels"),
-        ({"iterations": 0}, "iterations"),
-        ({"epsilon": 0.0}, "epsilon"),
-        ({"forward_backward": float("nan")}, "forward_backward"),
-        ({"min_eigenvalue": -1.0}, "min_eigenvalue"),
+        {"max_regions": 0},
+        {"window": 20},
+        {"width": 8},
+        {"levels": -1},
+        {"iterations": 0},
+        {"epsilon": 0.0},
+        {"forward_backward": float("nan")},
+        {"min_eigenvalue": -1.0},
     ],
 )
-def test_impossible_settings(wrong, message):
-    with pytest.raises(PlacecatError, match=message):
-        RegionTracker(**wrong)
+def test_impossible_settings(wrong):
+    with pytest.raises(PlacecatError, match=next(iter(wrong))):
+        check_vision("tracking", wrong, "tracking")

@@ -7,9 +7,10 @@ import pytest
 from makers import frame
 
 from placecat.errors import PlacecatError
-from placecat.vision import local, saliency, variants
+from placecat.vision import saliency, variants
 from placecat.vision.attention import compute_maps, find_regions
-from placecat.vision.frame import check, describe_frame
+from placecat.vision.discovery import load
+from placecat.vision.frame import describe_frame
 from placecat.vision.maps import FIELDS
 
 SETTINGS = {"regions": {"max_regions": 38}, "local": {"hog": {}, "sift": {}}, "holistic": {"gist": {}}}
@@ -55,7 +56,7 @@ def test_a_variant_is_the_attention_with_its_settings(found, name, attention, re
     assert not found[f"variant_{name}/regions"][count:].any()
     for descriptor in VARIANTS[name]["descriptors"]:
         described = found[f"variant_{name}/local_{descriptor}"]
-        np.testing.assert_array_equal(described[:count], local.load(descriptor).describe(maps, expected))
+        np.testing.assert_array_equal(described[:count], load("local", descriptor).describe(maps, expected))
 
 
 def test_variants_differ_where_they_should(found):
@@ -83,19 +84,6 @@ def test_scales_that_there_are_not_are_refused(scales):
         compute_maps(PICTURE).at_scales(scales)
 
 
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"scale": 2}, "no setting 'scale'; did you mean 'scales'"),
-        ({"regions": {"max_region": 2}}, "max_region"),
-        ({"descriptors": ["surf"]}, r"no local descriptor 'surf' \(valid: hog, sift\)"),
-    ],
-)
-def test_mistakes_are_refused(change, message):
-    with pytest.raises(PlacecatError, match=message):
-        check({**SETTINGS, "variants": {"mine": VARIANTS["as_used"] | change}})
-
-
 def test_equal_parts_are_computed_once(monkeypatch):
     fused, found, described = [], [], []
 
@@ -109,7 +97,7 @@ def test_equal_parts_are_computed_once(monkeypatch):
 
     monkeypatch.setattr(saliency, "_fuse", noted(saliency._fuse, fused, 1))
     monkeypatch.setattr(variants, "find_regions", noted(find_regions, found, 0))
-    hog = local.load("hog")
+    hog = load("local", "hog")
     monkeypatch.setattr(hog, "describe", noted(hog.describe, described, 1))
     describe_frame(PICTURE, {**SETTINGS, "variants": VARIANTS})
     # With all scales, without the residual, and with two scales.

@@ -8,8 +8,8 @@ from pydantic import Field, StringConstraints
 
 from placecat import schema
 from placecat.categorizer.system import TrainedSystem
-from placecat.cues import cue_input
 from placecat.errors import PlacecatError
+from placecat.schema import signatures
 from placecat.schema.base import Section
 from placecat.vision.frame import check as check_vision
 
@@ -113,7 +113,7 @@ class LocalDescriptor(Section):
     kind: Literal["local"]
     name: _Name
     y_pos: bool
-    y_weight: Annotated[float, Field(allow_inf_nan=False)]
+    y_weight: Annotated[float, Field(ge=0, allow_inf_nan=False)]
     color: _Name | None
     max_regions: Annotated[int, Field(ge=1, le=_MOST)]
     tracked: bool = False
@@ -139,12 +139,12 @@ def check_content(content: Any) -> None:
         raise PlacecatError("its content is not a mapping")
     schema.check(content, Content)
     check_vision(content["vision"])
+    signatures.check_vision("tracking", content["tracking"] or {}, "tracking")
     _check_sizes(content["vision"], "vision")
     _check_sizes(content["tracking"], "tracking")
     for cue in content["cues"]:
         descriptor = cue["descriptor"]
         schema.check(descriptor, LocalDescriptor if descriptor.get("kind") == "local" else HolisticDescriptor)
-        cue_input.check(descriptor)
 
 
 def check_system(system: TrainedSystem) -> None:

@@ -7,9 +7,7 @@ from typing import Any
 
 from placecat import settings
 from placecat.errors import PlacecatError
-from placecat.vision import discovery, holistic, local
-
-_PACKAGES = {"local": local, "holistic": holistic}
+from placecat.vision import discovery
 
 
 def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
@@ -24,10 +22,10 @@ def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
         descriptor = content["descriptor"]
         kind, name = descriptor.get("kind"), descriptor.get("name")
         described = conf / "descriptor" / str(kind) / f"{name}.yaml"
-        if str(kind) not in _PACKAGES or name is None or described.exists():
+        if kind not in ("local", "holistic") or name is None or described.exists():
             continue
         try:
-            own = discovery.settings_of(_PACKAGES[kind].load(name).describe)
+            own = dict(discovery.settings_of(discovery.load(kind, name).describe))
         except (PlacecatError, ImportError) as error:
             raise PlacecatError(f"{path}: {error}") from None
         for setting, value in own.items():

@@ -7,7 +7,6 @@ its module; a new module needs no registration.
 
 import logging
 from collections.abc import Mapping, Sequence
-from functools import partial
 from types import ModuleType
 from typing import Any
 
@@ -16,24 +15,18 @@ from numpy.typing import NDArray
 
 from placecat import lookup, settings
 from placecat.cues.codebook import Codebook
-from placecat.cues.descriptors import Descriptors
-from placecat.cues.model import CueModel
+from placecat.cues.descriptors import CueModel, Descriptors
 from placecat.errors import PlacecatError
 from placecat.learning.calibration import CENTRED, CONSECUTIVE, make_folds
 
 logger = logging.getLogger(__name__)
 
-__all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "model_names", "of_regions_only"]
+__all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "of_regions_only"]
 
 # Number of parts if frames are left out instead of homes.
 _PARTS = 5
 # Minimum number of training frames per place in the other homes; calibration needs them.
 _LEAST = 2
-
-
-def model_names() -> list[str]:
-    """Return the names of the models: modules of this package with a function `fit`."""
-    return lookup.names(__name__, "fit")
 
 
 def fit(
@@ -93,10 +86,10 @@ def cross_validate(
             ", ".join(names.tolist()),
         )
         folds = make_folds(index, None, CONSECUTIVE, _PARTS)
-    fit_one = partial(fit, classifier=classifier, classes=classes, codebook=codebook)
     proba = np.empty((len(train), len(classes)))
     for kept, held_out in folds:
-        model = fit_one(train.take(kept), labels[kept], homes[kept])
+        inputs = train.take(kept), labels[kept], homes[kept]
+        model = fit(*inputs, classifier=classifier, classes=classes, codebook=codebook)
         proba[held_out] = model.predict_proba(train.take(held_out))
     return proba
 

@@ -10,18 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat import seeds, settings
-from placecat.cues import estimators
+from placecat.cues import cue_input, estimators
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError
 from placecat.learning.flat_kmeans import FlatKMeans
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
-
-# Names of descriptor settings, and of renamed values, in the text from which seeds are derived. They are
-# frozen, since a different text changes the clustering. A renamed setting keeps its old name here.
-FROZEN = {
-    name: name for name in ("kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked", "variant")
-}
-RENAMED: dict[Any, str] = {}
 
 
 def seed_of(
@@ -30,13 +23,12 @@ def seed_of(
     """Derive a codebook's seed, in [0, 2**32), from its inputs; equal clusterings share a seed.
 
     The inputs are the data set's name, the descriptor as in the cue, a holistic descriptor's number of cells,
-    the training set's name, and one of ``protocol.seeds``. Renaming a setting or a descriptor does not change
-    the seed (`FROZEN`, `RENAMED`); a setting that is not in `FROZEN` raises PlacecatError.
+    the training set's name, and one of ``protocol.seeds``. Raises PlacecatError as
+    :func:`placecat.cues.cue_input.check`.
     """
-    settings.refuse_unknown(descriptor, list(FROZEN), "the text that seeds of codebooks derive from")
-    content = json.dumps(
-        {FROZEN[key]: RENAMED.get(value, value) for key, value in descriptor.items()}, sort_keys=True
-    )
+    cue_input.check(descriptor)
+    # Renaming a setting or a descriptor would change this text, and so the clustering: write old names here.
+    content = json.dumps(dict(descriptor), sort_keys=True)
     return seeds.derive("codebook", dataset, content, cells, training_set, int(seed))
 
 

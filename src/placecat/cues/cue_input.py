@@ -6,13 +6,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat import settings
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError
-from placecat.vision import local
-from placecat.vision.local.concatenate import concatenate
+from placecat.vision import discovery
 
-LOCAL = {"kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked", "variant"}
-HOLISTIC = {"kind", "name"}
+SETTINGS = {
+    "local": ("kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked", "variant"),
+    "holistic": ("kind", "name"),
+}
 
 
 def check(descriptor: Mapping[str, Any]) -> None:
@@ -23,14 +25,9 @@ def check(descriptor: Mapping[str, Any]) -> None:
     ``tracked`` is true; for a variant in conf/region_variants, ``variant`` is its name.
     """
     kind, name = descriptor["kind"], descriptor["name"]
-    valid = {"local": LOCAL, "holistic": HOLISTIC}.get(kind)
-    if valid is None:
+    if kind not in SETTINGS:
         raise PlacecatError(f"descriptor.kind must be local or holistic, not {kind!r}")
-    unknown = sorted(set(descriptor) - valid)
-    if unknown:
-        raise PlacecatError(
-            f"{kind} descriptor {name} has no setting {unknown[0]!r} (valid: {', '.join(sorted(valid))})"
-        )
+    settings.refuse_unknown(descriptor, list(SETTINGS[kind]), f"{kind} descriptor {name}")
 
 
 def array_names(descriptor: Mapping[str, Any]) -> list[str]:
@@ -52,32 +49,36 @@ def assemble(
 ) -> Descriptors:
     """Assemble one descriptor of n frames; PlacecatError if `arrays` have fewer than ``max_regions`` regions.
 
+    A region's shape descriptor is joined with the vertical position of its centre (0 to 1, top to bottom,
+    times ``y_weight``) and its colour descriptor (thesis 4.4.1). Descriptors have different magnitudes (SIFT
+    reaches 255, HOG 1), and the thesis does not specify their weights. So each is divided by its module's
+    ``SPREAD``, after which parts influence a distance equally.
+
     `descriptor` is as for :func:`check`. `arrays` holds the arrays that :func:`array_names` lists, with n
     frames along the first axis. `height` is the frame height in pixels. `modules` maps each region
     descriptor to its module in `placecat.vision.local`.
     """
     if descriptor["kind"] == "holistic":
         return Descriptors(np.array(arrays[f"holistic_{descriptor['name']}"], np.float32))
-    name, color_name, limit = descriptor["name"], descriptor["color"], int(descriptor["max_regions"])
-    found = arrays[f"local_{name}"]
-    if limit > found.shape[1]:
+    name, limit = descriptor["name"], int(descriptor["max_regions"])
+    there = arrays[f"local_{name}"].shape[1]
+    if limit > there:
         raise PlacecatError(
-            f"a cue uses {limit} regions (max_regions), but regions.max_regions is {found.shape[1]}: "
+            f"a cue uses {limit} regions (max_regions), but regions.max_regions is {there}: "
             "increase regions.max_regions"
         )
-    counts = np.minimum(arrays["count"], limit).astype(np.int64)
-    x = np.array(found[:, :limit], np.float32)
-    n, m, _ = x.shape
-    y = color = None
+
+    def described(part: str) -> NDArray[np.float32]:
+        spread = discovery.load("local", modules[part]).SPREAD
+        return np.array(arrays[f"local_{part}"][:, :limit], np.float32) * np.float32(1 / spread)
+
+    parts = [described(name)]
     if descriptor["y_pos"]:
-        y = (np.array(arrays["regions"][:, :limit, 1], np.float32) / np.float32(height)).reshape(-1)
-    if color_name:
-        color = np.array(arrays[f"local_{color_name}"][:, :limit], np.float32).reshape(n * m, -1)
-    weights: dict[str, float] = {
-        "y_weight": float(descriptor["y_weight"]),
-        "shape_spread": local.load(modules[name]).SPREAD,
-        "color_spread": local.load(modules[color_name]).SPREAD if color_name else 1.0,
-    }
-    joined = concatenate(x.reshape(n * m, -1), y, color, **weights).reshape(n, m, -1)
-    joined[np.arange(m)[None, :] >= counts[:, None]] = 0.0
-    return Descriptors(joined, counts)
+        y = np.array(arrays["regions"][:, :limit, 1], np.float32) / np.float32(height)
+        parts.append((y * np.float32(descriptor["y_weight"]))[:, :, None])
+    if descriptor["color"]:
+        parts.append(described(descriptor["color"]))
+    x = np.concatenate(parts, axis=2)
+    counts = np.minimum(arrays["count"], limit).astype(np.int64)
+    x[np.arange(limit) >= counts[:, None]] = 0.0
+    return Descriptors(x, counts)

@@ -1,6 +1,7 @@
-"""A cue's input: descriptors of frames."""
+"""A cue's input, descriptors of frames, and the interface of its model."""
 
 from dataclasses import dataclass
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,3 +44,13 @@ class Descriptors:
         if self.counts is None:
             return np.arange(len(self.x))
         return np.repeat(np.arange(len(self.x)), self.counts)
+
+
+class CueModel(Protocol):
+    """A trained cue; `facts` describes its training, e.g. the feasible nu, with JSON types only."""
+
+    facts: dict[str, Any]
+
+    def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
+        """Return (n, n_classes) distributions over places; rows sum to 1."""
+        ...

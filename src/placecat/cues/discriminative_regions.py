@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.cues.codebook import Codebook
-from placecat.cues.descriptors import Descriptors
-from placecat.cues.model import CueModel
+from placecat.cues.descriptors import CueModel, Descriptors
 from placecat.errors import PlacecatError
 from placecat.learning.activations import activations
 from placecat.learning.discriminative import discriminative_codewords

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from placecat.cues import estimators
 from placecat.cues.codebook import Codebook
 from placecat.cues.descriptors import Descriptors
-from placecat.cues.model import product_of_rows
 from placecat.learning.memory import remembered
 from placecat.learning.scaling import KINDS, KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
@@ -25,12 +24,6 @@ class OneAgainstAllCue:
         self.scheme = scheme
         self.facts: dict[str, Any] = {}
 
-    def transform(self, x: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Apply reduction and scaling."""
-        for step in self.steps:
-            x = _transformed(step, x)
-        return x
-
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
         """Return (n, n_classes) distributions over places; those of a frame's regions are multiplied."""
         _, rows = remembered("rows", (frames, None), lambda: _rows(frames, None))
@@ -38,11 +31,29 @@ class OneAgainstAllCue:
             # Without frames or regions, the matrix is empty; estimators refuse that.
             proba = np.empty((0, len(self.scheme.classes_)))
         else:
-            proba = self.scheme.predict_proba(self.transform(rows))
+            for step in self.steps:
+                rows = _transformed(step, rows)
+            proba = self.scheme.predict_proba(rows)
         if not frames.is_set:
             return proba
         log_proba = np.log(np.maximum(proba, np.finfo(np.float64).tiny))
         return product_of_rows(log_proba, frames.frame_of_row(), len(frames))
+
+
+def product_of_rows(
+    log_proba: NDArray[np.float64], frame_of_row: NDArray[np.int64], n_frames: int
+) -> NDArray[np.float64]:
+    """Multiply and normalise the distributions of each frame's regions (thesis 3.3.1 and 4.4.1).
+
+    `log_proba` holds the (rows, n_classes) log-probabilities of the regions, and `frame_of_row` the (rows,)
+    frame index of each region. Returns (n_frames, n_classes); uniform for a frame without regions.
+    """
+    total = np.zeros((n_frames, log_proba.shape[1]))
+    np.add.at(total, frame_of_row, log_proba)
+    # Subtract the maximum to avoid underflow.
+    proba = np.exp(total - total.max(axis=1, keepdims=True))
+    normalised: NDArray[np.float64] = proba / proba.sum(axis=1, keepdims=True)
+    return normalised
 
 
 def _rows(frames: Descriptors, most: int | None) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
@@ -99,15 +110,9 @@ def fit(
     multi = estimators.build(scheme, "classifier.scheme", base=binary)
     multi.fit(x, labels[frame], groups=homes[frame], class_names=classes)
     cue = OneAgainstAllCue(steps, multi)
-    cue.facts = facts_of(multi)
+    cue.facts["flat_sigmoids"] = [int(count) for count in multi.flat_]
+    if np.isfinite(multi.nu_).all():
+        cue.facts["nu"] = [round(float(nu), 6) for nu in multi.nu_]
+    if getattr(multi, "reliability_", None) is not None:
+        cue.facts["reliability"] = np.round(multi.reliability_, 6).tolist()
     return cue
-
-
-def facts_of(scheme: Any) -> dict[str, Any]:
-    """Return facts about a fitted multi-class scheme: nu, flat sigmoids per class, and reliabilities."""
-    facts: dict[str, Any] = {"flat_sigmoids": [int(count) for count in scheme.flat_]}
-    if np.isfinite(scheme.nu_).all():
-        facts["nu"] = [round(float(nu), 6) for nu in scheme.nu_]
-    if getattr(scheme, "reliability_", None) is not None:
-        facts["reliability"] = np.round(scheme.reliability_, 6).tolist()
-    return facts

@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError, did_you_mean
 _Reference = tuple[str, str, str, Collection[str]]
 _SECTIONS = (
     *("cues", "codebooks", "systems", "filters", "splits"),
-    *("descriptors", "smoothing", "tracking", "protocol", "dataset", "model"),
+    *("descriptors", "smoothing", "tracking", "protocol", "dataset", "model", "region_variants"),
 )
 
 
@@ -24,9 +24,10 @@ def check(params: Mapping[str, Any]) -> None:
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     # A missing section is skipped here; the stage that reads it reports it.
-    cues, codebooks, systems, filters, splits, descriptors, smoothing, tracking, protocol, dataset, model = (
+    cues, codebooks, systems, filters, splits, descriptors, smoothing, *others = (
         params.get(name) or {} for name in _SECTIONS
     )
+    tracking, protocol, dataset, model, variants = others
     judged = [name for name, cue in cues.items() if cue["cross_validate"]]
     for name, cue in cues.items():
         where, codebook = _file("cue", name), cue["codebook"]
@@ -55,7 +56,8 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     filtered = [f"{name}/{one}" for name, own in filters.items() for one in own["cues"] + own["systems"]]
     yield from _each("smoothing.filtered", "filtered result", smoothing.get("filtered", []), filtered)
     local = descriptors.get("local", {})
-    yield from _each("tracking.descriptors", "local descriptor", tracking.get("descriptors", []), local)
+    for section, own in (("tracking", tracking), ("region_variants", variants)):
+        yield from _each(f"{section}.descriptors", "local descriptor", own.get("descriptors", []), local)
     for name, split in splits.items():
         where = _file("split", name)
         for kind, names in split["descriptors"].items():

@@ -11,12 +11,19 @@ from pydantic import TypeAdapter
 
 from placecat import lookup, schema
 from placecat.errors import SettingError, did_you_mean
-from placecat.schema.sections import Dataset, Regions
+from placecat.schema.base import Section
+from placecat.schema.sections import Attention, Dataset, Information, Regions, Tracking
 from placecat.settings import refuse_unknown
 
 SEQUENCES, READER = "placecat.sequences", ("list_homes", "read_home")
 CUES, LEARNING = "placecat.cues", "placecat.learning"
 FIGURES = "placecat.report.figures"
+VISION: dict[str, type[Section]] = {
+    "attention": Attention,
+    "regions": Regions,
+    "information": Information,
+    "tracking": Tracking,
+}
 # Estimator parameters that the code sets.
 GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed"})
 
@@ -31,9 +38,9 @@ def check(params: Mapping[str, Any]) -> None:
         check_part(params.get(section), section)
     for kind, entries in (params.get("descriptors") or {}).items():
         for name, entry in entries.items():
-            _check_descriptor(kind, name, entry)
+            check_descriptor(kind, name, entry)
     for name, variant in (params.get("region_variants") or {}).get("variants", {}).items():
-        _check(variant["regions"], _of_regions(), f"region_variants.variants.{name}.regions")
+        check_vision("regions", variant["regions"], f"region_variants.variants.{name}.regions")
     _check_figures(params.get("figures") or {})
 
 
@@ -74,6 +81,20 @@ def check_estimator(options: Mapping[str, Any], where: str) -> str:
     return class_name
 
 
+def check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
+    """Check the module and settings of a descriptor; `kind` is ``local`` or ``holistic``."""
+    where, own = f"descriptors.{kind}.{name}", dict(entry)
+    # A variant of a descriptor names its module.
+    module = own.pop("descriptor", name)
+    lookup.require(f"placecat.vision.{kind}", module, f"{where}: {kind} descriptor", "describe")
+    _check(own, _taken(f"placecat.vision.{kind}", module, "describe"), where)
+
+
+def check_vision(section: str, options: Mapping[str, Any], where: str) -> None:
+    """Check some settings of one of the sections in `VISION`; none is required."""
+    _check(options, _of_section(section), where)
+
+
 def _check_classifier(options: Mapping[str, Any], where: str) -> None:
     own = dict(options)
     model = lookup.require(CUES, own.pop("model"), f"{where}.model", "fit")
@@ -83,14 +104,6 @@ def _check_classifier(options: Mapping[str, Any], where: str) -> None:
             check_estimator(own[part], f"{where}.{part}")
     if isinstance(own.get("reduction"), Mapping):
         _check(own["reduction"], _optional(LEARNING, "spatial_pca", "SpatialPCA"), f"{where}.reduction")
-
-
-def _check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
-    where, own = f"descriptors.{kind}.{name}", dict(entry)
-    # A variant of a descriptor names its module.
-    module = own.pop("descriptor", name)
-    lookup.require(f"placecat.vision.{kind}", module, f"{where}: {kind} descriptor", "describe")
-    _check(own, _taken(f"placecat.vision.{kind}", module, "describe"), where)
 
 
 def _check_figures(figures: Mapping[str, Any]) -> None:
@@ -127,10 +140,9 @@ def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
 
 
 @lru_cache
-def _of_regions() -> dict[str, _Setting]:
-    """Return the settings of salient regions; none is required, since a variant changes only some."""
-    kinds = get_type_hints(Regions, include_extras=True)
-    return {name: _Setting(False, schema.of_type(kinds[name])) for name in Regions.model_fields}
+def _of_section(section: str) -> dict[str, _Setting]:
+    kinds = get_type_hints(VISION[section], include_extras=True)
+    return {name: _Setting(False, schema.of_type(kinds[name])) for name in VISION[section].model_fields}
 
 
 def _check(options: Mapping[str, Any], taken: Mapping[str, _Setting], where: str) -> None:

@@ -6,19 +6,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
 from placecat.vision.center_surround import color_contrast, intensity_contrast
 from placecat.vision.color import channels, check_frame, reduced_planes
-from placecat.vision.discovery import parts_of, passing_on
+from placecat.vision.discovery import parts_of
 from placecat.vision.maps import FIELDS, FloatArray, FrameMaps
 from placecat.vision.orientation import orientation_maps
 from placecat.vision.pyramid import check_scales, gaussian_pyramid, laplacian
-from placecat.vision.regions import select_regions
+from placecat.vision.regions import accept, select_regions
 from placecat.vision.saliency import saliency
 from placecat.vision.spectral_residual import spectral_residual
 
 
-@passing_on(orientation_maps, spectral_residual)
 def compute_maps(
     frame_bgr: NDArray[np.uint8],
     fields: Collection[str] = FIELDS,
@@ -56,18 +54,16 @@ def compute_maps(
 
     Raises
     ------
-    TypeError
-        If the frame is not a uint8 array.
-    PlacecatError
-        If the frame is not (H, W, 3) or is too small for the scales, or if a setting is invalid.
+    TypeError, PlacecatError
+        If the frame is not a uint8 array (TypeError) of shape (H, W, 3) or is too small for the scales, or if
+        a setting is invalid.
     """
-    gabor, residual = parts_of(settings, compute_maps, orientation_maps, spectral_residual)
+    checked = {**settings, "scales": list(scales), "radii": list(radii)}
+    gabor, residual = parts_of("attention", checked, orientation_maps, spectral_residual)
     frame = check_frame(frame_bgr)
     height, width = frame.shape[:2]
-    levels = check_scales(tuple(scales), width, height)
-    sizes = tuple(radii)
-    if not sizes or any(r < 1 for r in sizes):
-        raise PlacecatError(f"radii must be whole numbers of at least 1, such as (1, 3), not {sizes}")
+    levels = tuple(scales)
+    check_scales(levels, width, height)
     in_color = "color" in fields or "color_contrast" in fields
     total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
     # The colours' sum is a whole number, so a flat frame stays exactly flat. Divide it by 3 only at the end.
@@ -81,10 +77,10 @@ def compute_maps(
         grey={s: grey[s] for s in levels if "grey" in fields},
         color={s: channels([pyramid[s] for pyramid in pyramids]) for s in levels if "color" in fields},
         intensity_contrast={
-            s: intensity_contrast(grey[s], sizes) for s in levels if "intensity_contrast" in fields
+            s: intensity_contrast(grey[s], radii) for s in levels if "intensity_contrast" in fields
         },
         color_contrast={
-            s: color_contrast([pyramid[s] for pyramid in pyramids], sizes)
+            s: color_contrast([pyramid[s] for pyramid in pyramids], radii)
             for s in levels
             if "color_contrast" in fields
         },
@@ -97,23 +93,15 @@ def compute_maps(
     )
 
 
-@passing_on(select_regions, saliency)
 def find_regions(maps: FrameMaps, **settings: Any) -> FloatArray:
     """Find a frame's salient regions (thesis 3.1.1.3).
 
-    Parameters
-    ----------
-    maps
-        The result of `compute_maps`.
-    **settings
-        Settings of `placecat.vision.regions.select_regions`, such as ``max_regions``, and of
-        `placecat.vision.saliency.saliency`, such as ``use_residual``. An invalid setting raises
-        PlacecatError.
+    `maps` is the result of `compute_maps`. Settings are those of
+    `placecat.vision.regions.select_regions`, such as ``max_regions``, and of
+    `placecat.vision.saliency.saliency`, such as ``use_residual``; an invalid one raises PlacecatError.
 
-    Returns
-    -------
-    (n, 4) float32: the centre's x and y in frame pixels, scale, saliency; sorted by decreasing saliency. n is
-    at most ``max_regions``, and 0 for a flat frame.
+    Returns (n, 4) float32: the centre's x and y in frame pixels, scale, saliency; sorted by decreasing
+    saliency. n is at most ``max_regions``, and 0 for a flat frame.
     """
-    selection, fusion = parts_of(settings, find_regions, select_regions, saliency)
-    return select_regions(maps, saliency(maps, **fusion), **selection)
+    selection, distances, fusion = parts_of("regions", settings, select_regions, accept, saliency)
+    return select_regions(maps, saliency(maps, **fusion), **selection | distances)

@@ -1,7 +1,6 @@
 """The census transform, its histograms, and the 3x3 Laplacian that may precede it."""
 
 from functools import lru_cache
-from itertools import product
 from typing import Any
 
 import cv2
@@ -11,9 +10,6 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 CODES = 256
-
-# Up to this many pixels per cell, one joint histogram over cells and codes beats one histogram per cell.
-_FEW = 10_000
 
 # Left to right, top to bottom; the first neighbour sets the highest bit.
 _NEIGHBOURS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1))
@@ -32,13 +28,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
     top to bottom, from the highest bit (top left, 128) to the lowest (bottom right, 1). Border pixels have no
     code.
 
-    Parameters
-    ----------
-    images
-        (..., h, w) of any real type. PlacecatError is raised if h or w is below 3.
-
-    Returns
-    -------
+    `images` is (..., h, w) of any real type; PlacecatError is raised if h or w is below 3. Returns
     (..., h - 2, w - 2) uint8.
 
     References
@@ -79,49 +69,23 @@ def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]
     Cells consist of whole pixels: cell k of n covers the pixels from floor(k length / n) up to, but
     excluding, floor((k + 1) length / n). The thesis does not specify this.
 
-    Parameters
-    ----------
-    codes
-        (h, w) uint8, from `census`.
-    cells
-        Number of cells along each axis.
-
-    Returns
-    -------
-    (cells**2, 256) float32, cells row by row from the top left; each row sums to 1, or to 0 for a cell
-    without pixels.
+    `codes` is (h, w) uint8, from `census`; `cells` is at most 16. Returns (cells**2, 256) float32, cells row
+    by row from the top left; each row sums to 1, or to 0 for a cell without pixels.
     """
     number = cells * cells
-    if 0 < codes.size <= _FEW * number and number <= 256:
-        height, width = codes.shape
-        places, sizes = _places(height, width, cells)
-        counts = cv2.calcHist([places, codes], [0, 1], None, [number, CODES], [0, number, 0, CODES])
-        return np.asarray(counts, np.float32) / sizes
-    result = np.zeros((number, CODES), np.float32)
-    rows, columns = _cell_slices(codes.shape[0], codes.shape[1], cells)
-    for target, (row, column) in zip(result, product(rows, columns), strict=True):
-        block = codes[row, column]
-        if block.size:
-            counts = cv2.calcHist([block], [0], None, [CODES], [0, CODES])
-            np.divide(counts[:, 0], block.size, out=target)
-    return result
-
-
-def _cell_slices(height: int, width: int, cells: int) -> list[list[slice]]:
-    """Return each cell's rows and columns."""
-    return [
-        [slice(k * length // cells, (k + 1) * length // cells) for k in range(cells)]
-        for length in (height, width)
-    ]
+    places, sizes = _places(*codes.shape, cells)
+    counts = cv2.calcHist([places, codes], [0, 1], None, [number, CODES], [0, number, 0, CODES])
+    return np.asarray(counts, np.float32) / sizes
 
 
 @lru_cache(maxsize=8)
 def _places(height: int, width: int, cells: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
     """Return each pixel's cell index, (h, w), and each cell's pixel count, at least 1, (cells**2, 1)."""
-    places = np.empty((height, width), np.uint8)
-    rows, columns = _cell_slices(height, width, cells)
-    for number, where in enumerate(product(rows, columns)):
-        places[where] = number
+    rows, columns = (
+        np.repeat(np.arange(cells), np.diff(np.arange(cells + 1) * length // cells))
+        for length in (height, width)
+    )
+    places = (rows[:, None] * cells + columns).astype(np.uint8)
     sizes = np.bincount(places.ravel(), minlength=cells * cells)[:, None]
     return places, np.maximum(sizes, 1).astype(np.float32)
 
@@ -135,18 +99,11 @@ def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
         (h, w) uint8 or float32.
     kernel
         ``cross`` (4 neighbours), ``full`` (8 neighbours) or ``diagonal`` (the 3x3 kernel of OpenCV's
-        Laplacian with aperture 3); others raise PlacecatError. The thesis says only "Laplacian filter".
+        Laplacian with aperture 3). The thesis says only "Laplacian filter".
 
     Returns
     -------
     (h, w) int16 for a uint8 image, float32 for a float32 image.
     """
-    check_kernel(kernel)
     depth = cv2.CV_16S if image.dtype == np.uint8 else cv2.CV_32F
     return cv2.filter2D(image, depth, LAPLACIANS[kernel], borderType=cv2.BORDER_REFLECT_101)
-
-
-def check_kernel(kernel: str) -> None:
-    """Raise a PlacecatError that names the valid Laplacian kernels if `kernel` is unknown."""
-    if kernel not in LAPLACIANS:
-        raise PlacecatError(f"Unknown Laplacian kernel '{kernel}': choose one of {', '.join(LAPLACIANS)}.")

@@ -25,18 +25,10 @@ def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> Non
     cv2.addWeighted(plane, factor, out, -factor, 0, dst=out)
 
 
-def intensity_contrast(grey: FloatArray, radii: Sequence[int] = (1, 3)) -> FloatArray:
+def intensity_contrast(grey: FloatArray, radii: Sequence[int]) -> FloatArray:
     """Return the intensity's bright-spot and dark-spot responses (thesis 3.1.1.1).
 
-    Parameters
-    ----------
-    grey
-        (h, w) float32, 0 to 255.
-    radii
-        Radii of the centre-surround neighbourhoods.
-
-    Returns
-    -------
+    `grey` is (h, w) float32, 0 to 255; `radii` are those of the centre-surround neighbourhoods. Returns
     (radii, 2, h, w) float32, 0 to 255: the difference's positive and negative parts. Values up to
     `GREY_ROUNDING` become 0.
     """
@@ -44,22 +36,14 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int] = (1, 3)) -> Float
     for (on, off), radius in zip(out, radii, strict=True):
         _surround_difference(grey, radius, on)
         np.negative(on, out=off)
-    return _positive(out, GREY_ROUNDING)
+    return without_rounding(out, GREY_ROUNDING)
 
 
-def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) -> FloatArray:
+def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int]) -> FloatArray:
     """Return how far R, G, B and Y in the centre exceed the surround (thesis 3.1.1.1).
 
-    Parameters
-    ----------
-    planes
-        One level's colour planes, as in `placecat.vision.color.channels`.
-    radii
-        Radii of the centre-surround neighbourhoods.
-
-    Returns
-    -------
-    (radii, 4, h, w) float32, dimensionless, >= 0. Values up to `COLOR_ROUNDING` become 0.
+    `planes` are one level's colour planes, as in `placecat.vision.color.channels`. Returns (radii, 4, h, w)
+    float32, dimensionless, >= 0. Values up to `COLOR_ROUNDING` become 0.
     """
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
     difference = np.empty_like(planes[0])
@@ -69,10 +53,11 @@ def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) 
             _surround_difference(plane, radius, own)
         if len(planes) == 3:
             blue_yellow(target[0], target[1], difference, target[2], target[3])
-    return _positive(out, COLOR_ROUNDING)
+    return without_rounding(out, COLOR_ROUNDING)
 
 
-def _positive(maps: FloatArray, rounding: float) -> FloatArray:
+def without_rounding(maps: FloatArray, rounding: float) -> FloatArray:
+    """Set values up to `rounding` to 0 in place."""
     rows = maps.reshape(-1, maps.shape[-1])
     cv2.threshold(rows, rounding, 0, cv2.THRESH_TOZERO, dst=rows)
     return maps

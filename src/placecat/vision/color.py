@@ -26,14 +26,9 @@ SHIFT = np.float32(1.5)
 
 
 def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Check an (H, W, 3) uint8 BGR frame, and return it C-contiguous.
+    """Return an (H, W, 3) uint8 BGR frame C-contiguous.
 
-    Raises
-    ------
-    TypeError
-        If the frame is not a uint8 array.
-    PlacecatError
-        If the frame is empty or not (H, W, 3).
+    Raises TypeError if it is not a uint8 array, PlacecatError if it is empty or not (H, W, 3).
     """
     if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8:
         kind = frame.dtype if isinstance(frame, np.ndarray) else type(frame).__name__
@@ -50,7 +45,8 @@ def reduced_planes(
 ) -> tuple[FloatArray, list[FloatArray]]:
     """Return level 1 of the sum r + g + b and of the colour planes (thesis 3.1.1.1).
 
-    The function processes the frame in strips to save memory; the strips do not affect the result.
+    The frame is processed in strips of `strip_rows` rows (even, at least 4) to save memory; they do not
+    affect the result.
 
     Parameters
     ----------
@@ -61,8 +57,6 @@ def reduced_planes(
     clip
         If false, the planes are R, G, D. If true, each pixel's negative colour values become 0, as in Itti et
         al., and the planes are R, G, B, Y. The thesis does not specify this.
-    strip_rows
-        Number of rows per strip, even, at least 4.
 
     Returns
     -------
@@ -72,7 +66,6 @@ def reduced_planes(
         3 or 4 float32 planes of the same size: R and G from -1.5 to 3, D from 0 to 4.5; or R, G, B, Y from 0
         to 3. Empty if `color` is false.
     """
-    frame = check_frame(frame)
     height, width = frame.shape[:2]
     out_width, out_height = level_size(width, height, 1)
     number = 1 if not color else 5 if clip else 4
@@ -103,14 +96,8 @@ def reduced_planes(
 def channels(planes: Sequence[FloatArray]) -> FloatArray:
     """Compute R, G, B, Y from the planes of `reduced_planes`, or from linear functions of these planes.
 
-    Parameters
-    ----------
-    planes
-        R, G, D (combined by the identities above) or R, G, B, Y (only stacked); (h, w) float32 each.
-
-    Returns
-    -------
-    (4, h, w) float32. In each pixel R, G and B lie between -1.5 and 3, and Y between -6 and 3.
+    `planes` are R, G, D (combined by the identities above) or R, G, B, Y (only stacked), (h, w) float32 each.
+    Returns (4, h, w) float32. In each pixel R, G and B lie between -1.5 and 3, and Y between -6 and 3.
     """
     out = np.empty((4, *planes[0].shape), np.float32)
     out[0], out[1] = planes[:2]
@@ -132,6 +119,20 @@ def blue_yellow(
     np.add(red, green, out=blue)
     cv2.addWeighted(blue, 2, difference, -4 / 3, 0, dst=yellow)
     np.negative(blue, out=blue)
+
+
+def reduced_grey(
+    frame: NDArray[np.uint8], width: int | None, interpolation: int = cv2.INTER_AREA
+) -> NDArray[np.uint8]:
+    """Convert an (H, W, 3) uint8 BGR frame to grey as OpenCV does, and reduce it to a width in pixels.
+
+    Returns (max(1, round(H width / W)), width) uint8; a frame no wider than `width` keeps its size.
+    """
+    grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+    height, full = grey.shape
+    if width is not None and width < full:
+        grey = cv2.resize(grey, (width, max(1, round(height * width / full))), interpolation=interpolation)
+    return np.asarray(grey, np.uint8)
 
 
 def _full_planes(

@@ -13,15 +13,7 @@ def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
     A pixel cut by a cell border counts proportionally in both cells, so all cells have the same size. The
     thesis does not say how it divides a length that is not a multiple of the number of cells.
 
-    Parameters
-    ----------
-    length
-        Number of pixels along the axis, at least 1; may be less than ``cells``.
-    cells
-        Number of cells along the axis, at least 1.
-
-    Returns
-    -------
+    Both are numbers along one axis, at least 1; ``length`` may be less than ``cells``. Returns
     (cells, length) float64, read-only; each row sums to 1.
     """
     edges = np.arange(cells + 1) * (length / cells)
@@ -32,37 +24,22 @@ def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
     return weights
 
 
-@lru_cache(maxsize=256)
-def _weights32(length: int, cells: int) -> NDArray[np.float32]:
-    weights = cell_weights(length, cells).astype(np.float32)
-    weights.flags.writeable = False
-    return weights
-
-
 def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
     """Average each (..., h, w) float32 map in a ``cells`` x ``cells`` grid with two small matrix products.
 
     Returns (..., cells, cells) float32: rows from the top, columns from the left.
     """
     height, width = maps.shape[-2:]
-    means = (_weights32(height, cells) @ maps) @ _weights32(width, cells).T
-    return np.asarray(means, np.float32)
+    rows, columns = (cell_weights(length, cells).astype(np.float32) for length in (height, width))
+    return np.asarray((rows @ maps) @ columns.T, np.float32)
 
 
 def mean_variance(patches: NDArray[np.float32], grid: int) -> NDArray[np.float32]:
     """Compute each patch channel's mean and variance over the full patch and in the cells of a grid.
 
-    Parameters
-    ----------
-    patches
-        (n, c, h, w) float32.
-    grid
-        Number of cells along each axis; 0 for the full patch only.
-
-    Returns
-    -------
-    (n, 2 c (1 + grid**2)) float32, one area after another: the full patch, then the cells row by row from the
-    top left. Each area has c means, then c non-negative variances (divisor N).
+    `patches` is (n, c, h, w) float32; `grid` is the number of cells along each axis, 0 for the full patch
+    only. Returns (n, 2 c (1 + grid**2)) float32, one area after another: the full patch, then the cells row
+    by row from the top left. Each area has c means, then c non-negative variances (divisor N).
     """
     count, channels = patches.shape[:2]
     values = patches.astype(np.float64)

@@ -18,8 +18,6 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
 
     Parameters
     ----------
-    maps
-        The frame's maps; only ``grey`` is used.
     fine
         The finer level, which the thesis calls the "second" scale.
     coarse
@@ -30,10 +28,8 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
     Returns
     -------
     float
-        0 to 255 / unit. Raises PlacecatError if a level or the unit is out of range.
+        0 to 255 / unit. Raises PlacecatError if there is no such level, or `coarse` is not above `fine`.
     """
-    if not unit > 0:
-        raise PlacecatError(f"The unit of the information measure is {unit}: it must be positive.")
     last = maps.scales[-1] if coarse is None else coarse
     if fine not in maps.grey or last not in maps.grey or last <= fine:
         known = ", ".join(map(str, maps.scales))

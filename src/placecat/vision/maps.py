@@ -53,7 +53,7 @@ class FrameMaps:
     color_contrast: dict[int, FloatArray]
     orientation: dict[int, FloatArray]
     residual: dict[int, FloatArray]
-    _kept: dict[tuple[Any, ...], tuple[Any, Any]] = field(
+    _kept: dict[tuple[Hashable, ...], Any] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
 
@@ -72,32 +72,8 @@ class FrameMaps:
         }
         return replace(self, scales=wanted, **some)
 
-    def once(self, function: Callable[..., Any], array: NDArray[Any], *arguments: Any) -> Any:
-        """Return ``function(array, *arguments)``, computed once per frame.
-
-        Parameters
-        ----------
-        function
-            A module-level function without side effects.
-        array
-            The frame or one of its maps; it must not change.
-        *arguments
-            Further arguments; they must be hashable.
-
-        Returns
-        -------
-        The result. All descriptors share this object, so do not modify it.
-        """
-        key = (function, id(array), *arguments)
-        # Store the array too, so that no other array can reuse its id.
-        known, result = self._kept.get(key, (None, None))
-        if known is not array:
-            result = function(array, *arguments)
-            self._kept[key] = array, result
-        return result
-
     def remembered(self, key: tuple[Hashable, ...], compute: Callable[[], Any]) -> Any:
         """Return the result of `compute`, called once per frame and key; do not modify the result."""
         if key not in self._kept:
-            self._kept[key] = None, compute()
-        return self._kept[key][1]
+            self._kept[key] = compute()
+        return self._kept[key]

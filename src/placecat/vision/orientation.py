@@ -6,68 +6,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
-from placecat.vision.center_surround import GREY_ROUNDING
+from placecat.vision.center_surround import GREY_ROUNDING, without_rounding
 from placecat.vision.maps import FloatArray
 
 ANGLES = (0.0, 45.0, 90.0, 135.0)
 
 Separable = tuple[tuple[FloatArray, FloatArray], ...]
-
-
-def gabor_kernel(
-    angle: float, phase: float, *, size: int, sigma: float, wavelength: float, aspect: float
-) -> NDArray[np.float64]:
-    """Return a Gabor kernel.
-
-    With x right, y down from the centre, u = x cos(angle) + y sin(angle), v = -x sin(angle) + y cos(angle)::
-
-        2 exp(-(u^2 + aspect^2 v^2) / (2 sigma^2)) cos(2 pi u / wavelength + phase) / sum of the exponentials
-
-    so a quadrature pair's magnitude is the amplitude of a matching wave.
-
-    Parameters
-    ----------
-    angle
-        Direction of the wave in degrees: 0 responds to vertical edges, 90 to horizontal edges, 45 to edges
-        that rise to the right.
-    phase
-        Radians; 0 is even (lines), pi / 2 odd (edges).
-    size
-        The kernel's side in pixels, odd.
-    sigma, wavelength
-        The envelope's standard deviation and the wave's length, in pixels.
-    aspect
-        Ratio of the envelope's extent along the wave to its extent along the wave's crests.
-
-    Returns
-    -------
-    (size, size) float64.
-
-    Raises
-    ------
-    PlacecatError
-        If the size is even or not positive, or another value is not positive.
-
-    References
-    ----------
-    The formula follows cv2.getGaborKernel; the thesis mentions only Gabor filters and four angles.
-    """
-    if size < 1 or size % 2 == 0:
-        raise PlacecatError(f"gabor_size must be an odd number of pixels, not {size}")
-    if min(sigma, wavelength, aspect) <= 0:
-        raise PlacecatError(
-            "gabor_sigma, gabor_wavelength and gabor_aspect must be above 0, "
-            f"not {sigma}, {wavelength}, {aspect}"
-        )
-    half = size // 2
-    y, x = np.mgrid[-half : half + 1, -half : half + 1].astype(np.float64)
-    theta = np.deg2rad(angle)
-    u = x * np.cos(theta) + y * np.sin(theta)
-    v = -x * np.sin(theta) + y * np.cos(theta)
-    envelope = np.exp(-(u**2 + (aspect * v) ** 2) / (2 * sigma**2))
-    kernel: NDArray[np.float64] = 2 * envelope * np.cos(2 * np.pi * u / wavelength + phase) / envelope.sum()
-    return kernel
 
 
 def orientation_maps(
@@ -84,15 +28,27 @@ def orientation_maps(
     The thesis does not specify the parameters. The defaults follow the steerable pyramid of Itti et al.: a
     quarter cycle per pixel, where the Laplacian level has its energy, under a round envelope.
 
+    With x right, y down from the centre, u = x cos(angle) + y sin(angle), v = -x sin(angle) + y cos(angle), a
+    kernel is (after cv2.getGaborKernel; the thesis mentions only Gabor filters and four angles)::
+
+        2 exp(-(u^2 + aspect^2 v^2) / (2 sigma^2)) cos(2 pi u / wavelength + phase) / sum of the exponentials
+
+    so a quadrature pair's magnitude is the amplitude of a matching wave. Its angle is the direction of the
+    wave: 0 responds to vertical edges, 90 to horizontal edges, 45 to edges that rise to the right.
+
     Parameters
     ----------
     laplacian
         (h, w) float32, one level of the Laplacian pyramid, in grey levels.
-    gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect
-        See `gabor_kernel`.
+    gabor_size
+        The kernel's side in pixels, odd.
+    gabor_sigma, gabor_wavelength
+        The envelope's standard deviation and the wave's length, in pixels.
+    gabor_aspect
+        Ratio of the envelope's extent along the wave to its extent along the wave's crests.
     gabor_phase
-        If None, the magnitude combines the even and odd responses; if a phase in radians, it is the absolute
-        response at that phase.
+        Radians; 0 is even (lines), pi / 2 odd (edges). None combines the responses of these two; otherwise
+        the magnitude is the absolute response.
 
     Returns
     -------
@@ -109,9 +65,7 @@ def orientation_maps(
         np.square(out, out=out)
         out += np.square(responses[1], out=responses[1])
         np.sqrt(out, out=out)
-    rows = out.reshape(-1, out.shape[-1])
-    cv2.threshold(rows, GREY_ROUNDING, 0, cv2.THRESH_TOZERO, dst=rows)
-    return out
+    return without_rounding(out, GREY_ROUNDING)
 
 
 @lru_cache(maxsize=16)
@@ -123,12 +77,24 @@ def _bank(
     bank = []
     for shift in phases:
         level, rising, upright = (
-            gabor_kernel(angle, shift, size=size, sigma=sigma, wavelength=wavelength, aspect=aspect)
-            for angle in ANGLES[:3]
+            _gabor_kernel(angle, shift, size, sigma, wavelength, aspect) for angle in ANGLES[:3]
         )
         mirrored = rising[:, ::-1]
         bank.append(tuple(map(_separate, (level, upright, (rising + mirrored) / 2, (rising - mirrored) / 2))))
     return tuple(bank)
+
+
+def _gabor_kernel(
+    angle: float, phase: float, size: int, sigma: float, wavelength: float, aspect: float
+) -> NDArray[np.float64]:
+    half = size // 2
+    y, x = np.mgrid[-half : half + 1, -half : half + 1].astype(np.float64)
+    theta = np.deg2rad(angle)
+    u = x * np.cos(theta) + y * np.sin(theta)
+    v = -x * np.sin(theta) + y * np.cos(theta)
+    envelope = np.exp(-(u**2 + (aspect * v) ** 2) / (2 * sigma**2))
+    kernel: NDArray[np.float64] = 2 * envelope * np.cos(2 * np.pi * u / wavelength + phase) / envelope.sum()
+    return kernel
 
 
 def _respond(plane: FloatArray, parts: tuple[Separable, ...]) -> FloatArray:

@@ -52,15 +52,9 @@ def cut(
     Raises
     ------
     PlacecatError
-        If the regions have the wrong shape, a scale has no level, or the border is unknown.
+        If a scale has no level.
     """
-    if border not in BORDERS:
-        raise PlacecatError(
-            f"Unknown border '{border}' of the region patches: choose one of {', '.join(BORDERS)}."
-        )
     regions = np.asarray(regions, np.float32)
-    if regions.ndim != 2 or regions.shape[1] != 4:
-        raise PlacecatError(f"Regions must be an array (n, 4) of x, y, scale, strength, not {regions.shape}.")
     unknown = [scale for scale in regions[:, 2].tolist() if scale not in levels]
     if unknown:
         known = ", ".join(map(str, levels))
@@ -81,18 +75,9 @@ def _places(
 ) -> list[tuple[int, NDArray[np.intp], NDArray[np.intp]]]:
     """Find each level's regions and their pixels.
 
-    Parameters
-    ----------
-    shapes
-        Each level's scale, height and width.
-    regions
-        The bytes of an (n, 4) float32 array.
-    side, border
-        Like those of `cut`.
-
-    Returns
-    -------
-    For each level with regions: its scale, the regions' indices (m,), and flat pixel indices (m, side, side).
+    `shapes` are each level's scale, height and width; `regions` are the bytes of an (n, 4) float32 array.
+    Returns, for each level with regions: its scale, the regions' indices (m,), and flat pixel indices
+    (m, side, side).
     """
     x, y, scales, _ = np.frombuffer(regions, np.float32).reshape(-1, 4).astype(np.float64).T
     order = np.argsort(scales, kind="stable")

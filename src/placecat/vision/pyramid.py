@@ -1,10 +1,7 @@
 """Gaussian and Laplacian pyramids and their geometry."""
 
-from itertools import pairwise
-
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.vision.maps import FloatArray
@@ -15,25 +12,13 @@ def level_size(width: int, height: int, level: int) -> tuple[int, int]:
     return -(-width >> level), -(-height >> level)
 
 
-def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int, ...]:
-    """Return the pyramid levels if they are valid for a frame of `width` x `height` pixels.
-
-    Raises PlacecatError if the scales are empty, not whole, below 1 or not ascending, or if the coarsest
-    level would be less than two pixels wide or high.
-    """
-    given = tuple(scales)
-    whole = all(isinstance(s, int | np.integer) and s >= 1 for s in given)
-    if not given or not whole or any(a >= b for a, b in pairwise(given)):
+def check_scales(scales: tuple[int, ...], width: int, height: int) -> None:
+    """Raise PlacecatError if a frame's coarsest level would be less than two pixels wide or high."""
+    if min(level_size(width, height, scales[-1])) < 2:
         raise PlacecatError(
-            f"scales must be ascending whole numbers of at least 1, such as (2, 3, 4, 5), not {given}"
+            f"a frame of {width}x{height} pixels is too small for the scales {scales}: its shorter side must "
+            f"have at least {2 ** scales[-1] + 1} pixels; use larger frames or leave out the highest scales"
         )
-    levels = tuple(int(s) for s in given)
-    if min(level_size(width, height, levels[-1])) < 2:
-        raise PlacecatError(
-            f"a frame of {width}x{height} pixels is too small for the scales {levels}: its shorter side must "
-            f"have at least {2 ** levels[-1] + 1} pixels; use larger frames or leave out the highest scales"
-        )
-    return levels
 
 
 def reduce(plane: FloatArray) -> FloatArray:
@@ -42,7 +27,7 @@ def reduce(plane: FloatArray) -> FloatArray:
     An (h, w) float32 plane becomes (ceil(h / 2), ceil(w / 2)) float32; pixel (x, y) of the result lies at
     (2x, 2y) in the input. The border is mirrored without repeating the edge pixel (reflect-101).
     """
-    return _float(cv2.pyrDown(plane))
+    return np.asarray(cv2.pyrDown(plane), np.float32)
 
 
 def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
@@ -51,7 +36,7 @@ def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
     Returns (height, width) float32; pixel (x, y) of the input moves to (2x, 2y). OpenCV mirrors the left and
     upper borders, and repeats the last pixel at the right and lower borders.
     """
-    return _float(cv2.pyrUp(plane, dstsize=(width, height)))
+    return np.asarray(cv2.pyrUp(plane, dstsize=(width, height)), np.float32)
 
 
 def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, FloatArray]:
@@ -73,7 +58,3 @@ def laplacian(gaussian: dict[int, FloatArray], level: int) -> FloatArray:
     plane = gaussian[level]
     height, width = plane.shape
     return plane - expand(gaussian[level + 1], width, height)
-
-
-def _float(plane: NDArray[np.generic]) -> FloatArray:
-    return plane.astype(np.float32, copy=False)

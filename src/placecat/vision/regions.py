@@ -1,13 +1,10 @@
 """Find salient points, their scales, and the regions around them (thesis 3.1.1.3)."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
-from placecat.vision.discovery import parts_of, passing_on
 from placecat.vision.maps import FloatArray, FrameMaps
 from placecat.vision.saliency import Saliency, feature_maps, local_maxima
 
@@ -15,13 +12,13 @@ from placecat.vision.saliency import Saliency, feature_maps, local_maxima
 BLOCK = 128
 
 
-def radius(scale: FloatArray | float, width: int, *, radius_factor: float = 1 / 128) -> FloatArray:
+def radius(scale: FloatArray | float, width: int) -> FloatArray:
     """Return a region's radius in frame pixels, width / 128 * 2^s (thesis 3.1.1.3).
 
     `scale` is s; it may have any shape, and the float32 result has the same shape. `width` is the frame's
-    width in pixels. `radius_factor` is 1/128 in the thesis.
+    width in pixels.
     """
-    return np.asarray(width * radius_factor * np.exp2(np.asarray(scale, np.float64)), np.float32)
+    return np.asarray(width / 128 * np.exp2(np.asarray(scale, np.float64)), np.float32)
 
 
 def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> NDArray[np.intp]:
@@ -33,33 +30,23 @@ def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> N
     says only "highest response"). Ties go to the first of intensity, color, orientation and residual, and to
     the lower scale.
 
-    Parameters
-    ----------
-    maps
-        The frame's maps.
-    fused
-        The result of `placecat.vision.saliency.saliency` for these maps.
-    points
-        (n,) flat indices into the saliency map.
-
-    Returns
-    -------
-    (n,) scales, each one of `maps.scales`.
+    `fused` is the fusion of `maps`; `points` are (n,) flat indices into the saliency map. Returns (n,)
+    scales, each one of `maps.scales`.
     """
-    names = list(fused.conspicuity)
-    terms = [fused.conspicuity[name].ravel()[points] * np.float32(fused.weights[name]) for name in names]
-    channel = np.argmax(terms, axis=0)
-    chosen = [np.flatnonzero(channel == number) for number in range(len(names))]
+    channels = fused.channels.values()
+    terms = [one.conspicuity.ravel()[points] * np.float32(one.weight) for one in channels]
+    strongest = np.argmax(terms, axis=0)
+    chosen = [np.flatnonzero(strongest == number) for number in range(len(channels))]
     subchannel = np.zeros(points.size, np.intp)
-    for name, some in zip(names, chosen, strict=True):
-        stack = fused.subchannels[name].reshape(len(fused.subchannels[name]), -1)
-        subchannel[some] = np.argmax(stack[:, points[some]] * fused.subchannel_weights[name][:, None], axis=0)
+    for one, some in zip(channels, chosen, strict=True):
+        stack = one.subchannels.reshape(len(one.subchannels), -1)
+        subchannel[some] = np.argmax(stack[:, points[some]] * one.subchannel_weights[:, None], axis=0)
     rows, columns = np.divmod(points, fused.saliency.shape[1])
     sizes = np.array([maps.grey[scale].shape for scale in maps.scales])
     index, share = _corners(rows, columns, sizes, np.array(maps.scales) - fused.scale)
     index += subchannel * sizes.prod(axis=1)[:, None, None]
     responses = np.zeros((len(maps.scales), points.size), np.float32)
-    for name, some in zip(names, chosen, strict=True):
+    for name, some in zip(fused.channels, chosen, strict=True):
         stacks, own, shares = feature_maps(maps, name), index[:, :, some], share[:, :, some]
         for number, scale in enumerate(maps.scales):
             stack = stacks[scale]
@@ -90,7 +77,7 @@ def accept(
     width
         The frame's width in pixels.
     max_regions
-        Maximum number of points; a value below 1 raises PlacecatError.
+        Maximum number of points, at least 1.
     scale_distance, min_distance
         1/256 and 1/40 in the thesis.
 
@@ -98,8 +85,6 @@ def accept(
     -------
     The accepted points' indices, in ascending order.
     """
-    if max_regions < 1:
-        raise PlacecatError(f"max_regions must be at least 1, not {max_regions}")
     place = np.array(points, np.float64).reshape(-1, 3).T
     least = (place[2] * width * min_distance) ** 2
     place[2] *= width * scale_distance
@@ -135,32 +120,22 @@ def _far(
     return apart > least[new]
 
 
-@passing_on(accept)
 def select_regions(
     maps: FrameMaps,
     fused: Saliency,
     *,
     max_regions: int = 25,
     maximum_window: int = 3,
-    **settings: Any,
+    **distances: float,
 ) -> FloatArray:
     """Find a frame's salient regions from its saliency map (thesis 3.1.1.3).
 
-    Parameters
-    ----------
-    maps, fused
-        The frame's maps and their fusion.
-    max_regions, **settings
-        Passed to `accept`, which raises the same errors.
-    maximum_window
-        See `placecat.vision.saliency.local_maxima`.
+    `fused` is the fusion of `maps`. `maximum_window` is explained in
+    `placecat.vision.saliency.local_maxima`, the other settings in `accept`.
 
-    Returns
-    -------
-    (n, 4) float32, 0 <= n <= `max_regions`: the centre's x and y in frame pixels, scale, saliency; sorted by
-    decreasing saliency, then by y, then by x.
+    Returns (n, 4) float32, 0 <= n <= `max_regions`: the centre's x and y in frame pixels, scale, saliency;
+    sorted by decreasing saliency, then by y, then by x.
     """
-    (distances,) = parts_of(settings, select_regions, accept)
     points = local_maxima(fused.saliency, maximum_window)
     strength = fused.saliency.ravel()[points]
     order = np.argsort(-strength, kind="stable")
@@ -172,12 +147,7 @@ def select_regions(
         rows, columns = np.divmod(points[:count], fused.saliency.shape[1])
         scales = find_scales(maps, fused, points[:count])
         regions = np.stack([columns * step, rows * step, scales, strength[:count]], axis=1).astype(np.float32)
-        accepted = accept(
-            regions[:, :3],
-            maps.width,
-            max_regions=max_regions,
-            **distances,
-        )
+        accepted = accept(regions[:, :3], maps.width, max_regions=max_regions, **distances)
         if accepted.size >= max_regions or count >= points.size:
             return regions[accepted]
         count *= 4
@@ -188,16 +158,9 @@ def _corners(
 ) -> tuple[NDArray[np.intp], FloatArray]:
     """Return indices and weights, each (maps, 4, n), to interpolate maps at n pixels of a finer level.
 
-    Interpolation is bilinear; a map's last pixel extends beyond its edge.
-
-    Parameters
-    ----------
-    rows, columns
-        (n,) pixel positions in the finer level.
-    sizes
-        (maps, 2), each map's height and width.
-    ups
-        (maps,), how many doublings lead from each map to the finer level.
+    Interpolation is bilinear; a map's last pixel extends beyond its edge. `rows` and `columns` are (n,)
+    positions in the finer level; `sizes` is (maps, 2), each map's height and width; `ups` is (maps,), how
+    many doublings lead from each map to the finer level.
     """
     up = ups[:, None]
     height, width = sizes.T[:, :, None]

@@ -1,6 +1,5 @@
 """Fuse feature maps into conspicuity maps and a saliency map (thesis 3.1.1.1)."""
 
-from dataclasses import dataclass
 from functools import partial
 from typing import NamedTuple
 
@@ -15,43 +14,43 @@ from placecat.vision.pyramid import level_size
 CHANNELS = ("intensity", "color", "orientation", "residual")
 
 
-@dataclass(frozen=True)
-class Saliency:
-    """A frame's saliency map and its parts; all maps are float32 and have the size of level `scale`.
-
-    Pixel (x, y) of a map lies at (x, y) 2**scale in the frame.
+class Channel(NamedTuple):
+    """One channel of a frame's saliency; all maps are float32.
 
     Attributes
     ----------
-    scale
-        The maps' pyramid level.
-    saliency
-        (h, w), >= 0: the weighted sum of the conspicuity maps.
     conspicuity
-        Maps each channel name to its (h, w) map; values run from 0 to the largest local maximum of the
-        channel's `subchannels`, divided by the channel's unit.
-    weights
-        Maps each channel name to its conspicuity map's weight, 1 / sqrt(m).
+        (h, w), from 0 to the largest local maximum of `subchannels`, divided by the channel's unit.
+    weight
+        The conspicuity map's weight, 1 / sqrt(m).
     subchannels
-        Maps each channel name to its feature maps, added across scales and radii, (k, h, w): I' (2: bright,
-        dark), C' (4: R, G, B, Y), O' (4: 0, 45, 90, 135 degrees) and the residual (1).
+        (k, h, w), the feature maps, added across scales and radii: I' (2: bright, dark), C' (4: R, G, B, Y),
+        O' (4: 0, 45, 90, 135 degrees) or the residual (1).
     subchannel_weights
-        Maps each channel name to its sub-channels' weights, 1 / sqrt(m), (k,).
+        (k,), the sub-channels' weights, 1 / sqrt(m).
+    """
+
+    conspicuity: FloatArray
+    weight: float
+    subchannels: FloatArray
+    subchannel_weights: FloatArray
+
+
+class Saliency(NamedTuple):
+    """A frame's saliency map, (h, w) float32, >= 0, and the channels by name whose weighted sum it is.
+
+    The maps have the size of the pyramid level `scale`: pixel (x, y) lies at (x, y) 2**scale in the frame.
     """
 
     scale: int
     saliency: FloatArray
-    conspicuity: dict[str, FloatArray]
-    weights: dict[str, float]
-    subchannels: dict[str, FloatArray]
-    subchannel_weights: dict[str, FloatArray]
+    channels: dict[str, Channel]
 
 
 def feature_maps(maps: FrameMaps, channel: str) -> dict[int, FloatArray]:
-    """Return the feature maps of one of the `CHANNELS` in a common layout.
+    """Map each scale to the feature maps of one of the `CHANNELS`: a (radii, subchannels, h, w) view.
 
-    Returns a dict that maps each scale to a (radii, subchannels, h, w) view. Channels without centre-surround
-    have one radius.
+    Channels without centre-surround have one radius.
     """
     if channel == "intensity":
         return maps.intensity_contrast
@@ -83,8 +82,6 @@ def saliency(
 
     Parameters
     ----------
-    maps
-        The frame's maps.
     fusion_scale
         Pyramid level of the sums, at most the lowest scale. The thesis does not specify this.
     use_residual
@@ -100,10 +97,9 @@ def saliency(
     Raises
     ------
     PlacecatError
-        If the fusion scale is above the lowest scale or below 0, the window is even or below 3, a unit is not
-        above 0, or the residual is missing.
+        If the fusion scale is above the lowest scale, or the residual is missing.
     """
-    if not 0 <= fusion_scale <= maps.scales[0]:
+    if fusion_scale > maps.scales[0]:
         raise PlacecatError(
             f"fusion_scale must lie between 0 and the lowest scale {maps.scales[0]}, not {fusion_scale}"
         )
@@ -112,10 +108,7 @@ def saliency(
             "the maps have no spectral residual: compute them with it, or set use_residual to false"
         )
     units = dict(zip(CHANNELS, (intensity_unit, color_unit, orientation_unit, residual_unit), strict=True))
-    for channel, unit in units.items():
-        if unit <= 0:
-            raise PlacecatError(f"{channel}_unit must be above 0, not {unit}")
-    fused: dict[str, _Channel] = {}
+    channels: dict[str, Channel] = {}
     width, height = level_size(maps.width, maps.height, fusion_scale)
     total = np.zeros((height, width), np.float32)
     for channel in CHANNELS if use_residual else CHANNELS[:-1]:
@@ -123,27 +116,11 @@ def saliency(
         # Region variants may sum different channels, but each channel is the same.
         one = maps.remembered((_fuse, *settings), partial(_fuse, maps, *settings))
         total += np.float32(one.weight) * one.conspicuity
-        fused[channel] = one
-    return Saliency(
-        fusion_scale,
-        total,
-        {name: one.conspicuity for name, one in fused.items()},
-        {name: one.weight for name, one in fused.items()},
-        {name: one.subchannels for name, one in fused.items()},
-        {name: one.subchannel_weights for name, one in fused.items()},
-    )
+        channels[channel] = one
+    return Saliency(fusion_scale, total, channels)
 
 
-class _Channel(NamedTuple):
-    """One channel of `Saliency`."""
-
-    conspicuity: FloatArray
-    weight: float
-    subchannels: FloatArray
-    subchannel_weights: FloatArray
-
-
-def _fuse(maps: FrameMaps, channel: str, fusion_scale: int, window: int, unit: float) -> _Channel:
+def _fuse(maps: FrameMaps, channel: str, fusion_scale: int, window: int, unit: float) -> Channel:
     stack = add_across_scales(
         {scale: _sum_radii(levels) for scale, levels in feature_maps(maps, channel).items()},
         maps.width,
@@ -154,7 +131,7 @@ def _fuse(maps: FrameMaps, channel: str, fusion_scale: int, window: int, unit: f
     own = np.array([weight(values) for values in peaks], np.float32)
     largest = max((float(values.max()) for values in peaks if values.size), default=0.0)
     plane = stretch(_weighted_sum(stack, own), largest / unit)
-    return _Channel(plane, weight(plane.ravel()[local_maxima(plane, window)]), stack, own)
+    return Channel(plane, weight(plane.ravel()[local_maxima(plane, window)]), stack, own)
 
 
 def add_across_scales(
@@ -166,18 +143,8 @@ def add_across_scales(
     and a map's last pixel extends beyond its edge. Repeated doubling equals direct expansion, so the sum of
     the coarser levels is expanded step by step.
 
-    Parameters
-    ----------
-    levels
-        Maps each scale to its (k, h_s, w_s) float32 maps.
-    width, height
-        The frame's size in pixels (level 0).
-    fusion_scale
-        Pyramid level of the result, at most the lowest scale.
-
-    Returns
-    -------
-    (k, h, w) float32.
+    `levels` maps each scale to its (k, h_s, w_s) float32 maps; `width` and `height` are the frame's size in
+    pixels; `fusion_scale`, at most the lowest scale, is the level of the (k, h, w) float32 result.
     """
     last = max(levels)
     total = levels[last]
@@ -195,20 +162,9 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     count as low. Equal pixels that touch count once, as the first by row, then column, and only if all of
     them are local maxima. So a flat area next to a higher pixel has no maximum, nor does a constant map.
 
-    Parameters
-    ----------
-    plane
-        (h, w) float32, finite.
-    window
-        Side of the neighbourhood; PlacecatError is raised unless it is odd and at least 3. The thesis does
-        not specify this.
-
-    Returns
-    -------
-    Flat indices in ascending order.
+    `plane` is (h, w) float32 and finite; `window` is the neighbourhood's side, odd, at least 3 (the thesis
+    does not specify it). Returns flat indices in ascending order.
     """
-    if window < 3 or window % 2 == 0:
-        raise PlacecatError(f"maximum_window must be an odd number of at least 3, not {window}")
     if plane.size < 2:
         return np.zeros(0, np.intp)
     around = np.ones((window, window), np.uint8)

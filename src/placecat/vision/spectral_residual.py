@@ -4,7 +4,6 @@ import cv2
 import numpy as np
 import scipy.fft
 
-from placecat.errors import PlacecatError
 from placecat.vision.center_surround import GREY_ROUNDING
 from placecat.vision.maps import FloatArray
 
@@ -45,31 +44,15 @@ def spectral_residual(
     -------
     (h, w) float32, 0 to 1; all zeros for a flat image.
 
-    Raises
-    ------
-    PlacecatError
-        If the box is even or below 1, sigma is negative, the width is below 2, or the floor is not above 0.
-
     References
     ----------
     X. Hou and L. Zhang, Saliency detection: a spectral residual approach, CVPR 2007.
     """
-    if residual_box < 1 or residual_box % 2 == 0:
-        raise PlacecatError(f"residual_box must be an odd number, not {residual_box}")
-    if residual_sigma < 0 or residual_floor <= 0 or (residual_width is not None and residual_width < 2):
-        raise PlacecatError(
-            "residual_sigma must be at least 0, residual_floor above 0 and residual_width at least 2, not "
-            f"{residual_sigma}, {residual_floor}, {residual_width}"
-        )
     height, width = grey.shape
+    small = grey
     if residual_width is not None and residual_width < width:
-        small = cv2.resize(
-            grey,
-            (residual_width, max(2, round(height * residual_width / width))),
-            interpolation=cv2.INTER_AREA,
-        )
-    else:
-        small = grey
+        size = (residual_width, max(2, round(height * residual_width / width)))
+        small = np.asarray(cv2.resize(grey, size, interpolation=cv2.INTER_AREA), np.float32)
     if float(small.max()) - float(small.min()) <= GREY_ROUNDING:
         return np.zeros_like(grey)
     spectrum = scipy.fft.rfft2(small)

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
+from placecat.vision.color import reduced_grey
 from placecat.vision.maps import FloatArray
 from placecat.vision.regions import accept
 
@@ -51,11 +51,6 @@ class RegionTracker:
     scale_distance, min_distance
         Factors in the acceptance inequality; see `placecat.vision.regions.accept`.
 
-    Raises
-    ------
-    PlacecatError
-        If a setting is invalid.
-
     Attributes
     ----------
     ages
@@ -82,18 +77,6 @@ class RegionTracker:
         scale_distance: float = 1 / 256,
         min_distance: float = 1 / 40,
     ) -> None:
-        if max_regions < 1:
-            raise PlacecatError(f"tracking.max_regions must be at least 1, not {max_regions}")
-        if width < 16 or window < 3 or window % 2 == 0 or levels < 0 or iterations < 1:
-            raise PlacecatError(
-                "tracking.width must be at least 16, window odd and at least 3, levels at least 0 and "
-                f"iterations at least 1, not {width}, {window}, {levels} and {iterations}"
-            )
-        if not (epsilon > 0 and min_eigenvalue >= 0 and forward_backward > 0):
-            raise PlacecatError(
-                "tracking.epsilon and forward_backward must be positive and min_eigenvalue at least 0, not "
-                f"{epsilon}, {forward_backward} and {min_eigenvalue}"
-            )
         self.width = width
         self.forward_backward = forward_backward
         self._accept = partial(
@@ -113,18 +96,11 @@ class RegionTracker:
     def step(self, frame: NDArray[np.uint8], found: FloatArray) -> FloatArray:
         """Track the regions into the next frame, and fill free places with new regions.
 
-        Parameters
-        ----------
-        frame
-            (H, W, 3) uint8 BGR, the same size throughout a sequence.
-        found
-            (n, 4) float32, the frame's salient regions: x, y (frame pixels), scale, strength; sorted by
-            decreasing strength.
+        `frame` is (H, W, 3) uint8 BGR, of the same size throughout a sequence. `found` is (n, 4) float32, the
+        frame's salient regions: x, y (frame pixels), scale, strength; sorted by decreasing strength.
 
-        Returns
-        -------
-        (m, 4) float32, m <= `max_regions`, with the same columns: tracked regions, longest tracked first,
-        then new regions, strongest first.
+        Returns (m, 4) float32, m <= `max_regions`, with the same columns: tracked regions, longest tracked
+        first, then new regions, strongest first.
         """
         image = reduced_grey(frame, self.width)
         size = np.array(frame.shape[1::-1])
@@ -157,16 +133,3 @@ class RegionTracker:
         """Find one image's (n, 2) points in another: their positions, and whether they were found."""
         moved, status, _ = self._follow(first, second, points[:, None], np.empty_like(points[:, None]))
         return np.asarray(moved, np.float32).reshape(-1, 2), np.asarray(status).reshape(-1) == 1
-
-
-def reduced_grey(frame: NDArray[np.uint8], width: int) -> NDArray[np.uint8]:
-    """Convert a frame to grey and reduce it to a width in pixels, preserving the aspect ratio.
-
-    `frame` is (H, W, 3) uint8 BGR. Returns (max(1, round(H width / W)), width) uint8: OpenCV's grey values,
-    averaged over the area of each pixel. A frame no wider than `width` keeps its size.
-    """
-    grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
-    height, full = grey.shape
-    if width < full:
-        grey = cv2.resize(grey, (width, max(1, round(height * width / full))), interpolation=cv2.INTER_AREA)
-    return np.asarray(grey, np.uint8)

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from placecat.vision import holistic, local
+from placecat.vision import discovery
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.frame import describe_frame
 from placecat_bench.comparison import Comparison, Limit, Peer
@@ -84,12 +84,12 @@ def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]
         "regions": lambda: [find_regions(replace(one), **own["regions"]) for one in maps],
     }
     for name, chosen in own["local"].items():
-        module, kept = local.entry(name, chosen or {})
+        module, kept = discovery.entry("local", name, chosen or {})
         found[name] = lambda module=module, kept=kept: [  # type: ignore[misc]
             module.describe(one, some, **kept) for one, some in zip(maps, regions, strict=True)
         ]
     for name, chosen in own["holistic"].items():
-        module, kept = holistic.entry(name, chosen or {})
+        module, kept = discovery.entry("holistic", name, chosen or {})
         found[f"holistic {name}"] = lambda module=module, kept=kept: [  # type: ignore[misc]
             module.describe(frame, replace(one), **kept) for frame, one in zip(frames, maps, strict=True)
         ]

@@ -94,11 +94,11 @@ def test_a_frame_without_a_label_can_be_the_example(made):
 
 
 def test_every_intensity_map_is_shown(run):
-    maps, fused = run.maps(*run.example), run.saliency(*run.example)
+    maps, fused = run.maps(*run.example), run.saliency(*run.example).channels["intensity"]
     shown = [axes.images[0].get_array() for axes in figures.draw("figure_03", run).axes]
     contrast = maps.intensity_contrast.values()
     expected = [plane for stack in contrast for radius in stack for plane in radius]
-    expected += [*fused.subchannels["intensity"], fused.conspicuity["intensity"]]
+    expected += [*fused.subchannels, fused.conspicuity]
     assert len(shown) == len(expected) == 4 * 2 * 2 + 3
     for plane in expected:
         assert sum(np.array_equal(plane, one) for one in shown) == 1
@@ -112,14 +112,14 @@ def test_every_intensity_map_is_shown(run):
     ],
 )
 def test_subchannels_stand_under_their_names_with_their_weights(number, channel, names, run):
-    fused = run.saliency(*run.example)
+    fused = run.saliency(*run.example).channels[channel]
     figure = figures.draw(f"figure_{number}", run)
-    for axes, plane in zip(figure.axes[:4], fused.subchannels[channel], strict=True):
+    for axes, plane in zip(figure.axes[:4], fused.subchannels, strict=True):
         np.testing.assert_array_equal(axes.images[0].get_array(), plane)
-    np.testing.assert_array_equal(figure.axes[4].images[0].get_array(), fused.conspicuity[channel])
+    np.testing.assert_array_equal(figure.axes[4].images[0].get_array(), fused.conspicuity)
     written = texts(figure)
     assert [text for text in written if text in names] == names
-    for weight in fused.subchannel_weights[channel]:
+    for weight in fused.subchannel_weights:
         assert f"× 1/√{1 / weight**2:.0f}" in written
 
 

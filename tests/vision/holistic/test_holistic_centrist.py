@@ -3,7 +3,6 @@ import numpy as np
 import pytest
 from makers import frame, maps
 
-from placecat.errors import PlacecatError
 from placecat.vision.holistic.centrist import describe
 
 
@@ -62,14 +61,3 @@ def test_unchanged_by_an_added_constant(image: str) -> None:
     np.testing.assert_array_equal(
         describe(dark, maps(), width=None, image=image), describe(dark + 100, maps(), width=None, image=image)
     )
-
-
-def test_refusals() -> None:
-    for settings, message in (
-        ({"image": "sobel"}, "'sobel' of holistic descriptor 'centrist': .* laplacian, intensity"),
-        ({"interpolation": "cubic"}, "'cubic' of holistic descriptor 'centrist': .* area, linear"),
-        ({"width": 4}, "width 4 of holistic descriptor 'centrist' is too small"),
-        ({"kernel": "big"}, "kernel 'big'"),
-    ):
-        with pytest.raises(PlacecatError, match=message):
-            describe(frame(), maps(), **settings)

@@ -7,18 +7,17 @@ import numpy as np
 import pytest
 from makers import every, frame, maps
 
-from placecat.vision import holistic
-from placecat.vision.discovery import settings_of
+from placecat.vision.discovery import load, settings_of
 from placecat.vision.maps import FIELDS
 
-EVERY = pytest.mark.parametrize("name", every(holistic))
+EVERY = pytest.mark.parametrize("name", every("holistic"))
 SIZES = pytest.mark.parametrize("size", [(320, 240), (640, 360), (333, 217), (66, 50)])
 
 
 @EVERY
 @SIZES
 def test_shape_type_and_values(name: str, size: tuple[int, int]) -> None:
-    module = holistic.load(name)
+    module = load("holistic", name)
     found = module.describe(frame(*size), maps(*size))
     assert found.shape == module.describe(frame(), maps()).shape
     assert found.dtype == np.float32
@@ -30,14 +29,14 @@ def test_shape_type_and_values(name: str, size: tuple[int, int]) -> None:
 @EVERY
 def test_deterministic_and_free_of_side_effects(name: str) -> None:
     image = frame()
-    first = holistic.load(name).describe(image, maps())
-    np.testing.assert_array_equal(first, holistic.load(name).describe(frame(), maps()))
+    first = load("holistic", name).describe(image, maps())
+    np.testing.assert_array_equal(first, load("holistic", name).describe(frame(), maps()))
     np.testing.assert_array_equal(image, frame())
 
 
 @EVERY
 def test_reads_the_maps_it_names_only(name: str) -> None:
-    module, made = holistic.load(name), maps()
+    module, made = load("holistic", name), maps()
     others = {field: {} for field in FIELDS if field not in module.MAPS}
     bare = dataclasses.replace(made, **others)
     booleans = [key for key, value in settings_of(module.describe).items() if isinstance(value, bool)]
@@ -49,5 +48,5 @@ def test_reads_the_maps_it_names_only(name: str) -> None:
 
 @EVERY
 def test_black_frame(name: str) -> None:
-    found = holistic.load(name).describe(np.zeros_like(frame()), maps())
+    found = load("holistic", name).describe(np.zeros_like(frame()), maps())
     assert np.isfinite(found).all()

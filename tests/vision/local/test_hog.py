@@ -3,7 +3,6 @@ import numpy as np
 import pytest
 from makers import maps, regions
 
-from placecat.errors import PlacecatError
 from placecat.vision.local.hog import INTERPOLATIONS, describe
 from placecat.vision.patches import cut
 
@@ -31,10 +30,3 @@ def test_unit_norm_and_range() -> None:
     assert found.min() >= 0
     assert found.max() <= 1
     np.testing.assert_allclose(np.linalg.norm(found, axis=1), 1, atol=1e-2)
-
-
-def test_unknown_interpolation() -> None:
-    with pytest.raises(
-        PlacecatError, match=r"'lanczos' of local descriptor 'hog': .* nearest, linear, cubic"
-    ):
-        describe(maps(), regions(), interpolation="lanczos")

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from makers import maps, regions
 
-from placecat.errors import PlacecatError
 from placecat.vision.census import LAPLACIANS
 from placecat.vision.local.centrist import describe
 from placecat.vision.patches import cut
@@ -65,12 +64,3 @@ def test_flat_area_with_noise_is_all_ties() -> None:
     flat = dataclasses.replace(made, grey=noisy)
     assert (describe(flat, regions())[:, 255] == 1).all()
     assert (describe(flat, regions(), quantise=False)[:, 255] < 1).all()
-
-
-def test_refusals() -> None:
-    with pytest.raises(
-        PlacecatError, match=r"'sobel' of local descriptor 'centrist': .* intensity, laplacian"
-    ):
-        describe(maps(), regions(), image="sobel")
-    with pytest.raises(PlacecatError, match="kernel 'big'"):
-        describe(maps(), regions(), kernel="big")

@@ -7,21 +7,22 @@ import pytest
 from makers import every, maps, regions
 
 from placecat.errors import PlacecatError
-from placecat.vision import local
+from placecat.vision.discovery import load
+from placecat.vision.frame import check
 from placecat.vision.maps import FIELDS
 
-EVERY = pytest.mark.parametrize("name", every(local))
+EVERY = pytest.mark.parametrize("name", every("local"))
 
 
 def length(name: str) -> int:
-    return local.load(name).describe(maps(), regions()).shape[1]
+    return load("local", name).describe(maps(), regions()).shape[1]
 
 
 @EVERY
 @pytest.mark.parametrize("width", [96, 320, 641, 1280])
 def test_shape_type_and_values(name: str, width: int) -> None:
     height = width * 9 // 16
-    module = local.load(name)
+    module = load("local", name)
     found = module.describe(maps(width, height), regions(width, height))
     assert found.shape == (25, length(name))
     assert found.dtype == np.float32
@@ -31,7 +32,7 @@ def test_shape_type_and_values(name: str, width: int) -> None:
 
 @EVERY
 def test_patch_of_64_pixels(name: str) -> None:
-    found = local.load(name).describe(maps(4096, 2304), regions(4096, 2304, 5))
+    found = load("local", name).describe(maps(4096, 2304), regions(4096, 2304, 5))
     assert found.shape == (5, length(name))
     assert np.isfinite(found).all()
 
@@ -40,8 +41,8 @@ def test_patch_of_64_pixels(name: str) -> None:
 def test_deterministic_and_free_of_side_effects(name: str) -> None:
     made, chosen = maps(), regions()
     before = chosen.copy()
-    first = local.load(name).describe(made, chosen)
-    np.testing.assert_array_equal(first, local.load(name).describe(maps(), regions()))
+    first = load("local", name).describe(made, chosen)
+    np.testing.assert_array_equal(first, load("local", name).describe(maps(), regions()))
     np.testing.assert_array_equal(before, chosen)
     for key, level in maps().grey.items():
         np.testing.assert_array_equal(level, made.grey[key])
@@ -49,7 +50,7 @@ def test_deterministic_and_free_of_side_effects(name: str) -> None:
 
 @EVERY
 def test_regions_do_not_influence_each_other(name: str) -> None:
-    module, made, chosen = local.load(name), maps(), regions(count=30)
+    module, made, chosen = load("local", name), maps(), regions(count=30)
     together = module.describe(made, chosen)
     single = np.concatenate([module.describe(made, chosen[i : i + 1]) for i in range(30)])
     np.testing.assert_allclose(together, single, rtol=1e-5, atol=1e-5)
@@ -57,7 +58,7 @@ def test_regions_do_not_influence_each_other(name: str) -> None:
 
 @EVERY
 def test_no_regions(name: str) -> None:
-    assert local.load(name).describe(maps(), np.zeros((0, 4), np.float32)).shape == (0, length(name))
+    assert load("local", name).describe(maps(), np.zeros((0, 4), np.float32)).shape == (0, length(name))
 
 
 @EVERY
@@ -69,14 +70,14 @@ def test_flat_image_gives_finite_values(name: str) -> None:
         color={s: np.zeros_like(g) for s, g in made.color.items()},
         orientation={s: np.zeros_like(g) for s, g in made.orientation.items()},
     )
-    found = local.load(name).describe(flat, regions())
+    found = load("local", name).describe(flat, regions())
     assert np.isfinite(found).all()
     np.testing.assert_array_equal(found, np.broadcast_to(found[0], found.shape))
 
 
 @EVERY
 def test_reads_the_maps_it_names_only(name: str) -> None:
-    module, made, chosen = local.load(name), maps(), regions()
+    module, made, chosen = load("local", name), maps(), regions()
     others = {field: {} for field in FIELDS if field not in module.MAPS}
     bare = dataclasses.replace(made, **others)
     np.testing.assert_array_equal(module.describe(bare, chosen), module.describe(made, chosen))
@@ -87,10 +88,10 @@ def test_reads_the_maps_it_names_only(name: str) -> None:
 
 @EVERY
 def test_border_is_a_setting(name: str) -> None:
-    module, made, chosen = local.load(name), maps(), regions()
+    module, made, chosen = load("local", name), maps(), regions()
     assert np.isfinite(module.describe(made, chosen, border="reflect")).all()
-    with pytest.raises(PlacecatError, match="'wrap'"):
-        module.describe(made, chosen, border="wrap")
+    with pytest.raises(PlacecatError, match="border=wrap"):
+        check({"local": {name: {"border": "wrap"}}})
 
 
 @EVERY
@@ -98,9 +99,9 @@ def test_unknown_scale_is_refused(name: str) -> None:
     chosen = regions()
     chosen[3, 2] = 6
     with pytest.raises(PlacecatError, match="scale 6"):
-        local.load(name).describe(maps(), chosen)
+        load("local", name).describe(maps(), chosen)
 
 
 @EVERY
 def test_spread_is_a_positive_unit(name: str) -> None:
-    assert local.load(name).SPREAD > 0
+    assert load("local", name).SPREAD > 0

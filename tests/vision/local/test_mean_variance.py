@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from makers import maps, regions
 
-from placecat.errors import PlacecatError
 from placecat.vision.local import color_mv, orientation_mv
 from placecat.vision.patches import cut
 
@@ -44,9 +43,3 @@ def test_variances_are_not_negative(module: ModuleType, field: str, width: int) 
 def test_whole_mean_is_the_mean_of_the_cells(module: ModuleType, field: str) -> None:
     found = module.describe(maps(), regions()).reshape(25, 10, 2, 4)
     np.testing.assert_allclose(found[:, 1:, 0].mean(axis=1), found[:, 0, 0], rtol=1e-4, atol=1e-5)
-
-
-@BOTH
-def test_negative_grid(module: ModuleType, field: str) -> None:
-    with pytest.raises(PlacecatError, match=f"'{field}_mv' is -1: it must be 0 or more"):
-        module.describe(maps(), regions(), grid=-1)

@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 from makers import SCALES, maps, regions
 
-from placecat.errors import PlacecatError
 from placecat.vision.local.sift import _gradients, describe, dominant_angles
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import cut, to_bytes
@@ -143,8 +142,3 @@ def test_whole_numbers_in_range() -> None:
     np.testing.assert_array_equal(found, np.round(found))
     assert found.min() >= 0
     assert found.max() <= 255
-
-
-def test_unknown_orientation() -> None:
-    with pytest.raises(PlacecatError, match=r"'north' of local descriptor 'sift': .* upright, dominant"):
-        describe(maps(), regions(), orientation="north")

@@ -17,8 +17,8 @@ def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]
     `subchannels` names them in order; `symbol` names the conspicuity map, e.g. "C".
     """
     home, index = run.example
-    fused = run.saliency(home, index)
-    stack, weights = fused.subchannels[channel], fused.subchannel_weights[channel]
+    fused = run.saliency(home, index).channels[channel]
+    stack, weights = fused.subchannels, fused.subchannel_weights
     height = WIDTH * stack.shape[1] / stack.shape[2]
     step = height + HEAD + GAP
     left, right = 0.06, 0.06 + 2 * (WIDTH + ARROW)
@@ -39,7 +39,7 @@ def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]
             (end, centre + toward * height / 4),
             weight_text(float(weights[number])),
         )
-    show_map(sheet.panel(middle, centre - height / 2, WIDTH, height), fused.conspicuity[channel])
+    show_map(sheet.panel(middle, centre - height / 2, WIDTH, height), fused.conspicuity)
     sheet.text(middle + WIDTH / 2, centre - height / 2 - 0.09, f"conspicuity map {symbol}")
     return sheet.figure
 

@@ -18,7 +18,7 @@ SMALL, LARGE, GAP, LEFT, TOP, ARROW = 0.87, 1.24, 0.06, 0.42, 0.34, 0.62
 def draw(run: Run) -> Figure:
     """Draw the figure."""
     home, index = run.example
-    maps, fused = run.maps(home, index), run.saliency(home, index)
+    maps, fused = run.maps(home, index), run.saliency(home, index).channels["intensity"]
     radii = list(run.params["attention"]["radii"])
     aspect = maps.height / maps.width
     small, large = SMALL * aspect, LARGE * aspect
@@ -41,10 +41,10 @@ def draw(run: Run) -> Figure:
             sheet.text(LEFT - 0.1, top + r * (small + GAP) + small / 2, f"{side} × {side}", rotation=90)
         centre = top + (block - GAP) / 2
         sheet.text(0.12, centre, name, rotation=90, fontsize=8)
-        show_map(sheet.panel(sums, centre - large / 2, LARGE, large), fused.subchannels["intensity"][number])
+        show_map(sheet.panel(sums, centre - large / 2, LARGE, large), fused.subchannels[number])
         sheet.text(sums + LARGE / 2, centre - large / 2 - 0.09, f"I′ {name}")
         sheet.arrow((sums - ARROW / 2 + 0.06, centre), (sums - 0.05, centre))
-        weight = float(fused.subchannel_weights["intensity"][number])
+        weight = float(fused.subchannel_weights[number])
         sheet.arrow((sums + LARGE + 0.05, centre), (last - 0.05, middle), weight_text(weight))
     for column, scale in enumerate(maps.scales):
         rows, columns = maps.grey[scale].shape
@@ -54,7 +54,7 @@ def draw(run: Run) -> Figure:
             f"scale {scale}\n{columns} × {rows}",
             linespacing=1.1,
         )
-    show_map(sheet.panel(last, middle - large / 2, LARGE, large), fused.conspicuity["intensity"])
+    show_map(sheet.panel(last, middle - large / 2, LARGE, large), fused.conspicuity)
     sheet.text(last + LARGE / 2, middle - large / 2 - 0.09, "conspicuity map I")
     return sheet.figure
 

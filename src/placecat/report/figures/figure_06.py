@@ -25,13 +25,14 @@ def draw(run: Run) -> Figure:
     home, index = run.example
     fused = run.saliency(home, index)
     aspect = fused.saliency.shape[0] / fused.saliency.shape[1]
-    count = len(fused.conspicuity)
+    count = len(fused.channels)
     row = count * SMALL + (count - 1) * GAP
     width = row + 0.12
     small, large = SMALL * aspect, LARGE * aspect
     bottom = HEAD + small + FOOT + ARROW + HEAD
     sheet = Sheet(width, bottom + large + FOOT)
-    for number, (channel, plane) in enumerate(fused.conspicuity.items()):
+    for number, (channel, one) in enumerate(fused.channels.items()):
+        plane = one.conspicuity
         left = 0.06 + number * (SMALL + GAP)
         show_map(sheet.panel(left, HEAD, SMALL, small), plane)
         sheet.text(left + SMALL / 2, HEAD - 0.09, NAMES[channel])
@@ -40,7 +41,7 @@ def draw(run: Run) -> Figure:
         sheet.arrow(
             (left + SMALL / 2, HEAD + small + FOOT + 0.02),
             (target, bottom - HEAD - 0.02),
-            weight_text(fused.weights[channel]),
+            weight_text(one.weight),
         )
     show_map(sheet.panel((width - LARGE) / 2, bottom, LARGE, large), fused.saliency)
     sheet.text(width / 2, bottom - 0.09, "S saliency map")

@@ -1,17 +1,17 @@
 """A frame's CENTRIST: census histograms in the cells of a grid."""
 
-from typing import Annotated, Any
+from functools import partial
+from typing import Annotated
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
 from placecat.ranges import OneOf, Pixels
-from placecat.vision.census import LAPLACIANS, cell_histograms, census, check_kernel, laplacian
+from placecat.vision.census import LAPLACIANS, cell_histograms, census, laplacian
+from placecat.vision.color import reduced_grey
 from placecat.vision.maps import FrameMaps
 
-# The fields of `FrameMaps` that this module reads.
 MAPS: tuple[str, ...] = ()
 
 CELLS = 4
@@ -56,33 +56,13 @@ def describe(
     Raises
     ------
     PlacecatError
-        If the image, kernel or interpolation is unknown, the width is below 16, or no pixel of the frame has
-        a code.
+        If no pixel of the frame has a code.
 
     References
     ----------
     Wu and Rehg, CENTRIST: a visual descriptor for scene categorization, PAMI 2011.
     """
-    owner = "holistic descriptor 'centrist'"
-    if image not in IMAGES:
-        raise PlacecatError(f"Unknown image '{image}' of {owner}: choose one of {', '.join(IMAGES)}.")
-    if interpolation not in INTERPOLATIONS:
-        valid = ", ".join(INTERPOLATIONS)
-        raise PlacecatError(f"Unknown interpolation '{interpolation}' of {owner}: choose one of {valid}.")
-    if width is not None and width < 16:
-        raise PlacecatError(f"The width {width} of {owner} is too small: it must be at least 16, or null.")
-    check_kernel(kernel)
-    grey = maps.once(_grey, frame)
-    if width is not None and width < frame.shape[1]:
-        grey = maps.once(_reduced, grey, width, INTERPOLATIONS[interpolation])
+    reduce = partial(reduced_grey, frame, width, INTERPOLATIONS[interpolation])
+    grey = maps.remembered(("grey", width, interpolation), reduce)
     values = laplacian(grey, kernel) if image == "laplacian" else grey
     return cell_histograms(census(values), CELLS).reshape(-1)
-
-
-def _grey(frame: NDArray[np.uint8]) -> NDArray[Any]:
-    return cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
-
-
-def _reduced(grey: NDArray[np.uint8], width: int, interpolation: int) -> NDArray[Any]:
-    height, full = grey.shape
-    return cv2.resize(grey, (width, max(1, round(height * width / full))), interpolation=interpolation)

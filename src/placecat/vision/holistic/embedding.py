@@ -14,7 +14,6 @@ from placecat.vision import networks
 from placecat.vision.maps import FrameMaps
 from placecat.vision.networks import efficientnet_lite
 
-# The fields of `FrameMaps` that this module reads.
 MAPS: tuple[str, ...] = ()
 # Packages that this module imports by default, all from the extra `deep`.
 PACKAGES = efficientnet_lite.PACKAGES
@@ -41,9 +40,7 @@ def describe(
     Parameters
     ----------
     frame
-        (H, W, 3) uint8 BGR.
-    maps
-        Not used.
+        (H, W, 3) uint8 BGR; no map is used.
     network
         ``efficientnet_lite0``, ``1`` or ``2``, or an ONNX file's path, relative to the project.
     width, height
@@ -69,66 +66,30 @@ def describe(
     Raises
     ------
     PlacecatError
-        If a setting is invalid, if the network or a package is missing, or if the network rejects the image
-        or does not return a vector of finite numbers.
+        If the network or a package is missing, a setting does not fit the network, or the network rejects the
+        image or does not return a vector of finite numbers.
     """
-    image = _input(frame, _prepared(frame, networks.preparation(network), width, height, mean, std))
-    return _vector(_features(image, network, output, sha256), network, pool)
-
-
-def _prepared(
-    frame: NDArray[np.uint8],
-    own: networks.Preparation,
-    width: int | None,
-    height: int | None,
-    mean: Sequence[float] | None,
-    std: Sequence[float] | None,
-) -> networks.Preparation:
-    """Return how to prepare a frame, filling in missing settings with the network's defaults."""
-    if min(width or 1, height or 1) < 1 or 0 in (width, height):
-        raise PlacecatError(f"The width and height of {_OWNER} must be at least 1, not {width} and {height}.")
-    if mean is not None and len(mean) != 3:
-        raise PlacecatError(f"The mean of {_OWNER} must be three numbers, not {list(mean)}.")
-    if std is not None and (len(std) != 3 or min(std) <= 0):
-        raise PlacecatError(f"The std of {_OWNER} must be three positive numbers, not {list(std)}.")
     rows, columns = frame.shape[:2]
-    if width is None and height is None:
-        width, height = own.width, own.height
-    elif width is None:
-        assert height is not None
-        width = max(1, round(height * columns / rows))
-    elif height is None:
+    own = networks.preparation(network)
+    if width is not None and height is None:
         height = max(1, round(width * rows / columns))
-    return networks.Preparation(
-        width, height, own.mean if mean is None else tuple(mean), own.std if std is None else tuple(std)
-    )
-
-
-def _input(frame: NDArray[np.uint8], prepared: networks.Preparation) -> NDArray[np.float32]:
-    """Convert the frame to (1, 3, height, width) float32 RGB."""
-    scaled = cv2.resize(frame, (prepared.width, prepared.height), interpolation=cv2.INTER_AREA)
+    elif width is None and height is not None:
+        width = max(1, round(height * columns / rows))
+    size = width or own.width, height or own.height
+    scaled = cv2.resize(frame, size, interpolation=cv2.INTER_AREA)
     rgb = scaled[:, :, ::-1].astype(np.float32) / np.float32(255)
-    normal = (rgb - np.array(prepared.mean, np.float32)) / np.array(prepared.std, np.float32)
-    return np.ascontiguousarray(normal.transpose(2, 0, 1)[None])
-
-
-def _features(
-    image: NDArray[np.float32], network: str, output: str | None, sha256: str | None
-) -> NDArray[np.float32]:
-    """Return the network's output for one image, without the image axis."""
+    normal = (rgb - np.array(mean or own.mean, np.float32)) / np.array(std or own.std, np.float32)
+    image = np.ascontiguousarray(normal.transpose(2, 0, 1)[None], np.float32)
     try:
         features = networks.load(network, output, sha256)(image)
     except PlacecatError as error:
         raise PlacecatError(f"{_OWNER}: {error}") from None
     if features.ndim < 1 or len(features) != 1:
         raise PlacecatError(f"{_OWNER}: {network} gives {features.shape} for one image, not (1, ...)")
-    only: NDArray[np.float32] = features[0]
-    return only
+    return _vector(features[0], network, pool)
 
 
 def _vector(features: NDArray[np.float32], network: str, pool: str | None) -> NDArray[np.float32]:
-    if pool is not None and pool not in POOLS:
-        raise PlacecatError(f"Unknown pool '{pool}' of {_OWNER}: choose one of {', '.join(POOLS)}, or null.")
     if features.ndim == 3 and pool == "mean":
         features = features.mean(axis=(1, 2))
     elif features.ndim == 2 and pool == "mean":

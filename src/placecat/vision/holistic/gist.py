@@ -1,12 +1,13 @@
 """Gist: each feature map's means in the cells of a grid."""
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.vision.grid import cell_means
 from placecat.vision.maps import FrameMaps
 
-# The fields of `FrameMaps` that this module reads.
 MAPS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation")
 
 CELLS = 4
@@ -17,17 +18,9 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe a frame by its feature maps' means in a 4x4 grid (thesis 3.2).
 
-    Parameters
-    ----------
-    frame
-        (H, W, 3) uint8 BGR; not used.
-    maps
-        The frame's maps.
-    color
-        Include the colour maps. Thesis 4.2 has a variant without them.
-    center_surround
-        If true, use the centre-surround maps of intensity and colour; if false, their pyramids (a variant in
-        thesis 4.2). Orientation has no centre-surround maps.
+    `color` includes the colour maps (thesis 4.2 has a variant without them). `center_surround` uses the
+    centre-surround maps of intensity and colour instead of their pyramids (a variant in thesis 4.2);
+    orientation has no centre-surround maps. Only the maps are read.
 
     Returns
     -------
@@ -41,15 +34,14 @@ def describe(
     Siagian and Itti, Rapid biologically-inspired scene classification using features shared with visual
     attention, PAMI 2007.
     """
-    channels = [maps.orientation]
-    if center_surround:
-        channels = [maps.intensity_contrast, *([maps.color_contrast] if color else []), *channels]
-    else:
-        channels = [maps.grey, *([maps.color] if color else []), *channels]
+    fields = ["intensity_contrast", "color_contrast"] if center_surround else ["grey", "color"]
     blocks = []
-    for channel in channels:
+    for field in (*fields[: 1 + color], "orientation"):
+        levels = getattr(maps, field)
         # (scale, ..., sub-channel, row, column); radii come before sub-channels.
-        means = np.stack([maps.once(_means, channel[scale]) for scale in maps.scales])
+        means = np.stack(
+            [maps.remembered(("means", field, s), partial(_means, levels[s])) for s in maps.scales]
+        )
         blocks.append(means.transpose(3, 4, 2, 0, 1).reshape(CELLS * CELLS, -1))
     return np.ascontiguousarray(np.concatenate(blocks, axis=1).reshape(-1), np.float32)
 

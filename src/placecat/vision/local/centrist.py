@@ -5,15 +5,12 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
 from placecat.ranges import OneOf
-from placecat.vision.census import LAPLACIANS, census, check_kernel, histograms
+from placecat.vision.census import LAPLACIANS, census, histograms
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side, to_bytes
 
-# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 0.3
-# The fields of `FrameMaps` that this module reads.
 MAPS = ("grey",)
 
 IMAGES = ("intensity", "laplacian")
@@ -43,23 +40,12 @@ def describe(
     Returns
     -------
     (n, 256) float32; each row sums to 1 (the thesis does not specify this). Only pixels with all neighbours
-    inside the patch have a code. Adding a whole number to the intensities does not change the
-    result.
-
-    Raises
-    ------
-    PlacecatError
-        If the image or kernel is unknown.
+    inside the patch have a code. Adding a whole number to the intensities does not change the result.
 
     References
     ----------
     Wu and Rehg, CENTRIST: a visual descriptor for scene categorization, PAMI 2011.
     """
-    if image not in IMAGES:
-        raise PlacecatError(
-            f"Unknown image '{image}' of local descriptor 'centrist': choose one of {', '.join(IMAGES)}."
-        )
-    check_kernel(kernel)
     filtered = image == "laplacian"
     # Add one pixel on each side, so that every pixel of the patch has real neighbours.
     patches = cut(maps.grey, regions, region_side(maps.width) + 2 * filtered, border=border)

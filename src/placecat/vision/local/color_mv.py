@@ -5,15 +5,12 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
 from placecat.ranges import Index, OneOf
 from placecat.vision.grid import mean_variance
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side
 
-# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 2.5
-# The fields of `FrameMaps` that this module reads.
 MAPS = ("color",)
 
 
@@ -26,17 +23,11 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe regions by means and variances of the channels R, G, B, Y (thesis 3.1.2).
 
-    Parameters
-    ----------
-    grid
-        Number of cells along each axis; 0 for the full region only, and PlacecatError if negative. The thesis
-        uses 3, and 0 (8 dimensions) in a variant in 4.4.2.
+    `grid` is the number of cells along each axis, 0 for the full region only. The thesis uses 3, and 0 (8
+    dimensions) in a variant in 4.4.2.
 
-    Returns
-    -------
-    (n, 8 (1 + grid**2)) float32. The full region comes first, then the cells row by row from the top left.
-    Each area has 4 means, then 4 variances (>= 0). All cells have the same size; borders may cut pixels.
+    Returns (n, 8 (1 + grid**2)) float32. The full region comes first, then the cells row by row from the top
+    left. Each area has 4 means, then 4 variances (>= 0). All cells have the same size; borders may cut
+    pixels.
     """
-    if grid < 0:
-        raise PlacecatError(f"The grid of local descriptor 'color_mv' is {grid}: it must be 0 or more.")
     return mean_variance(cut(maps.color, regions, region_side(maps.width), border=border), grid)

@@ -6,14 +6,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
 from placecat.ranges import OneOf
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side, to_bytes
 
-# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 0.7
-# The fields of `FrameMaps` that this module reads.
 MAPS = ("grey",)
 
 WINDOW = 64
@@ -39,30 +36,17 @@ def describe(
     `cv2.HOGDescriptor.compute` on each patch, but one call handles all patches, placed side by side with
     mirrored borders.
 
-    Parameters
-    ----------
-    interpolation
-        How to resize the patch: ``nearest``, ``linear`` or ``cubic``. The thesis does not specify this.
+    `interpolation` is how to resize the patch; the thesis does not specify this.
 
     Returns
     -------
     (n, 128) float32 in [0, 1]: the columns from the left, each column's 4 cells from the top, each cell's 8
     bins over 180 degrees. L2-Hys normalised; 0 for a patch without gradients.
 
-    Raises
-    ------
-    PlacecatError
-        If the interpolation is unknown.
-
     References
     ----------
     Dalal and Triggs, Histograms of oriented gradients for human detection, CVPR 2005.
     """
-    if interpolation not in INTERPOLATIONS:
-        valid = ", ".join(INTERPOLATIONS)
-        raise PlacecatError(
-            f"Unknown interpolation '{interpolation}' of local descriptor 'hog': choose one of {valid}."
-        )
     patches = to_bytes(cut(maps.grey, regions, region_side(maps.width), border=border))
     if not len(patches):
         return np.zeros((0, _SIZE), np.float32)

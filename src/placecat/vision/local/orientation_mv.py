@@ -5,15 +5,12 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
 from placecat.ranges import Index, OneOf
 from placecat.vision.grid import mean_variance
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side
 
-# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 65.0
-# The fields of `FrameMaps` that this module reads.
 MAPS = ("orientation",)
 
 
@@ -28,6 +25,4 @@ def describe(
 
     Like `color_mv`, but with the Gabor responses at 0, 45, 90 and 135 degrees instead of colour channels.
     """
-    if grid < 0:
-        raise PlacecatError(f"The grid of local descriptor 'orientation_mv' is {grid}: it must be 0 or more.")
     return mean_variance(cut(maps.orientation, regions, region_side(maps.width), border=border), grid)

@@ -7,14 +7,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
 from placecat.ranges import OneOf
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side
 
-# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 430.0
-# The fields of `FrameMaps` that this module reads.
 MAPS = ("grey",)
 
 ORIENTATIONS = ("upright", "dominant")
@@ -38,11 +35,8 @@ def describe(
     region also count. A Gaussian with a sigma of half the region's side weights the gradients. The pyramid
     level is not blurred again.
 
-    Parameters
-    ----------
-    orientation
-        ``upright``, or ``dominant``: relative to the strongest direction (`dominant_angles`). The thesis does
-        not specify this.
+    `orientation` is ``upright``, or ``dominant``: relative to the strongest direction (`dominant_angles`).
+    The thesis does not specify this.
 
     Returns
     -------
@@ -50,20 +44,10 @@ def describe(
     counter-clockwise from the x axis (or from the dominant angle). Values are clipped at 0.2 of the norm,
     then scaled to the norm 512; a patch without gradients is 0.
 
-    Raises
-    ------
-    PlacecatError
-        If the orientation is unknown.
-
     References
     ----------
     Lowe, Distinctive image features from scale-invariant keypoints, IJCV 2004, sections 5 and 6.
     """
-    if orientation not in ORIENTATIONS:
-        valid = ", ".join(ORIENTATIONS)
-        raise PlacecatError(
-            f"Unknown orientation '{orientation}' of local descriptor 'sift': choose one of {valid}."
-        )
     cell = region_side(maps.width) / CELLS
     upright = orientation == "upright"
     reach = (CELLS + 1) / 2 * cell
@@ -82,10 +66,9 @@ def _gradients(patches: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArr
     """Return central differences' magnitudes and angles (0 to 2 pi, counter-clockwise), (n, h - 2, w - 2)."""
     right = patches[:, 1:-1, 2:] - patches[:, 1:-1, :-2]
     up = patches[:, :-2, 1:-1] - patches[:, 2:, 1:-1]
-    magnitude, angle = cv2.cartToPolar(right.reshape(len(right), -1), up.reshape(len(up), -1))
-    return np.asarray(magnitude, np.float32).reshape(right.shape), np.asarray(angle, np.float32).reshape(
-        right.shape
-    )
+    polar = cv2.cartToPolar(right.reshape(len(right), -1), up.reshape(len(up), -1))
+    magnitude, angle = (np.asarray(values, np.float32).reshape(right.shape) for values in polar)
+    return magnitude, angle
 
 
 def dominant_angles(
@@ -93,18 +76,12 @@ def dominant_angles(
 ) -> NDArray[np.float64]:
     """Find the strongest gradient direction around each patch's centre (Lowe 2004, section 5).
 
-    Parameters
-    ----------
-    magnitude, angle
-        (n, 2 R + 1, 2 R + 1) float32; angles are in radians.
-    scale
-        The region's scale as Lowe defines it, in pixels: a third of a cell. The window is a Gaussian with a
-        sigma of 1.5 scales, cut off at 4.5 scales or at the patch's edge.
+    `magnitude` and `angle` (radians) are (n, 2 R + 1, 2 R + 1) float32. `scale` is the region's scale as Lowe
+    defines it, in pixels: a third of a cell. The window is a Gaussian with a sigma of 1.5 scales, cut off at
+    4.5 scales or at the patch's edge.
 
-    Returns
-    -------
-    (n,) float64 radians in [0, 2 pi): the highest of 36 smoothed bins, refined by parabolic interpolation; 0
-    for a patch without gradients.
+    Returns (n,) float64 radians in [0, 2 pi): the highest of 36 smoothed bins, refined by parabolic
+    interpolation; 0 for a patch without gradients.
     """
     count, centre = len(magnitude), magnitude.shape[1] // 2
     radius = min(round(4.5 * scale), centre)
@@ -115,11 +92,9 @@ def dominant_angles(
     bins = np.rint(angle[:, window, window] * (ANGLE_BINS / (2 * np.pi))).astype(np.intp) % ANGLE_BINS
     bins += np.arange(count)[:, None, None] * ANGLE_BINS
     raw = np.bincount(bins.ravel(), votes.ravel(), count * ANGLE_BINS).reshape(count, ANGLE_BINS)
-    smooth = sum(
-        weight * np.roll(raw, shift, axis=1)
-        for shift, weight in zip(range(-2, 3), (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16), strict=True)
-    )
-    smooth = np.asarray(smooth)
+    smooth = np.zeros(raw.shape)
+    for bins_on, weight in zip(range(-2, 3), (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16), strict=True):
+        smooth += weight * np.roll(raw, bins_on, axis=1)
     rows = np.arange(count)
     peak = smooth.argmax(axis=1)
     left, top, right = (smooth[rows, (peak + d) % ANGLE_BINS] for d in (-1, 0, 1))

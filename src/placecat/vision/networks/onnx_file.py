@@ -20,18 +20,9 @@ def load(
 ) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
     """Load the network in an ONNX file and return a function that applies it to an image.
 
-    Parameters
-    ----------
-    path
-        The file. The network must have one input, an image, (1, 3, height, width) float32.
-    output
-        Name of the output to use; None for the first.
-    sha256
-        Expected checksum (see `onnx_content.fingerprint`); None accepts any.
-
-    Returns
-    -------
-    A function that maps an image, (1, 3, H, W) float32, to the output, float32 of any shape.
+    The network must have one input, an image, (1, 3, height, width) float32. `output` is the name of the
+    output to use, None for the first; `sha256` the expected checksum (see `onnx_content.fingerprint`), None
+    accepts any. The function maps an image, (1, 3, H, W) float32, to the output, float32 of any shape.
 
     Raises
     ------

@@ -1,9 +1,7 @@
 """Import packages that only networks need."""
 
-import hashlib
 import importlib
 from collections.abc import Sequence
-from pathlib import Path
 from types import ModuleType
 
 from placecat.errors import PlacecatError
@@ -31,9 +29,3 @@ def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
                 f"{wanted_by} needs the package {name}, which does not work ({said})"
             ) from None
     return modules
-
-
-def checksum(path: Path) -> str:
-    """Return the SHA-256 of a file's content in hexadecimal."""
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
