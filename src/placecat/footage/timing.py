@@ -40,9 +40,9 @@ class Timing:
     is_even: bool
 
     @property
-    def starts(self) -> NDArray[np.float64] | None:
-        """(n + 1,) float64, start of each frame and end of the last, in seconds; None for even frames."""
-        return None if self.is_even else np.append(self.seconds, self.end)
+    def starts(self) -> NDArray[np.float64]:
+        """(n + 1,) float64, start of each frame and end of the last, in seconds."""
+        return np.append(self.seconds, self.end)
 
 
 def even(count: int, fps: float) -> Timing:

@@ -90,9 +90,8 @@ def frame_table(
 ) -> pd.DataFrame:
     """Build `Home.frames` with its column types, indexed from 0.
 
-    `sequence`, `source` and `position` are single values or have one value per frame; `number`, `seconds` and
-    `label` have one value per frame. `turn` applies to every frame, in degrees clockwise; 0 omits the column
-    `TURN`.
+    `sequence`, `source` and `position` have one value per frame, or one for all. `turn` applies to every
+    frame, in degrees clockwise; 0 omits the column `TURN`.
     """
     columns = {
         "sequence": sequence,

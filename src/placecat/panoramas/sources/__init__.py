@@ -12,6 +12,7 @@ from placecat import lookup, schema
 from placecat.errors import PlacecatError, did_you_mean, reading
 from placecat.panoramas.panorama import Panorama
 from placecat.schema.names import FileName, Label
+from placecat.sequences.folders import existing, inside
 
 _HOME, _ROOM = schema.of_type(FileName), schema.of_type(Label)
 
@@ -24,9 +25,7 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     line.
     """
     source = lookup.module(__name__, settings["source"], "source", "read")
-    if not root.is_dir():
-        what = "not a folder" if root.exists() else "no such folder"
-        raise PlacecatError(f"{root}: {what}; give the folder of the panoramas.")
+    existing(root, "give the folder of the panoramas.")
     with reading(root):
         panoramas = _chosen(source.read(root, settings), settings["homes"])
         if not panoramas:
@@ -58,8 +57,7 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
         path = root / file
         if not path.is_file():
             raise PlacecatError(f"{path}: the picture is missing ({panorama.origin}){hint}.")
-        if not path.resolve().is_relative_to(root.resolve()):
-            raise PlacecatError(f"{path}: a link that leads out of {root} ({panorama.origin}).")
+        inside(path, root, panorama.origin)
 
 
 def _check_names(panoramas: list[Panorama]) -> None:
