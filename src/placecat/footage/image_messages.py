@@ -66,13 +66,8 @@ ENCODINGS = tuple(_ENCODINGS)
 def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
     """Decode a sensor_msgs/Image to (height, width, 3) uint8, BGR; errors call it `name`.
 
-    Raises
-    ------
-    Damaged
-        If the sizes contradict each other or the length of the data.
-    PlacecatError
-        If the encoding is not one of `ENCODINGS`, or the picture is larger than
-        `placecat.footage.pictures.MOST_PIXELS`.
+    Raises Damaged if the sizes contradict each other or the length of the data; otherwise PlacecatError if
+    the encoding is not in `ENCODINGS`, or for more than `placecat.footage.pictures.MOST_PIXELS`.
     """
     width, height, step, encoding = message.width, message.height, message.step, message.encoding
     data = np.frombuffer(message.data, np.uint8)

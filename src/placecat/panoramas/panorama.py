@@ -4,6 +4,8 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+FLOOR = re.compile(r"[A-Za-z0-9_-]{1,50}")
+"""Floor names that label files allow."""
 _NUMBER = re.compile(r"[\s_-]*[0-9]+$")
 
 
