@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
 from placecat.footage.timing import Timing, even
-from placecat.sequences.labels import Segment, check_segments, expand_segments, label_csvs, read_label_csv
+from placecat.sequences.labels import Segment, check_segments, expand_segments, label_csv, read_label_csv
 
 runs = st.lists(
     st.tuples(st.integers(1, 60), st.sampled_from(["kitchen", "bedroom", "transition"])),
@@ -162,11 +162,14 @@ def test_the_ending_may_be_in_either_case(tmp_path: Path) -> None:
     (tmp_path / "flat").mkdir()
     for name in ("flat.CSV", "flats.csv", "flat.csv.txt", "flat/labels.Csv"):
         (tmp_path / name).write_text("")
-    names = ("flat.csv", "flat/labels.csv", "nowhere/labels.csv")
-    assert label_csvs(tmp_path, *names) == ["flat.CSV", "flat/labels.Csv"]
+    assert label_csv(tmp_path, "flat.csv", "nowhere/labels.csv") == "flat.CSV"
+    assert label_csv(tmp_path, "flat/labels.csv") == "flat/labels.Csv"
+    assert label_csv(tmp_path, "labels.csv") is None
+    with pytest.raises(PlacecatError, match=r"flat\.CSV: .*flat/labels\.Csv labels the same home; remove"):
+        label_csv(tmp_path, "flat.csv", "flat/labels.csv")
     (tmp_path / "flat.csv").write_text("")
     with pytest.raises(PlacecatError, match=r"flat\.csv labels the same home; remove one"):
-        label_csvs(tmp_path, *names)
+        label_csv(tmp_path, "flat.csv")
 
 
 def test_a_label_file_that_may_not_be_read_gives_one_message(

@@ -62,16 +62,12 @@ class BagRecording:
 
     Attributes
     ----------
-    count
-        Number of frames, including lost ones.
-    positions
-        (count,) int64, `placecat.footage.bags.Picture.number` minus 1.
-    received
-        (count,) int64, time of reception in nanoseconds.
+    count, lost
+        Number of frames, including lost ones, and numbers, from 1, of those that could not be decoded.
+    positions, received
+        (count,) int64: `placecat.footage.bags.Picture.number` minus 1, and time of reception in nanoseconds.
     start
         The first frame's stamp in nanoseconds since 1970.
-    lost
-        Numbers, from 1, of the frames that could not be decoded.
     """
 
     # A picture is either decoded without errors, or lost.

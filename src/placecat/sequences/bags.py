@@ -14,7 +14,7 @@ from placecat.footage.bag_recording import BagRecording
 from placecat.footage.bags import STRING, Bag, is_bag
 from placecat.sequences.base import Home
 from placecat.sequences.folders import by_name, data_folder, frame_rate, home_folder, some_homes
-from placecat.sequences.labels import Labels, find_labels, label_csvs
+from placecat.sequences.labels import Labels, find_labels, label_csv
 from placecat.sequences.recorded import Part, home_of
 
 
@@ -57,9 +57,9 @@ def read_home(
             label_file = f"{name}/{floor}.csv"
             if labels_topic is None:
                 labels = find_labels(root, [label_file], recording.timing, "the bag")
-            elif files := label_csvs(root, label_file):
+            elif file := label_csv(root, label_file):
                 raise PlacecatError(
-                    f"{root / files[0]}: dataset.labels_topic labels the same frames; remove one of the two."
+                    f"{root / file}: dataset.labels_topic labels the same frames; remove one of the two."
                 )
             else:
                 labels = _labels_on_topic(recording, labels_topic)

@@ -89,20 +89,19 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
     return labels, np.repeat(np.array([segment.line for segment in segments], dtype=np.int32), lengths)
 
 
-def label_csvs(root: Path, *names: str) -> list[str]:
-    """Find label files by name (``....csv``, relative to `root`); the suffix may be upper or lower case.
+def label_csv(root: Path, *names: str) -> str | None:
+    """Find the label file with one of these names (``....csv``, relative to `root`), as spelled on disk.
 
-    Returns the existing files as spelled on disk. Raises PlacecatError if two of them differ only in case.
+    The suffix may be upper or lower case. Returns None if there is no such file; raises PlacecatError if
+    there are several.
     """
-    found = []
-    for name in names:
-        wanted = root / name
+    found: list[Path] = []
+    for wanted in (root / name for name in names):
         beside = wanted.parent.iterdir() if wanted.parent.is_dir() else ()
-        own = sorted(path.name for path in beside if path.with_suffix(path.suffix.lower()) == wanted)
-        if len(own) > 1:
-            raise PlacecatError(f"{wanted.with_name(own[0])}: {own[1]} labels the same home; remove one.")
-        found += [wanted.with_name(one).relative_to(root).as_posix() for one in own]
-    return found
+        found += sorted(path for path in beside if path.with_suffix(path.suffix.lower()) == wanted)
+    if len(found) > 1:
+        raise PlacecatError(f"{found[0]}: {found[1]} labels the same home; remove one.")
+    return found[0].relative_to(root).as_posix() if found else None
 
 
 class Labels(NamedTuple):
@@ -117,18 +116,15 @@ class Labels(NamedTuple):
 
 
 def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str) -> Labels:
-    """Read the label CSV with one of these names, relative to `root`; if none exists, no frame has a label.
+    """Read the label file that :func:`label_csv` finds; without one, no frame has a label.
 
-    `timing` covers all frames; `sequence` and errors are as for :func:`read_label_csv`. Two such files also
-    raise PlacecatError.
+    `timing` covers all frames; `sequence` and errors are as for :func:`read_label_csv`.
     """
-    files = label_csvs(root, *names)
-    if len(files) > 1:
-        raise PlacecatError(f"{root / files[0]}: {root / files[1]} labels the same home; remove one.")
-    if not files:
+    file = label_csv(root, *names)
+    if file is None:
         count = len(timing.seconds)
         return Labels([""] * count, np.zeros(count, np.int32), None)
-    return Labels(*read_label_csv(root / files[0], timing, sequence), files[0])
+    return Labels(*read_label_csv(root / file, timing, sequence), file)
 
 
 def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str], NDArray[np.int32]]:

@@ -27,7 +27,13 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     source = lookup.module(__name__, settings["source"], "source", "read")
     existing(root, "give the folder of the panoramas.")
     with reading(root):
-        panoramas = _chosen(source.read(root, settings), settings["homes"])
+        panoramas: list[Panorama] = source.read(root, settings)
+        if settings["homes"] is not None:
+            there = {one.home for one in panoramas}
+            for home in settings["homes"]:
+                if home not in there:
+                    raise PlacecatError(f"homes: there is no home {home!r}{did_you_mean(home, there)}")
+            panoramas = [one for one in panoramas if one.home in settings["homes"]]
         if not panoramas:
             raise PlacecatError(f"{root}: no panorama here; correct SOURCE, source or labels.")
         for one in panoramas:
@@ -36,16 +42,6 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
             _check_files(root, one, settings)
     _check_names(panoramas)
     return panoramas
-
-
-def _chosen(panoramas: list[Panorama], homes: list[str] | None) -> list[Panorama]:
-    if homes is None:
-        return panoramas
-    there = {one.home for one in panoramas}
-    for home in homes:
-        if home not in there:
-            raise PlacecatError(f"homes: there is no home {home!r}{did_you_mean(home, there)}")
-    return [one for one in panoramas if one.home in homes]
 
 
 def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) -> None:
