@@ -18,6 +18,7 @@ from placecat.config.check import check
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
 from placecat.footage.pictures import read_image
+from placecat.footage.timing import even
 from placecat.sequences import labels, video
 from project import ROOT
 
@@ -143,7 +144,7 @@ class Labels(Inputs):
         content = ("\n".join(lines) + "\n").encode()
         path = self.folder / "flat.csv"
         path.write_bytes(mutants.damaged(content, rng) if kind == 3 else content)
-        found, at_lines = labels.read_label_csv(path, 30, 25.0, "the video")
+        found, at_lines = labels.read_label_csv(path, even(30, 25.0), "the video")
         return (RIGHT if len(found) == len(at_lines) == 30 else WRONG), ""
 
 

@@ -21,7 +21,7 @@ from placecat.__main__ import main
 from placecat.config.compose import compose
 from placecat.panoramas.command import read_settings
 from placecat.panoramas.plan import plan
-from placecat.panoramas.rays import view_rays
+from placecat.panoramas.render import view_rays
 from placecat.panoramas.sources import read
 from placecat.stages.sequences import list_homes
 from project import ROOT, contents

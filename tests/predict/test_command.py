@@ -13,6 +13,7 @@ from commands import predict, refused
 from fake_categorizer import CLASSES, STAY, FakeCategorizer, expected
 from helpers_sequences import WIDTH, coded, write_image, write_video
 
+from placecat.footage.timing import even
 from placecat.predict import command
 from placecat.sequences.labels import read_label_csv
 
@@ -111,7 +112,7 @@ def test_segments_are_labels(folder, capsys):
     predict("walk.avi", "--every", "4")
     labels = folder / "labels.csv"
     shutil.copy(folder / "predictions/walk/segments.csv", labels)
-    read, _ = read_label_csv(labels, COUNT, 25.0, "the video")
+    read, _ = read_label_csv(labels, even(COUNT, 25.0), "the video")
     assert read == [CLASSES[number // STAY % 3] for number in range(COUNT)]
     labels.write_text(labels.read_text().replace("17,24,kitchen", "17,20,transition\n21,24,bedroom"))
     predict("walk.avi", "--labels", labels, "--output", "judged")

@@ -107,7 +107,7 @@ def test_lost_frames_have_no_row_and_keep_their_labels(tmp_path):
     [
         ({}, r"1\.bag: several topics have pictures; choose one with dataset\.topic"),
         ({"topic": "/nowhere"}, r"no topic '/nowhere'.* Correct dataset\.topic"),
-        ({"topic": 3}, r"dataset\.topic is 3: give the name of a topic, or null"),
+        ({"topic": 3}, r"1\.bag: no topic 3; it has .* Correct dataset\.topic"),
         ({"topic": CAMERA, "labels_topic": "/words"}, r"labels_topic labels the same frames"),
     ],
 )

@@ -1,19 +1,20 @@
 from pathlib import Path
 
-import cv2
 import numpy as np
 import pandas as pd
 import pytest
 from helpers_sequences import HEIGHT, WIDTH, coded, decoded, write_image, write_video
 
+from placecat import lookup
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
 from placecat.footage.names import natural
-from placecat.sequences import layouts, list_homes, open_home
+from placecat.sequences import READER, list_homes, open_home
 from placecat.sequences.base import Home, frame_table
 from placecat.sequences.folders import inside
 from placecat.sequences.places import place_labels, require_classes
 
+LAYOUTS = lookup.names("placecat.sequences", *READER)
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room"]
 
 
@@ -44,7 +45,7 @@ def make_home(labels: list[str]) -> Home:
 
 class TestOpenHome:
     def test_layouts_are_the_reader_modules(self) -> None:
-        assert layouts() == ["bags", "cold", "folder", "robot_at_home", "video", "vpc2009"]
+        assert LAYOUTS == ["bags", "cold", "folder", "robot_at_home", "video", "vpc2009"]
 
     @pytest.mark.parametrize("layout", ["tum", "labels", "base", "../folder", "", "os"])
     def test_unknown_layout(self, layout: str, tmp_path: Path) -> None:
@@ -60,27 +61,27 @@ class TestOpenHome:
         ):
             open_home("video", tmp_path, "Home1", lens="wide")
 
-    @pytest.mark.parametrize("layout", layouts())
+    @pytest.mark.parametrize("layout", LAYOUTS)
     def test_missing_root(self, layout: str, tmp_path: Path) -> None:
         with pytest.raises(PlacecatError, match=r"nowhere: no such folder; set dataset.root"):
             open_home(layout, tmp_path / "nowhere", "Home1", fps=5.0)
         with pytest.raises(PlacecatError, match=r"nowhere: no such folder; set dataset.root"):
             list_homes(layout, tmp_path / "nowhere")
 
-    @pytest.mark.parametrize("layout", layouts())
+    @pytest.mark.parametrize("layout", LAYOUTS)
     def test_root_is_a_file(self, layout: str, tmp_path: Path) -> None:
         (tmp_path / "file").write_text("x")
         with pytest.raises(PlacecatError, match=r"file: not a folder; set dataset.root"):
             list_homes(layout, tmp_path / "file")
 
-    @pytest.mark.parametrize("layout", layouts())
+    @pytest.mark.parametrize("layout", LAYOUTS)
     def test_empty_root(self, layout: str, tmp_path: Path) -> None:
         with pytest.raises(
             PlacecatError, match=r"no home here; expected .* Correct dataset.root or dataset.layout"
         ):
             list_homes(layout, tmp_path)
 
-    @pytest.mark.parametrize("layout", layouts())
+    @pytest.mark.parametrize("layout", LAYOUTS)
     @pytest.mark.parametrize("name", ["../Home1", "/etc", "a/../../b", "", "."])
     def test_name_leads_out(self, layout: str, name: str, tmp_path: Path) -> None:
         with pytest.raises(PlacecatError, match=r"dataset.homes: .*is not a path below the data folder"):
@@ -140,28 +141,10 @@ class TestReadFrames:
         with pytest.raises(PlacecatError, match=r"home/1\.png: the frame is missing; restore it"):
             list(read_frames(tmp_path, rows(["home/1.png"], [-1])))
 
-    def test_missing_video(self, tmp_path: Path) -> None:
-        with pytest.raises(PlacecatError, match=r"a\.avi: the video is missing"):
-            list(read_frames(tmp_path, rows(["a.avi"], [0])))
-
-    @pytest.mark.parametrize("ending", [".png", ".jpg"])
-    @pytest.mark.parametrize("keep", [0.0, 0.1, 0.5, 0.9])
-    def test_cut_off_image(self, ending: str, keep: float, tmp_path: Path) -> None:
-        image = np.random.default_rng(0).integers(0, 256, (48, 64, 3), dtype=np.uint8)
-        data = cv2.imencode(ending, image)[1].tobytes()
-        (tmp_path / f"1{ending}").write_bytes(data[: int(keep * len(data))])
-        with pytest.raises(PlacecatError, match=rf"1\{ending}: not a readable image \([0-9]+ bytes"):
-            list(read_frames(tmp_path, rows([f"1{ending}"], [-1])))
-
     def test_image_is_a_folder(self, tmp_path: Path) -> None:
         (tmp_path / "1.png").mkdir()
         with pytest.raises(PlacecatError, match=r"1\.png: the frame cannot be opened"):
             list(read_frames(tmp_path, rows(["1.png"], [-1])))
-
-    def test_damaged_video(self, tmp_path: Path) -> None:
-        (tmp_path / "a.avi").write_bytes(b"RIFF, but not really")
-        with pytest.raises(PlacecatError, match=r"a\.avi: not a readable video"):
-            list(read_frames(tmp_path, rows(["a.avi"], [0])))
 
     def test_wrong_size(self, tmp_path: Path) -> None:
         write_image(tmp_path / "1.png", 1)
@@ -242,10 +225,6 @@ class TestPlaceLabels:
         labels = pd.Series(["kitchen"])
         with pytest.raises(PlacecatError, match=r"dataset.classes is empty"):
             place_labels(labels, [], [], {})
-        with pytest.raises(PlacecatError, match=r"dataset.classes: 'bedroom' is listed twice"):
-            place_labels(labels, ["bedroom", "bedroom"], [], {})
-        with pytest.raises(PlacecatError, match=r"dataset.ignored: 'kitchen' is also in dataset.classes"):
-            place_labels(labels, CLASSES, ["kitchen"], {})
         with pytest.raises(
             PlacecatError, match=r"dataset.aliases: 'KT' stands for 'kitchn'.*did you mean 'kitchen'"
         ):

@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
-from placecat.sequences.labels import Segment, check_segments, expand_segments, label_csvs, read_label_csv
+from placecat.footage.timing import Timing, even
+from placecat.sequences.labels import Segment, check_segments, expand_segments, label_csv, read_label_csv
 
 runs = st.lists(
     st.tuples(st.integers(1, 60), st.sampled_from(["kitchen", "bedroom", "transition"])),
@@ -32,7 +33,7 @@ def read(text: str, count: int, fps: float = 25.0) -> tuple[list[str], list[int]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "a.csv"
         path.write_bytes(text.encode())
-        labels, lines = read_label_csv(path, count, fps, "the video")
+        labels, lines = read_label_csv(path, even(count, fps), "the video")
     return labels, lines.tolist()
 
 
@@ -78,18 +79,18 @@ def test_csv_in_rounded_seconds(lengths: list[tuple[int, str]], fps: float) -> N
 
 def test_csv_in_seconds_of_frames_that_come_unevenly(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
-    starts = np.array([0.0, 0.1, 0.2, 100.2, 100.3])
+    uneven = Timing(np.array([0.0, 0.1, 0.2, 100.2]), 100.3, 10.0, False)
     for start, expected in ((0.19, 2), (0.2, 2), (50.1, 2), (50.3, 3), (100.2, 3)):
         path.write_text(f"start_seconds,end_seconds,label\n0,{start},a\n{start},100.3,b\n")
-        labels, _ = read_label_csv(path, 4, 10.0, "the video", starts)
+        labels, _ = read_label_csv(path, uneven, "the video")
         assert labels == ["a"] * expected + ["b"] * (4 - expected)
     path.write_text("start_seconds,end_seconds,label\n0,1000000,a\n")
     with pytest.raises(
         PlacecatError, match=r"line 2: .* but the video has 4 frames \(100\.300 s at an uneven"
     ):
-        read_label_csv(path, 4, 10.0, "the video", starts)
+        read_label_csv(path, uneven, "the video")
     with pytest.raises(PlacecatError, match=r"line 2: .* but the video has 4 frames \(0\.400 s at 10 frames"):
-        read_label_csv(path, 4, 10.0, "the video")
+        read_label_csv(path, even(4, 10.0), "the video")
 
 
 def test_csv_of_a_spreadsheet() -> None:
@@ -161,11 +162,14 @@ def test_the_ending_may_be_in_either_case(tmp_path: Path) -> None:
     (tmp_path / "flat").mkdir()
     for name in ("flat.CSV", "flats.csv", "flat.csv.txt", "flat/labels.Csv"):
         (tmp_path / name).write_text("")
-    names = ("flat.csv", "flat/labels.csv", "nowhere/labels.csv")
-    assert label_csvs(tmp_path, *names) == ["flat.CSV", "flat/labels.Csv"]
+    assert label_csv(tmp_path, "flat.csv", "nowhere/labels.csv") == "flat.CSV"
+    assert label_csv(tmp_path, "flat/labels.csv") == "flat/labels.Csv"
+    assert label_csv(tmp_path, "labels.csv") is None
+    with pytest.raises(PlacecatError, match=r"flat\.CSV: .*flat/labels\.Csv labels the same home; remove"):
+        label_csv(tmp_path, "flat.csv", "flat/labels.csv")
     (tmp_path / "flat.csv").write_text("")
     with pytest.raises(PlacecatError, match=r"flat\.csv labels the same home; remove one"):
-        label_csvs(tmp_path, *names)
+        label_csv(tmp_path, "flat.csv")
 
 
 def test_a_label_file_that_may_not_be_read_gives_one_message(
@@ -176,14 +180,14 @@ def test_a_label_file_that_may_not_be_read_gives_one_message(
 
     monkeypatch.setattr(Path, "read_bytes", refuse)
     with pytest.raises(PlacecatError, match=r"a\.csv: the label file cannot be opened \(Permission denied\)"):
-        read_label_csv(tmp_path / "a.csv", 9, 25.0, "the video")
+        read_label_csv(tmp_path / "a.csv", even(9, 25.0), "the video")
 
 
 def test_label_file_is_missing_or_a_folder(tmp_path: Path) -> None:
     with pytest.raises(PlacecatError, match=r"a\.csv: the label file is missing"):
-        read_label_csv(tmp_path / "a.csv", 9, 25.0, "the video")
+        read_label_csv(tmp_path / "a.csv", even(9, 25.0), "the video")
     with pytest.raises(PlacecatError, match="the label file cannot be opened"):
-        read_label_csv(tmp_path, 9, 25.0, "the video")
+        read_label_csv(tmp_path, even(9, 25.0), "the video")
 
 
 @pytest.mark.parametrize(
@@ -199,4 +203,4 @@ def test_label_file_is_missing_or_a_folder(tmp_path: Path) -> None:
 def test_a_file_that_is_no_csv_of_labels(tmp_path: Path, content: bytes, message: str) -> None:
     (tmp_path / "a.csv").write_bytes(content)
     with pytest.raises(PlacecatError, match=rf"a\.csv.*{message}"):
-        read_label_csv(tmp_path / "a.csv", 9, 25.0, "the video")
+        read_label_csv(tmp_path / "a.csv", even(9, 25.0), "the video")

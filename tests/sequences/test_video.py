@@ -1,4 +1,3 @@
-from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -148,10 +147,3 @@ def test_a_phone_turned_while_filming_is_refused(tmp_path: Path) -> None:
         PlacecatError, match=r"flat\.webm: frame 6 is 48x64, but earlier ones are 64x48 .* cut the video"
     ):
         video.read_home(tmp_path, "flat")
-
-
-def test_pixels_that_are_not_square_are_made_so(tmp_path: Path) -> None:
-    write_clip(tmp_path / "flat.mp4", steady(3), size=(48, 48), shape=Fraction(4, 3))
-    home = video.read_home(tmp_path, "flat")
-    assert (home.width, home.height) == (64, 48)
-    assert [image.shape for image in read_frames(tmp_path, home.frames)] == [(48, 64, 3)] * 3

@@ -1,5 +1,7 @@
 """The stage `scores`, on distributions written by hand."""
 
+from functools import cache
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -25,9 +27,10 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     rng = np.random.default_rng(0)
     drawn: dict = {}
+    read_labels = cache(listing.read_labels)
     for source in sources(settings.load()).values():
         for home in source.homes:
-            frames = len(listing.read_labels(source.listed(home)))
+            frames = len(read_labels(source.listed(home)))
             for seed in ("seed-0", "seed-1"):
                 proba = rng.dirichlet(np.ones(len(source.classes)), frames)
                 drawn.setdefault(source.file(home, seed), {})[source.name] = proba
@@ -51,9 +54,10 @@ def test_every_result_has_its_numbers_in_every_home_with_every_seed(folder):
     assert set(table.index.get_level_values("result")) == set(found)
     kinds = {name.split("/")[0] for name in found}
     assert kinds == {"cues", "tempered", "integration", "filtered", "hmm", "smoothing", "splits"}
+    read_labels = cache(listing.read_labels)
     for name, source in found.items():
         for home in source.homes:
-            truth = listing.read_labels(source.listed(home))
+            truth = read_labels(source.listed(home))
             assert (truth < 0).any()
             for seed in source.seeds():
                 proba = source.array(home, seed)

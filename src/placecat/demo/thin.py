@@ -16,8 +16,8 @@ def thin(root: Path, home: str, every: int, target: Path) -> float:
     to ``target/HOME.csv``. Returns the new rate in frames per second. Unreadable files raise PlacecatError.
     """
     recording = Recording(root / f"{home}.mp4")
-    fps = recording.timing().fps
-    labels, _ = read_label_csv(root / f"{home}.csv", recording.count, fps, "the video")
+    timing = recording.timing()
+    labels, _ = read_label_csv(root / f"{home}.csv", timing, "the video")
     folder = target / home
     folder.mkdir(parents=True)
     rows: list[tuple[int, int, str]] = []
@@ -26,4 +26,4 @@ def thin(root: Path, home: str, every: int, target: Path) -> float:
             cv2.imwrite(str(folder / f"{picture.number:06}.jpg"), picture.image())
             rows.append((len(rows) + 1, len(rows) + 1, labels[picture.number - 1]))
     pd.DataFrame(rows, columns=FRAME_HEADER).to_csv(target / f"{home}.csv", index=False)
-    return fps / every
+    return timing.fps / every

@@ -52,8 +52,6 @@ class BagRecording:
 
     Parameters
     ----------
-    path
-        The bag.
     topic
         The topic; None uses the only topic with pictures.
     fps
@@ -64,24 +62,15 @@ class BagRecording:
 
     Attributes
     ----------
-    topic
-        The topic.
-    count
-        Number of frames, including lost ones.
-    timing
-        Times of the frames.
-    positions
-        (count,) int64, `placecat.footage.bags.Picture.number` minus 1.
-    received
-        (count,) int64, time of reception in nanoseconds.
+    count, lost
+        Number of frames, including lost ones, and numbers, from 1, of those that could not be decoded.
+    positions, received
+        (count,) int64: `placecat.footage.bags.Picture.number` minus 1, and time of reception in nanoseconds.
     start
         The first frame's stamp in nanoseconds since 1970.
-    lost
-        Numbers, from 1, of the frames that could not be decoded.
-    damaged
-        Always empty: a picture is either decoded without errors, or lost.
     """
 
+    # A picture is either decoded without errors, or lost.
     damaged: tuple[int, ...] = ()
 
     def __init__(
@@ -130,13 +119,10 @@ class BagRecording:
 
     def note(self) -> str:
         """Describe problems found on opening and in the last pass; "" if there were none."""
-        parts = list(self._remarks)
+        parts = self._remarks
         if self.lost:
-            parts.insert(
-                0,
-                f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost "
-                f"({self._why.rstrip('.')})",
-            )
+            lost = f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost"
+            parts = [f"{lost} ({self._why.rstrip('.')})", *parts]
         return f"{self.path}: {'; '.join(parts)}." if parts else ""
 
     def _without_late(self, stamps: NDArray[np.int64], setting: str) -> NDArray[np.int64]:

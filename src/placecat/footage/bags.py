@@ -40,18 +40,11 @@ def is_bag(path: Path) -> bool:
 class Picture:
     """A message with a picture.
 
-    Attributes
-    ----------
-    number
-        Number among the picture messages of all topics, from 1, in order of reception.
-    topic
-        The message's topic.
-    received, stamp
-        Time of reception and time in the header, in nanoseconds.
+    `number` is its number among the picture messages of all topics, from 1, in order of reception; `received`
+    and `stamp` are the times of reception and in the header, in nanoseconds.
     """
 
     number: int
-    topic: str
     received: int
     stamp: int
     _message: Any
@@ -64,21 +57,11 @@ class Picture:
 
 
 class Bag:
-    """A bag; each pass over its messages opens it again.
+    """A ROS 1 ``.bag``, a ROS 2 folder, or a single ROS 2 ``.mcap`` or ``.db3``.
 
-    Raises PlacecatError if rosbags is not installed, or cannot read the bag.
-
-    Parameters
-    ----------
-    path
-        A ROS 1 ``.bag``, a ROS 2 folder, or a single ROS 2 ``.mcap`` or ``.db3``.
-
-    Attributes
-    ----------
-    topics
-        Maps each topic to its message type and number of messages, sorted by topic.
-    count
-        Number of messages with pictures.
+    `topics` maps each topic to its message type and number of messages, sorted by topic; `count` is the
+    number of messages with pictures. Each pass over the messages opens the bag again. Raises PlacecatError if
+    rosbags is not installed, or cannot read the bag.
     """
 
     def __init__(self, path: Path) -> None:
@@ -138,7 +121,7 @@ class Bag:
                 with self._explained():
                     message = self._decoded(raw, connection.msgtype)
                     stamp = message.header.stamp.sec * 10**9 + message.header.stamp.nanosec
-                yield Picture(number, str(connection.topic), int(received), int(stamp), message, name)
+                yield Picture(number, int(received), int(stamp), message, name)
 
     def strings(self, topic: str) -> Iterator[tuple[int, str]]:
         """Yield the reception time in nanoseconds and the text of each string on a std_msgs/String topic."""

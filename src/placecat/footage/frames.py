@@ -25,23 +25,10 @@ def read_frames(
     with an earlier position than the previous row restarts the pass, so rows in ascending order need at most
     one pass. The code never seeks in a file, because containers may silently return a nearby frame.
 
-    Parameters
-    ----------
-    home_root
-        `Home.root`.
-    frames
-        Any rows of `Home.frames`, in any order.
-    size
-        Required (width, height) of every frame in pixels, after turning; None uses the first row's size.
-
-    Yields
-    ------
-    (H, W, 3) uint8, BGR, turned by the angle in the column ``turn``, if any.
-
-    Raises
-    ------
-    PlacecatError
-        If a frame is missing, unreadable, or of another size. The message names the frame's file.
+    `home_root` is `Home.root`; `frames` are any rows of `Home.frames`, in any order; `size` is the required
+    (width, height) of every frame in pixels, after turning (None: the first row's size). Yields (H, W, 3)
+    uint8, BGR, turned by the angle in the column ``turn``, if any. Raises PlacecatError, naming the file, if
+    a frame is missing, unreadable, or of another size.
     """
     root = Path(home_root)
     turns = frames["turn"] if "turn" in frames else [0] * len(frames)
@@ -79,6 +66,7 @@ class _Video:
         self.path = path
         self._recording = Bag(path) if is_bag(path) else Recording(path)
         self._pictures: Generator[Any, None, None] | None = None
+        # The last picture that was read; None before the first and after the end.
         self._last: Any = None
 
     def close(self) -> None:
@@ -89,12 +77,13 @@ class _Video:
         number = position + 1
         if self._pictures is None or self._is_elsewhere(number):
             self.close()
-            self._pictures, self._last = self._from(number), None
-        while self._last is None or self._last.number < number:
-            following = next(self._pictures, None)
-            if following is None:
-                break
-            self._last = following
+            recording = self._recording
+            self._pictures = (
+                recording.pictures() if isinstance(recording, Bag) else recording.pictures(number)
+            )
+            self._last = next(self._pictures, None)
+        while self._last is not None and self._last.number < number:
+            self._last = next(self._pictures, None)
         if self._last is None or self._last.number != number:
             count = self._recording.count
             why = f"it ends after {count}" if number > count else "it is damaged there"
@@ -111,8 +100,3 @@ class _Video:
         if isinstance(self._recording, Bag):
             return False
         return self._recording.start_before(number) - self._last.number > _WORTH_A_JUMP
-
-    def _from(self, number: int) -> Generator[Any, None, None]:
-        """Iterate over the pictures, starting at this frame or earlier."""
-        recording = self._recording
-        return recording.pictures() if isinstance(recording, Bag) else recording.pictures(number)

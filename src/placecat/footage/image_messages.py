@@ -1,6 +1,6 @@
 """Decode ROS image messages: sensor_msgs/Image and sensor_msgs/CompressedImage."""
 
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Protocol
 
 import cv2
 import numpy as np
@@ -31,33 +31,26 @@ class CompressedImage(Protocol):
     data: Any
 
 
-class _Encoding(NamedTuple):
-    """Bytes per pixel within a row, OpenCV's conversion to BGR, and data rows per two rows of pixels."""
-
-    width: int
-    conversion: int | None
-    rows: int = 2
-
-
-# The encodings of sensor_msgs/image_encodings with 8 bits per channel. ROS calls UYVY yuv422.
-_ENCODINGS = {
-    "bgr8": _Encoding(3, None),
-    "8UC3": _Encoding(3, None),
-    "rgb8": _Encoding(3, cv2.COLOR_RGB2BGR),
-    "bgra8": _Encoding(4, cv2.COLOR_BGRA2BGR),
-    "8UC4": _Encoding(4, cv2.COLOR_BGRA2BGR),
-    "rgba8": _Encoding(4, cv2.COLOR_RGBA2BGR),
-    "mono8": _Encoding(1, cv2.COLOR_GRAY2BGR),
-    "8UC1": _Encoding(1, cv2.COLOR_GRAY2BGR),
-    "bayer_rggb8": _Encoding(1, cv2.COLOR_BayerRGGB2BGR),
-    "bayer_bggr8": _Encoding(1, cv2.COLOR_BayerBGGR2BGR),
-    "bayer_gbrg8": _Encoding(1, cv2.COLOR_BayerGBRG2BGR),
-    "bayer_grbg8": _Encoding(1, cv2.COLOR_BayerGRBG2BGR),
-    "yuv422": _Encoding(2, cv2.COLOR_YUV2BGR_UYVY),
-    "uyvy": _Encoding(2, cv2.COLOR_YUV2BGR_UYVY),
-    "yuv422_yuy2": _Encoding(2, cv2.COLOR_YUV2BGR_YUYV),
-    "yuyv": _Encoding(2, cv2.COLOR_YUV2BGR_YUYV),
-    "nv21": _Encoding(1, cv2.COLOR_YUV2BGR_NV21, 3),
+# The encodings of sensor_msgs/image_encodings with 8 bits per channel: bytes per pixel within a row, and
+# OpenCV's conversion to BGR. ROS calls UYVY yuv422.
+_ENCODINGS: dict[str, tuple[int, int | None]] = {
+    "bgr8": (3, None),
+    "8UC3": (3, None),
+    "rgb8": (3, cv2.COLOR_RGB2BGR),
+    "bgra8": (4, cv2.COLOR_BGRA2BGR),
+    "8UC4": (4, cv2.COLOR_BGRA2BGR),
+    "rgba8": (4, cv2.COLOR_RGBA2BGR),
+    "mono8": (1, cv2.COLOR_GRAY2BGR),
+    "8UC1": (1, cv2.COLOR_GRAY2BGR),
+    "bayer_rggb8": (1, cv2.COLOR_BayerRGGB2BGR),
+    "bayer_bggr8": (1, cv2.COLOR_BayerBGGR2BGR),
+    "bayer_gbrg8": (1, cv2.COLOR_BayerGBRG2BGR),
+    "bayer_grbg8": (1, cv2.COLOR_BayerGRBG2BGR),
+    "yuv422": (2, cv2.COLOR_YUV2BGR_UYVY),
+    "uyvy": (2, cv2.COLOR_YUV2BGR_UYVY),
+    "yuv422_yuy2": (2, cv2.COLOR_YUV2BGR_YUYV),
+    "yuyv": (2, cv2.COLOR_YUV2BGR_YUYV),
+    "nv21": (1, cv2.COLOR_YUV2BGR_NV21),
 }
 ENCODINGS = tuple(_ENCODINGS)
 """Supported encodings of sensor_msgs/Image."""
@@ -66,13 +59,8 @@ ENCODINGS = tuple(_ENCODINGS)
 def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
     """Decode a sensor_msgs/Image to (height, width, 3) uint8, BGR; errors call it `name`.
 
-    Raises
-    ------
-    Damaged
-        If the sizes contradict each other or the length of the data.
-    PlacecatError
-        If the encoding is not one of `ENCODINGS`, or the picture is larger than
-        `placecat.footage.pictures.MOST_PIXELS`.
+    Raises Damaged if the sizes contradict each other or the length of the data; otherwise PlacecatError if
+    the encoding is not in `ENCODINGS`, or for more than `placecat.footage.pictures.MOST_PIXELS`.
     """
     width, height, step, encoding = message.width, message.height, message.step, message.encoding
     data = np.frombuffer(message.data, np.uint8)
@@ -82,19 +70,20 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
             f"{', '.join(ENCODINGS)}."
         )
     check_size(name, width, height)
-    kind = _ENCODINGS[encoding]
-    rows, row = height * kind.rows // 2, width * kind.width
+    depth, conversion = _ENCODINGS[encoding]
+    # The rows with colours follow those with luminance.
+    rows, row = height * 3 // 2 if encoding == "nv21" else height, width * depth
     if not (width and height and row <= step and rows * step <= len(data)):
         raise Damaged(
             f"{name}: {width}x{height} pixels in {encoding} with rows of {step} bytes do not fit "
             f"{len(data)} bytes of data; record it again."
         )
     pixels = data[: rows * step].reshape(rows, step)[:, :row].copy()
-    pixels = pixels.reshape((rows, width) if kind.width == 1 else (rows, width, kind.width))
-    if kind.conversion is None:
+    pixels = pixels.reshape((rows, width) if depth == 1 else (rows, width, depth))
+    if conversion is None:
         return pixels
     try:
-        return cv2.cvtColor(pixels, kind.conversion)  # type: ignore[return-value]
+        return cv2.cvtColor(pixels, conversion)  # type: ignore[return-value]
     except cv2.error:
         raise Damaged(
             f"{name}: a picture in {encoding} cannot have {width}x{height} pixels; record it again."

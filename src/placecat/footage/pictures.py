@@ -51,22 +51,11 @@ def list_frames(folder: Path) -> list[str]:
 
     Numbers in names are compared as numbers (frame2 before frame10), including decimal numbers such as times
     (1.25 before 1.5). If trailing zeros show that the digits after the point are a counter (1.9, 1.10), these
-    digits are compared as a separate number.
+    digits are compared as a separate number. Hidden files and subfolders are ignored.
 
-    Parameters
-    ----------
-    folder
-        An existing folder; hidden files and subfolders are ignored.
-
-    Returns
-    -------
-    File names; may be empty.
-
-    Raises
-    ------
-    PlacecatError
-        If the folder cannot be read, contains other kinds of pictures, or contains two pictures of one frame:
-        the same name with two suffixes, or the same numbers with different words, such as colour and depth.
+    Returns file names, perhaps none. Raises PlacecatError if the folder cannot be read, contains other kinds
+    of pictures, or contains two pictures of one frame: the same name with two suffixes, or the same numbers
+    with different words, such as colour and depth.
     """
     paths = _visible(folder)
     others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.footage import streams, timing
+from placecat.footage.pictures import TURNS
 
 Size = tuple[int, int]
 
@@ -30,7 +31,6 @@ _FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
 _OPENING = {"format_whitelist": _FORMATS, "protocol_whitelist": "file"}
 # Convert BT.2020 with a curve that swscale supports (HDR from phones) to BT.709.
 _WIDE, _CURVES, _USUAL = 9, (14, 15, 16, 18), 1
-_TURNS = {90: cv2.ROTATE_90_COUNTERCLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_CLOCKWISE}
 
 
 class _Damaged(Exception):
@@ -41,12 +41,8 @@ class _Damaged(Exception):
 class Picture:
     """A decoded frame.
 
-    Attributes
-    ----------
-    number
-        Number in the file, from 1; lost frames count.
-    size
-        (width, height) as shown: upright, with square pixels.
+    `number`, its number in the file, starts at 1 and counts lost frames; `size` is its (width, height) as
+    shown: upright, with square pixels.
     """
 
     number: int
@@ -63,15 +59,9 @@ class Recording:
     """A video file, read by FFmpeg.
 
     Opening reads all packets without decoding them; every video packet is a frame with a time. A frame that
-    cannot be decoded is lost; later frames keep their numbers and times. Raises PlacecatError if the file is
-    missing or not a video.
-
-    Attributes
-    ----------
-    count
-        Number of frames, including lost ones.
-    positions
-        (count,) int64: 0, 1, ...
+    cannot be decoded is lost; later frames keep their numbers and times. `count` is the number of frames,
+    including lost ones; `positions` is (count,) int64: 0, 1, ... Raises PlacecatError if the file is missing
+    or not a video.
     """
 
     def __init__(self, path: Path) -> None:
@@ -95,8 +85,7 @@ class Recording:
     def timing(self, fps: float | None = None, setting: str = "dataset.fps") -> timing.Timing:
         """Return the times of all frames: from the file, or at `fps` frames per second if it is not None.
 
-        Raises a PlacecatError that names the `setting` of `fps` if the times in the file are missing or
-        implausible.
+        If the times in the file are missing or implausible, the PlacecatError names the `setting` of `fps`.
         """
         if fps is not None:
             return timing.even(self.count, fps)
@@ -166,14 +155,12 @@ class Recording:
 
     def convert(self, frame: VideoFrame) -> NDArray[np.uint8]:
         """Convert a decoded frame to pixels for `Picture.image`."""
-        width, height = self._square(frame)
         is_wide = frame.color_primaries == _WIDE and frame.color_trc in _CURVES
         usual = _USUAL if is_wide else None
         # These settings produce the same bytes as OpenCV.
         changed = self._reformatter.reformat(
             frame,
-            width,
-            height,
+            *self._square(frame),
             "bgr24",
             interpolation="BICUBIC",
             dst_color_trc=usual,
@@ -181,11 +168,11 @@ class Recording:
             threads=1,
         )
         image = changed.to_ndarray()
-        turn = _TURNS.get(frame.rotation % 360)
+        turn = TURNS.get(-frame.rotation % 360)
         return cast(NDArray[np.uint8], image if turn is None else cv2.rotate(image, turn))
 
     def _square(self, frame: VideoFrame) -> Size:
-        """Return (width, height) in square pixels, before the frame is turned."""
+        """Return the size in square pixels, before the frame is turned."""
         return max(1, round(frame.width * self._flatness)), frame.height
 
     def _shown(self, frame: VideoFrame) -> Size:
@@ -219,7 +206,8 @@ class Recording:
 
     def _stream(self, container: av.container.InputContainer) -> VideoStream:
         """Return the first video stream, ignoring the cover pictures of music files."""
-        videos = [one for one in container.streams.video if not streams.is_cover(one)]
+        cover = av.stream.Disposition.attached_pic
+        videos = [one for one in container.streams.video if not one.disposition & cover]
         if not videos:
             if container.streams.video:
                 raise PlacecatError(f"{self.path}: holds a cover picture, but no video; give a video.")
@@ -273,11 +261,12 @@ class Recording:
         self.positions = np.arange(self.count)
         shown, coded = zip(*stamps, strict=True)
         # AVI has only decoding times.
-        is_known = name != "avi" and streams.are_times(shown) and streams.run_forward(coded)
+        are_distinct = None not in shown and len(set(shown)) == len(shown)
+        is_known = name != "avi" and are_distinct and streams.run_forward(coded)
         self._numbers = {pts: number for number, pts in enumerate(sorted(shown), 1)} if is_known else {}
         self._fresh = sorted(self._numbers[pts] for pts in fresh if pts in self._numbers)
         times = shown if is_known else coded
-        usable = is_known or (streams.are_times(coded) and streams.run_forward(coded))
+        usable = is_known or (None not in coded and streams.run_forward(coded))
         self._ticks = np.array(sorted(times), np.int64) if usable else None
         self._unread: list[str] = []
         if announced > packets:

@@ -1,6 +1,6 @@
 """A file's packets and its decoder's errors, through PyAV."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 import av
@@ -58,20 +58,9 @@ def is_fresh(packet: av.Packet, stream: VideoStream) -> bool:
     return False
 
 
-def is_cover(stream: VideoStream) -> bool:
-    """Return whether a stream is the cover picture of a music file."""
-    return bool(stream.disposition & av.stream.Disposition.attached_pic)
-
-
-def are_times(stamps: tuple[int | None, ...]) -> bool:
-    """Return whether all timestamps are known and distinct."""
-    return None not in stamps and len(set(stamps)) == len(stamps)
-
-
-def run_forward(stamps: tuple[int | None, ...]) -> bool:
+def run_forward(stamps: Sequence[int | None]) -> bool:
     """Return whether the known timestamps increase."""
-    known = [one for one in stamps if one is not None]
-    return all(one < other for one, other in pairwise(known))
+    return all(one < other for one, other in pairwise(one for one in stamps if one is not None))
 
 
 def drain(stream: VideoStream) -> None:

@@ -20,18 +20,10 @@ _ROUNDING = 0.001
 
 @dataclass(frozen=True, eq=False)
 class Timing:
-    """Times of n frames.
+    """Times of n frames in seconds: `seconds`, (n,) float64, since the first; `end`, the end of the last.
 
-    Attributes
-    ----------
-    seconds
-        (n,) float64, increasing, time since the first frame.
-    end
-        End of the last frame in seconds.
-    fps
-        Frames per second: the file's rate or, if the times do not fit it, the rate without long gaps.
-    is_even
-        Whether frame i, from 0, is shown at i / `fps`.
+    `fps` is the file's rate or, if the times do not fit it, the rate without long gaps. If `is_even`, frame
+    i, from 0, is shown at i / `fps`.
     """
 
     seconds: NDArray[np.float64]
@@ -40,9 +32,9 @@ class Timing:
     is_even: bool
 
     @property
-    def starts(self) -> NDArray[np.float64] | None:
-        """(n + 1,) float64, start of each frame and end of the last, in seconds; None for even frames."""
-        return None if self.is_even else np.append(self.seconds, self.end)
+    def starts(self) -> NDArray[np.float64]:
+        """(n + 1,) float64, start of each frame and end of the last, in seconds."""
+        return np.append(self.seconds, self.end)
 
 
 def even(count: int, fps: float) -> Timing:
@@ -62,7 +54,7 @@ def measure(
     """Find the frames' times and rate.
 
     Containers round times, some of them to milliseconds. If all times are multiples of a frame period within
-    this rounding, the exact multiples replace them.
+    this rounding, the exact multiples replace them. Returns None if no rate is plausible.
 
     Parameters
     ----------
@@ -74,11 +66,6 @@ def measure(
         The last frame's duration in ticks; used only if it is plausible compared with other frames.
     rates
         Frame rates stored in the file, the most reliable first.
-
-    Returns
-    -------
-    Timing or None
-        None if no rate is plausible.
     """
     if len(ticks) == 1:
         return usual(1, rates)

@@ -9,10 +9,9 @@ from placecat import files, paths, schema
 from placecat.compute import parallel
 from placecat.config import conf_file, overrides
 from placecat.errors import PlacecatError, one_line
-from placecat.panoramas import card, sources
-from placecat.panoramas.labels import counts, label_file, looks_table
+from placecat.panoramas import sources, texts
 from placecat.panoramas.panorama import Panorama
-from placecat.panoramas.plan import Look, plan, unseen
+from placecat.panoramas.plan import Plans, plan, unseen
 from placecat.panoramas.render import render
 from placecat.schema.panoramas import Panoramas
 from placecat.sequences.vpc2009 import LABEL_FILE
@@ -24,8 +23,6 @@ LOOKS = "looks.csv"
 DATASET = "my_homes"
 # The terminal names at most this many unused panoramas; the card names all.
 _NAMED = 5
-
-Plans = Mapping[str, Mapping[str, Sequence[Look]]]
 
 
 def read_settings(changes: Sequence[str] = (), path: Path = SETTINGS) -> dict[str, Any]:
@@ -54,9 +51,10 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
         temporary.mkdir()
         _write_frames(temporary, source, plans, settings)
         for home, floors in plans.items():
-            files.write_text(temporary / home / LABEL_FILE, label_file(floors))
-            files.write_csv(temporary / home / LOOKS, looks_table(floors))
-        files.write_text(temporary / card.FILE, card.card(plans, panoramas, settings, source.resolve().name))
+            files.write_text(temporary / home / LABEL_FILE, texts.label_file(floors))
+            files.write_csv(temporary / home / LOOKS, texts.looks_table(floors))
+        text = texts.card(plans, panoramas, settings, source.resolve().name)
+        files.write_text(temporary / texts.CARD, text)
         # Another program may have created the folder in the meantime.
         _refuse_existing(destination)
     _print(destination, plans, classes, settings, panoramas)
@@ -99,7 +97,7 @@ def _print(
 ) -> None:
     lacking = {}
     for home, floors in plans.items():
-        by_label = counts(floors)
+        by_label = texts.counts(floors)
         frames, stays = (sum(column) for column in zip(*by_label.values(), strict=True))
         sizes = [_number(frames, "frame"), _number(stays, "stay"), _number(len(floors), "floor")]
         print(f"{one_line(home)}: {', '.join(sizes)}")
@@ -112,7 +110,7 @@ def _print(
         verb = "is" if len(absent) == 1 else "are"
         print(f"{len(absent)} of {_number(len(panoramas), 'panorama')} {verb} in no frame: {some}")
         print("More visits or a smaller longest_look show more of them.")
-    print(f"{one_line(destination)}/{card.FILE} says how they were made.")
+    print(f"{one_line(destination)}/{texts.CARD} says how they were made.")
     # One home is tested, one is left out, and at least two are training homes.
     if len(plans) < 4:
         print("At least four homes are needed to train and test: add some.")

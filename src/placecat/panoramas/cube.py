@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 FACES = ("front", "right", "back", "left", "up", "down")
 """Order of the pictures for :func:`prepare`."""
-# Each face's right, down and outward directions, in the coordinates of placecat.panoramas.rays.
+# Each face's right, down and outward directions, in the coordinates of placecat.panoramas.render.
 _AXES = np.array(
     [
         [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
@@ -44,7 +44,8 @@ def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint
     ]
     atlas = np.concatenate([np.concatenate(tiles[:_IN_ROW], axis=1), np.concatenate(tiles[_IN_ROW:], axis=1)])
     # Compute all borders before writing any.
-    rows, columns = _border(side + 2 * _BORDER)
+    is_border = np.pad(np.zeros((side, side), dtype=bool), _BORDER, constant_values=True)
+    rows, columns = np.nonzero(is_border)
     flat = (2 * (np.stack([columns, rows]) - _BORDER + 0.5) / side) - 1
     seen = [look(atlas, (flat.T @ axes[:2] + axes[2])[None])[0] for axes in _AXES]
     for number, pixels in enumerate(seen):
@@ -56,7 +57,7 @@ def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint
 def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
     """Render the view along rays, (h, w, 3) uint8, with bilinear interpolation.
 
-    `prepared` comes from :func:`prepare`; `rays`, (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
+    `prepared` comes from :func:`prepare`, and `rays`, (h, w, 3), from `placecat.panoramas.render.view_rays`.
     """
     tile = len(prepared) // 2
     # A ray hits the face whose outward direction is nearest to it.
@@ -69,11 +70,3 @@ def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.u
     columns = (places[..., 0] + column * tile).astype(np.float32)
     rows = (places[..., 1] + row * tile).astype(np.float32)
     return cv2.remap(prepared, columns, rows, cv2.INTER_LINEAR)  # type: ignore[return-value]
-
-
-def _border(tile: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Return the rows and columns of a tile's border pixels."""
-    is_border = np.ones((tile, tile), dtype=bool)
-    is_border[_BORDER:-_BORDER, _BORDER:-_BORDER] = False
-    rows, columns = np.nonzero(is_border)
-    return rows, columns

@@ -23,7 +23,9 @@ def gaze(
     rest: Sequence[float],
     rng: np.random.Generator,
 ) -> NDArray[np.float64]:
-    """Turn the view for a number of frames, which must be at least one.
+    """Turn the view for one or more frames.
+
+    Returns (frames, 3) float64: pan, which may exceed 360, tilt and field of view in degrees.
 
     Parameters
     ----------
@@ -37,11 +39,6 @@ def gaze(
         Range of the pause between two turns, in seconds.
     rng
         Source of all random choices.
-
-    Returns
-    -------
-    (frames, 3) float64
-        Pan, tilt and field of view in degrees. Pan may exceed 360.
 
     Examples
     --------

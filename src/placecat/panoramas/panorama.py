@@ -4,6 +4,8 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+FLOOR = re.compile(r"[A-Za-z0-9_-]{1,50}")
+"""Floor names that label files allow."""
 _NUMBER = re.compile(r"[\s_-]*[0-9]+$")
 
 
@@ -11,19 +13,10 @@ _NUMBER = re.compile(r"[\s_-]*[0-9]+$")
 class Panorama:
     """The view in all directions from one point.
 
-    Attributes
-    ----------
-    home, floor
-        Names of the home and floor, used as folder names.
-    room
-        The room's name, unique on its floor.
-    label
-        The room's place category.
-    files
-        One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`,
-        as POSIX paths relative to the source's folder.
-    origin
-        The file and place in it that list the panorama, for messages.
+    The names `home` and `floor` are used as folder names; `room` is unique on its floor, and `label` is its
+    place category. `files` are one equirectangular picture, or six faces of a cube in the order of
+    `placecat.panoramas.cube.FACES`, as POSIX paths relative to the source's folder. `origin` is the file and
+    place in it that list the panorama, for messages.
     """
 
     home: str

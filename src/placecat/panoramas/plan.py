@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from placecat.footage.names import natural
 from placecat.panoramas.gaze import gaze
 from placecat.panoramas.panorama import Panorama
-from placecat.panoramas.walk import Part, Room, walk
+from placecat.panoramas.walk import Room, walk
 from placecat.seeds import derive
 
 _OF_WALK = ("fps", "visits", "ways", "stays", "other_stays", "shortest_stay", "longest_look")
@@ -21,16 +21,8 @@ _OF_GAZE = ("fps", "fov", "tilt", "turn", "speed", "rest")
 class Look:
     """Consecutive frames that show one panorama.
 
-    Attributes
-    ----------
-    panorama
-        The panorama.
-    stay
-        Number of the stay on this floor, from 0.
-    first
-        Number of the first frame on this floor, from 1.
-    path
-        (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
+    On its floor, `stay` is the number of the stay, from 0, and `first` that of the first frame, from 1.
+    `path` is (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     """
 
     panorama: Panorama
@@ -44,24 +36,35 @@ class Look:
         return self.first + len(self.path) - 1
 
 
+Plans = Mapping[str, Mapping[str, Sequence[Look]]]
+"""The looks of each home's floors."""
+
+
 def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str, list[Look]]:
     """Plan the walk through a home from its panoramas and the settings of conf/panoramas.yaml.
 
     Seeds depend on the home's and the floor's names and on the setting `walk`. Maps each floor, in natural
     order, to its looks in order.
     """
+    of_walk = {name: settings[name] for name in _OF_WALK}
+    of_gaze = {name: settings[name] for name in _OF_GAZE}
     floors: dict[str, list[Look]] = {}
     for floor in sorted({one.floor for one in panoramas}, key=natural):
         here = [one for one in panoramas if one.floor == floor]
+        numbers: dict[tuple[str, str], list[int]] = {}
+        for number, one in enumerate(here):
+            numbers.setdefault((one.room, one.label), []).append(number)
+        rooms = [Room(label, tuple(own)) for (_, label), own in numbers.items()]
         rng = np.random.default_rng(seed(here[0].home, floor, settings["walk"]))
-        parts = walk(_rooms(here), **{name: settings[name] for name in _OF_WALK}, rng=rng)
-        floors[floor] = _looks(parts, here, settings, rng)
+        first, floors[floor] = 1, []
+        for part in walk(rooms, **of_walk, rng=rng):
+            path = gaze(part.frames, **of_gaze, rng=rng)
+            floors[floor].append(Look(here[part.panorama], part.stay, first, path))
+            first += part.frames
     return floors
 
 
-def unseen(
-    panoramas: Sequence[Panorama], plans: Mapping[str, Mapping[str, Sequence[Look]]]
-) -> list[Panorama]:
+def unseen(panoramas: Sequence[Panorama], plans: Plans) -> list[Panorama]:
     """Return the panoramas that no look shows, in their original order."""
     shown = {look.panorama for floors in plans.values() for looks in floors.values() for look in looks}
     return [one for one in panoramas if one not in shown]
@@ -70,24 +73,3 @@ def unseen(
 def seed(home: str, floor: str, number: int) -> int:
     """Derive a walk's seed from the home's name, the floor's name and the walk's number."""
     return derive("panoramas", home, floor, number)
-
-
-def _rooms(panoramas: Sequence[Panorama]) -> list[Room]:
-    rooms: dict[tuple[str, str], list[int]] = {}
-    for number, one in enumerate(panoramas):
-        rooms.setdefault((one.room, one.label), []).append(number)
-    return [Room(label, tuple(numbers)) for (_, label), numbers in rooms.items()]
-
-
-def _looks(
-    parts: Sequence[Part],
-    panoramas: Sequence[Panorama],
-    settings: Mapping[str, Any],
-    rng: np.random.Generator,
-) -> list[Look]:
-    looks: list[Look] = []
-    for part in parts:
-        path = gaze(part.frames, **{name: settings[name] for name in _OF_GAZE}, rng=rng)
-        first = looks[-1].last + 1 if looks else 1
-        looks.append(Look(panoramas[part.panorama], part.stay, first, path))
-    return looks

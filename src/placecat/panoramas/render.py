@@ -1,4 +1,7 @@
-"""Render the frames of a walk that show one panorama."""
+"""Render the frames of a walk that show one panorama, with a pinhole camera that turns on the spot.
+
+Directions are (x, y, z): x to the right, y down, z ahead, as seen from a camera at zero pan and tilt.
+"""
 
 from pathlib import Path
 
@@ -9,7 +12,6 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.footage.pictures import read_image
 from placecat.panoramas import cube, sphere
-from placecat.panoramas.rays import focal_length, view_rays
 
 
 def render(
@@ -17,30 +19,25 @@ def render(
 ) -> list[bytes]:
     """Render views of a panorama; return each as the content of a JPEG file.
 
+    Raises PlacecatError if a picture cannot be read, an equirectangular picture is not 2:1, or the faces are
+    not squares of the same size.
+
     Parameters
     ----------
-    files
-        One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`.
-    origin
-        The place that lists the files, for messages.
+    files, origin
+        As in `placecat.panoramas.panorama.Panorama`; the paths are complete.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     width, height, quality
         Frame size in pixels, and JPEG quality from 1 to 100.
-
-    Raises
-    ------
-    PlacecatError
-        If a picture cannot be read, an equirectangular picture is not 2:1, or the faces are not squares of
-        the same size.
     """
     pictures = [read_image(file) for file in files]
     focal = focal_length(float(path[:, 2].min()), width)
     if len(pictures) == 1:
-        size = pictures[0].shape[:2]
-        if not sphere.fits(*size):
+        rows, columns = pictures[0].shape[:2]
+        if columns != 2 * rows:
             raise PlacecatError(
-                f"{files[0]}: {size[1]}x{size[0]} is not a whole sphere, which is twice as wide as high "
+                f"{files[0]}: {columns}x{rows} is not a whole sphere, which is twice as wide as high "
                 f"({origin}); export it as an equirectangular picture."
             )
         prepared, look = sphere.prepare(pictures[0], focal), sphere.look
@@ -53,10 +50,43 @@ def render(
                     f"{side}x{side} ({origin})."
                 )
         prepared, look = cube.prepare(pictures, focal), cube.look
-    return [
-        _jpeg(look(prepared, view_rays(pan, tilt, fov, width, height)), quality) for pan, tilt, fov in path
-    ]
+    views = (look(prepared, view_rays(pan, tilt, fov, width, height)) for pan, tilt, fov in path)
+    return [cv2.imencode(".jpg", view, [cv2.IMWRITE_JPEG_QUALITY, quality])[1].tobytes() for view in views]
 
 
-def _jpeg(frame: NDArray[np.uint8], quality: int) -> bytes:
-    return cv2.imencode(".jpg", frame, [cv2.IMWRITE_JPEG_QUALITY, quality])[1].tobytes()
+def focal_length(fov: float, width: int) -> float:
+    """Return the focal length, in pixels, of a view that is `width` pixels wide.
+
+    `fov` is the horizontal field of view in degrees, above 0 and below 180.
+
+    Examples
+    --------
+    >>> round(focal_length(90.0, 640), 6)
+    320.0
+    """
+    return float(width / 2 / np.tan(np.radians(fov) / 2))
+
+
+def view_rays(pan: float, tilt: float, fov: float, width: int, height: int) -> NDArray[np.float64]:
+    """Return the direction of each pixel's centre, as (height, width, 3) float64, not normalized.
+
+    `pan`, positive to the right, and `tilt`, positive upwards, are in degrees; `fov` is as for
+    :func:`focal_length`. Pixels are square, and the optical axis passes through the view's centre.
+
+    Examples
+    --------
+    A view of one pixel looks along the optical axis, here to the right and then straight up.
+
+    >>> view_rays(90.0, 0.0, 60.0, 1, 1).round(6).ravel().tolist()
+    [1.0, 0.0, 0.0]
+    >>> (view_rays(0.0, 90.0, 60.0, 1, 1).round(6) + 0.0).ravel().tolist()
+    [0.0, -1.0, 0.0]
+    """
+    focal = focal_length(fov, width)
+    across = (np.arange(width) + 0.5 - width / 2) / focal
+    down = ((np.arange(height) + 0.5 - height / 2) / focal)[:, None]
+    sin, cos = np.sin(np.radians(tilt)), np.cos(np.radians(tilt))
+    y, ahead = down * cos - sin, down * sin + cos
+    sin, cos = np.sin(np.radians(pan)), np.cos(np.radians(pan))
+    x, z = across * cos + ahead * sin, ahead * cos - across * sin
+    return np.stack(np.broadcast_arrays(x, y, z), axis=-1)

@@ -11,11 +11,6 @@ from numpy.typing import NDArray
 _BORDER = 1
 
 
-def fits(height: int, width: int) -> bool:
-    """Return whether a picture of this size can show a whole sphere: it must be twice as wide as high."""
-    return width == 2 * height
-
-
 def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
     """Prepare a panorama, (H, 2 H, 3) uint8, for :func:`look`.
 
@@ -36,7 +31,7 @@ def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
 def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
     """Render the view along rays, (h, w, 3) uint8, with bilinear interpolation.
 
-    `prepared` comes from :func:`prepare`; `rays`, (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
+    `prepared` comes from :func:`prepare`, and `rays`, (h, w, 3), from `placecat.panoramas.render.view_rays`.
     """
     height, width = (size - 2 * _BORDER for size in prepared.shape[:2])
     x, y, z = np.moveaxis(rays, -1, 0)

@@ -15,7 +15,7 @@ class Room(NamedTuple):
 
 
 class Part(NamedTuple):
-    """Part of a stay: the stay's, room's and panorama's numbers, from 0, and one or more frames."""
+    """Part of a stay: the stay's, room's and panorama's numbers, from 0, and the number of frames."""
 
     stay: int
     room: int
@@ -58,11 +58,6 @@ def walk(
         Limits in seconds. A stay longer than `longest_look` is split among the room's panoramas.
     rng
         Source of all random choices.
-
-    Returns
-    -------
-    list of Part
-        At least one.
     """
     is_way = [room.label in ways for room in rooms]
     ways_first = sorted(range(len(rooms)), key=lambda number: not is_way[number])
@@ -74,7 +69,8 @@ def walk(
     parts = []
     for stay, number in enumerate(_with_ways(_order(entered, visits, rng), passed, rng)):
         room, length = rooms[number], stays.get(rooms[number].label, other_stays)
-        seconds = max(shortest_stay, _gamma(length["mean"], length["deviation"], rng))
+        mean, deviation = length["mean"], length["deviation"]
+        seconds = max(shortest_stay, float(rng.gamma((mean / deviation) ** 2, deviation**2 / mean)))
         frames = max(1, round(seconds * fps))
         looks = min(max(1, round(seconds / longest_look)), len(room.panoramas), frames)
         for share in np.array_split(np.arange(frames), looks):
@@ -91,7 +87,7 @@ def _order(entered: Sequence[int], visits: Sequence[int], rng: np.random.Generat
         now = [left[place] for place in rng.permutation(len(left))]
         if order and now and now[0] == order[-1]:
             now.append(now.pop(0))
-        # Only the same room is left: do not visit it twice in a row.
+        # Only the same room is left.
         if order and now and now[0] == order[-1]:
             break
         order += now
@@ -104,7 +100,3 @@ def _with_ways(order: Sequence[int], passed: Sequence[int], rng: np.random.Gener
         if place and ways is not None:
             yield int(next(ways))
         yield number
-
-
-def _gamma(mean: float, deviation: float, rng: np.random.Generator) -> float:
-    return float(rng.gamma((mean / deviation) ** 2, deviation**2 / mean))

@@ -27,7 +27,7 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
     with reading(path):
         if not path.is_file():
             raise PlacecatError(f"{path}: no such label file; correct --labels, or leave it out")
-    labels, lines = read_label_csv(path, len(timing.seconds), timing.fps, "the footage", timing.starts)
+    labels, lines = read_label_csv(path, timing, "the footage")
     numbers = {UNSCORED: -1} | dict.fromkeys(ignored, -1) | {name: i for i, name in enumerate(classes)}
     for label, line in zip(labels, lines, strict=True):
         if label not in numbers:

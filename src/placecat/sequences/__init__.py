@@ -5,8 +5,7 @@ camera)``, as documented by `list_homes` and `open_home` here. Its file name is 
 add a layout, add a file.
 """
 
-import inspect
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -19,31 +18,16 @@ from placecat.sequences.places import place_labels, require_classes
 
 __all__ = [
     "Home",
-    "layouts",
     "list_homes",
     "open_home",
     "open_home_of",
     "place_labels",
     "read_frames",
     "require_classes",
-    "settings_of",
 ]
 
 # Functions that each layout module defines.
 READER = ("list_homes", "read_home")
-
-
-def layouts() -> list[str]:
-    """List the layouts, sorted: the modules of this package that define a reader."""
-    return lookup.names(__name__, *READER)
-
-
-def settings_of(layout: str) -> list[str]:
-    """List the settings of a layout: the parameters of its ``read_home`` except the folder and the home.
-
-    Raises PlacecatError if the layout is unknown.
-    """
-    return list(inspect.signature(_reader(layout).read_home).parameters)[2:]
 
 
 def list_homes(layout: str, root: Path | str, **settings: Any) -> list[str]:
@@ -53,43 +37,31 @@ def list_homes(layout: str, root: Path | str, **settings: Any) -> list[str]:
     PlacecatError if the layout or a setting is unknown, or if the folder is missing, unreadable, or without a
     home of this layout.
     """
-    reader = _reader(layout)
-    _refuse_unknown(layout, settings)
-    taken = inspect.signature(reader.list_homes).parameters
+    reader = _reader(layout, settings)
+    taken = lookup.parameters(__name__, layout, "list_homes")
     with reading(Path(root)):
-        return reader.list_homes(
-            Path(root), **{name: value for name, value in settings.items() if name in taken}
-        )
+        return reader.list_homes(Path(root), **{name: settings[name] for name in taken if name in settings})
 
 
 def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home:
-    """Read the frame list and the labels of one home.
+    """List the frames of a home, without decoding them (see `read_frames`), and read their labels.
+
+    Raises PlacecatError if the layout or a setting is unknown, the home cannot be read, or its labels do not
+    match its frames; the message names the file and, if possible, the line.
 
     Parameters
     ----------
     layout
-        One of `layouts`.
+        A module of this package.
     root
         The folder that holds the homes.
     name
         One of ``list_homes(layout, root)``.
     **settings
-        Settings of the layout (see `settings_of`): ``fps`` (frames per second, or None if the layout knows
-        it), ``camera`` (its name) and others.
-
-    Returns
-    -------
-    Home
-        The frames are listed but not decoded; see `read_frames`.
-
-    Raises
-    ------
-    PlacecatError
-        If the layout or a setting is unknown, the home cannot be read, or its labels do not match its frames;
-        the message names the file and, if possible, the line.
+        Keyword parameters of the layout's ``read_home``: ``fps`` (frames per second, or None if the layout
+        knows it), ``camera`` (its name) and others.
     """
-    reader = _reader(layout)
-    _refuse_unknown(layout, settings)
+    reader = _reader(layout, settings)
     with reading(Path(root) / name):
         return reader.read_home(Path(root), name, **settings)
 
@@ -97,12 +69,7 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
 def open_home_of(dataset: Mapping[str, Any], name: str, **changed: Any) -> Home:
     """Read a home with its data set's settings, except those `changed`; errors as in :func:`open_home`.
 
-    Parameters
-    ----------
-    dataset
-        Settings as in conf/dataset; ``camera`` is one name for all homes, or maps each home to a name.
-    name
-        A home of the data set.
+    `dataset` is as in conf/dataset; its ``camera`` is one name for all homes, or maps each home to a name.
     """
     layout, camera = dataset["layout"], dataset["camera"]
     if not isinstance(camera, str):
@@ -111,18 +78,18 @@ def open_home_of(dataset: Mapping[str, Any], name: str, **changed: Any) -> Home:
                 f"dataset.camera names none for {name}: add dataset.camera.{name}, or name one for all"
             )
         camera = camera[name]
-    given = {setting: dataset[setting] for setting in settings_of(layout) if setting in dataset}
+    taken = lookup.parameters(__name__, layout, "read_home")
+    given = {setting: dataset[setting] for setting in taken if setting in dataset}
     return open_home(layout, dataset["root"], name, **given | {"camera": camera} | changed)
 
 
-def _reader(layout: str) -> ModuleType:
-    return lookup.module(__name__, layout, "dataset.layout", *READER)
-
-
-def _refuse_unknown(layout: str, settings: Collection[str]) -> None:
-    known = settings_of(layout)
+def _reader(layout: str, settings: Mapping[str, Any]) -> ModuleType:
+    """Import a layout, and refuse settings that it lacks."""
+    reader = lookup.module(__name__, layout, "dataset.layout", *READER)
+    known = lookup.parameters(__name__, layout, "read_home")
     for setting in settings:
         if setting not in known:
             raise PlacecatError(
                 f"dataset.{setting}: the layout {layout!r} has no such setting; it takes {', '.join(known)}."
             )
+    return reader

@@ -4,6 +4,7 @@ The labels of a floor are in ``<name>/<floor>.csv``, or on a string topic of the
 frame is unlabelled.
 """
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +14,8 @@ from placecat.footage.bag_recording import BagRecording
 from placecat.footage.bags import STRING, Bag, is_bag
 from placecat.sequences.base import Home
 from placecat.sequences.folders import by_name, data_folder, frame_rate, home_folder, some_homes
-from placecat.sequences.labels import Labels, find_labels, label_csvs
-from placecat.sequences.recorded import home_of, read_recorded
+from placecat.sequences.labels import Labels, find_labels, label_csv
+from placecat.sequences.recorded import Part, home_of
 
 
 def list_homes(root: Path) -> list[str]:
@@ -44,28 +45,27 @@ def read_home(
         Topic of the labels (std_msgs/String). A frame has the last label received before it; frames before
         the first label are unlabelled. None uses the label files.
     """
-    for setting, value in (("topic", topic), ("labels_topic", labels_topic)):
-        if value is not None and not isinstance(value, str):
-            raise PlacecatError(f"dataset.{setting} is {value!r}: give the name of a topic, or null.")
     folder = home_folder(root, name)
     bags = _bags(folder)
     if not bags:
         raise PlacecatError(f"{folder}: no bag here; correct dataset.homes or dataset.root.")
     rate = None if fps is None else frame_rate(fps, name)
-    floors = []
-    for floor, path in bags.items():
-        recording = BagRecording(path, topic, rate, settings="dataset.")
-        label_file = f"{name}/{floor}.csv"
-        if labels_topic is None:
-            labels = find_labels(root, [label_file], recording.timing, "the bag")
-        else:
-            if files := label_csvs(root, label_file):
+
+    def floors() -> Iterator[Part]:
+        for floor, path in bags.items():
+            recording = BagRecording(path, topic, rate, settings="dataset.")
+            label_file = f"{name}/{floor}.csv"
+            if labels_topic is None:
+                labels = find_labels(root, [label_file], recording.timing, "the bag")
+            elif file := label_csv(root, label_file):
                 raise PlacecatError(
-                    f"{root / files[0]}: dataset.labels_topic labels the same frames; remove one of the two."
+                    f"{root / file}: dataset.labels_topic labels the same frames; remove one of the two."
                 )
-            labels = _labels_on_topic(recording, labels_topic)
-        floors.append(read_recorded(root, recording, recording.timing, floor, labels, "bag"))
-    return home_of(name, root, camera, floors)
+            else:
+                labels = _labels_on_topic(recording, labels_topic)
+            yield floor, recording, recording.timing, labels
+
+    return home_of(name, root, camera, floors(), "bag")
 
 
 def _bags(folder: Path) -> dict[str, Path]:

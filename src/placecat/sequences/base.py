@@ -24,8 +24,6 @@ class Home:
     ----------
     name
         Unique within its data set. A COLD name includes the site (``freiburg-seq1_cloudy1``).
-    root
-        The folder that the `source` column is relative to.
     fps
         Frames per second.
     camera
@@ -44,12 +42,9 @@ class Home:
         Maps each sequence to its label file, relative to `root`; empty without labels.
     label_lines
         (frames,) int32, each frame's line in the label file, from 1; 0 without a label.
-    lost
-        Numbers of frames that cannot be decoded; they have no row.
-    damaged
-        Numbers of frames decoded with errors.
-    note
-        Description of the damage; may be empty.
+    lost, damaged, note
+        Numbers of frames that cannot be decoded, which have no row; numbers of frames decoded with errors;
+        and a description of the damage, or "".
     """
 
     name: str
@@ -90,9 +85,8 @@ def frame_table(
 ) -> pd.DataFrame:
     """Build `Home.frames` with its column types, indexed from 0.
 
-    `sequence`, `source` and `position` are single values or have one value per frame; `number`, `seconds` and
-    `label` have one value per frame. `turn` applies to every frame, in degrees clockwise; 0 omits the column
-    `TURN`.
+    `sequence`, `source` and `position` have one value per frame, or one for all. `turn` applies to every
+    frame, in degrees clockwise; 0 omits the column `TURN`.
     """
     columns = {
         "sequence": sequence,

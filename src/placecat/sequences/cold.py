@@ -57,18 +57,16 @@ def read_home(
     if "/" in name:
         raise PlacecatError(f"dataset.homes: {name!r} has a slash; write {name.replace('/', '-', 1)!r}.")
     folder = home_folder(root, name.replace("-", "/", 1))
-    if (folder / LABEL_FILE).is_file():
-        folders = [folder]
-    else:
-        folders = sorted(_sequences(folder), key=lambda path: natural(path.name))
+    is_sequence = (folder / LABEL_FILE).is_file()
+    folders = [folder] if is_sequence else sorted(_sequences(folder), key=lambda path: natural(path.name))
     if not folders:
         raise PlacecatError(
             f"{folder / LABEL_FILE}: the label file is missing; correct dataset.homes or restore it."
         )
     tables, lines = [], []
     for sequence in folders:
-        entries = read_places(sequence / LABEL_FILE)
         folder, file = sequence / images, sequence / LABEL_FILE
+        entries = read_places(file)
         if not folder.is_dir():
             raise PlacecatError(
                 f"{folder}: the folder of images is missing; restore it, or correct dataset.images."

@@ -11,10 +11,7 @@ from placecat.footage.names import natural, relative
 
 
 def inside(path: Path, folder: Path, origin: str) -> None:
-    """Refuse a path that leaves a folder through a symbolic link.
-
-    The PlacecatError begins with `origin`, where the path is listed.
-    """
+    """Refuse a path that leaves a folder through a symbolic link; `origin` is where the path is listed."""
     if not path.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
             f"{origin}: {path} is a link that leads out of {folder}; put the data itself there."
@@ -37,7 +34,7 @@ def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, st
 
 def data_folder(root: Path) -> Path:
     """Return the folder with the homes. Raises PlacecatError if it is missing or not a folder."""
-    return _existing(root, "set dataset.root to the folder that holds the homes.")
+    return existing(root, "set dataset.root to the folder that holds the homes.")
 
 
 def home_folder(root: Path, name: str) -> Path:
@@ -46,10 +43,11 @@ def home_folder(root: Path, name: str) -> Path:
     Raises PlacecatError if either folder is missing or the name leads out of `root`.
     """
     folder = data_folder(root) / relative(name, "dataset.homes")
-    return _existing(folder, "correct dataset.homes or dataset.root.")
+    return existing(folder, "correct dataset.homes or dataset.root.")
 
 
-def _existing(folder: Path, advice: str) -> Path:
+def existing(folder: Path, advice: str) -> Path:
+    """Return a folder. The PlacecatError if it is missing or not a folder ends with `advice`."""
     if not folder.is_dir():
         what = "not a folder" if folder.exists() else "no such folder"
         raise PlacecatError(f"{folder}: {what}; {advice}")
@@ -67,10 +65,7 @@ def by_name(paths: Iterable[Path]) -> dict[str, Path]:
 
 
 def some_homes(homes: Collection[str], root: Path, expected: str) -> list[str]:
-    """Sort home names in natural order.
-
-    If there are none, the PlacecatError names the files `expected` below `root`.
-    """
+    """Sort home names in natural order; the PlacecatError for none names what is `expected` in `root`."""
     if not homes:
         raise PlacecatError(
             f"{root}: no home here; expected {expected}. Correct dataset.root or dataset.layout."

@@ -37,17 +37,9 @@ class Segment(NamedTuple):
 def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence: str, counted: str) -> None:
     """Check that segments, in file order, cover frames 1 to `count` exactly once.
 
-    Parameters
-    ----------
-    file, sequence, counted
-        For messages: the label file, what the frames belong to (``floor 1``, ``the video``), and the source
-        of the count (``line 2``).
-
-    Raises
-    ------
-    PlacecatError
-        For a gap, an overlap, a segment that ends before it starts or after the last frame, and unlabelled
-        frames at the end. The message names the line.
+    The PlacecatError for a gap, an overlap, a segment that ends before it starts or after the last frame, or
+    unlabelled frames at the end names the line; it calls the label file `file`, what the frames belong to
+    `sequence` (``floor 1``, ``the video``), and the source of the count `counted` (``line 2``).
     """
     if not segments:
         raise PlacecatError(f"{file}: {sequence} has no labels; label its frames 1 to {count}.")
@@ -97,33 +89,25 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
     return labels, np.repeat(np.array([segment.line for segment in segments], dtype=np.int32), lengths)
 
 
-def label_csvs(root: Path, *names: str) -> list[str]:
-    """Find label files by name (``....csv``, relative to `root`); the suffix may be upper or lower case.
+def label_csv(root: Path, *names: str) -> str | None:
+    """Find the label file with one of these names (``....csv``, relative to `root`), as spelled on disk.
 
-    Returns the existing files as spelled on disk. Raises PlacecatError if two names differ only in case.
+    The suffix may be upper or lower case. Returns None if there is no such file; raises PlacecatError if
+    there are several.
     """
-    found = []
-    for name in names:
-        wanted = root / name
+    found: list[Path] = []
+    for wanted in (root / name for name in names):
         beside = wanted.parent.iterdir() if wanted.parent.is_dir() else ()
-        own = sorted(path.name for path in beside if path.with_suffix(path.suffix.lower()) == wanted)
-        if len(own) > 1:
-            raise PlacecatError(f"{wanted.with_name(own[0])}: {own[1]} labels the same home; remove one.")
-        found += [wanted.with_name(one).relative_to(root).as_posix() for one in own]
-    return found
+        found += sorted(path for path in beside if path.with_suffix(path.suffix.lower()) == wanted)
+    if len(found) > 1:
+        raise PlacecatError(f"{found[0]}: {found[1]} labels the same home; remove one.")
+    return found[0].relative_to(root).as_posix() if found else None
 
 
 class Labels(NamedTuple):
-    """The labels of n frames.
+    """The labels of n frames: names ("" for none), and lines in `file`, (n,) int32 (0 for none).
 
-    Attributes
-    ----------
-    names
-        (n,) labels; "" for none.
-    lines
-        (n,) int32, each frame's line in the label file; 0 for none.
-    file
-        The label file, relative to the folder of the homes, or None.
+    `file`, the label file, is relative to the folder of the homes, or None.
     """
 
     names: list[str]
@@ -132,51 +116,27 @@ class Labels(NamedTuple):
 
 
 def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str) -> Labels:
-    """Read the label CSV with one of these names, relative to `root`; if none exists, no frame has a label.
+    """Read the label file that :func:`label_csv` finds; without one, no frame has a label.
 
-    `timing` covers all frames; `sequence` and errors are as for :func:`read_label_csv`. Two such files also
-    raise PlacecatError.
+    `timing` covers all frames; `sequence` and errors are as for :func:`read_label_csv`.
     """
-    files, count = label_csvs(root, *names), len(timing.seconds)
-    if len(files) > 1:
-        raise PlacecatError(f"{root / files[0]}: {root / files[1]} labels the same home; remove one.")
-    if not files:
+    file = label_csv(root, *names)
+    if file is None:
+        count = len(timing.seconds)
         return Labels([""] * count, np.zeros(count, np.int32), None)
-    return Labels(*read_label_csv(root / files[0], count, timing.fps, sequence, timing.starts), files[0])
+    return Labels(*read_label_csv(root / file, timing, sequence), file)
 
 
-def read_label_csv(
-    path: Path, count: int, fps: float, sequence: str, starts: NDArray[np.float64] | None = None
-) -> tuple[list[str], NDArray[np.int32]]:
-    """Read the label CSV of a video or a folder of frames.
+def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str], NDArray[np.int32]]:
+    """Read the UTF-8 label CSV of a video or a folder of frames.
 
     The header is ``start,end,label`` with frame numbers from 1, both ends included, or
     ``start_seconds,end_seconds,label`` with times from 0. A time selects the nearest boundary between frames,
     so a few decimals are enough. Every frame must be in exactly one row.
 
-    Parameters
-    ----------
-    path
-        The file, UTF-8.
-    count
-        Number of frames.
-    fps
-        Frames per second; used only for times.
-    sequence
-        ``the video`` or ``the folder``, for messages.
-    starts
-        (count + 1,) float64, start of each frame and end of the last, in seconds; None for evenly spaced
-        frames.
-
-    Returns
-    -------
-    The label of each frame, stripped of spaces, and the line of its row, (count,) int32.
-
-    Raises
-    ------
-    PlacecatError
-        If the header, a number or a label is wrong, or a frame is in no row or in several. The message names
-        the line.
+    `timing` covers all frames; messages call these `sequence` (``the video`` or ``the folder``). Returns the
+    label of each frame, stripped of spaces, and the line of its row, (frames,) int32. Raises PlacecatError,
+    naming the line, if the header, a number or a label is wrong, or a frame is in no row or in several.
     """
     rows = read_rows(path)
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
@@ -185,9 +145,7 @@ def read_label_csv(
             f"{path} line {rows[0][0] if rows else 1}: the header is {shown(','.join(header))}; write "
             f"{','.join(FRAME_HEADER)} (frame numbers from 1) or {','.join(SECOND_HEADER)}."
         )
-    rate = f"{fps:g} frames a second" if starts is None else "an uneven rate"
-    starts = np.arange(count + 1) / fps if starts is None else starts
-    segments = []
+    starts, segments = timing.starts, []
     for line, row in rows[1:]:
         cells = [cell.strip() for cell in row]
         if len(cells) != 3:
@@ -197,9 +155,10 @@ def read_label_csv(
         if header == FRAME_HEADER:
             start, end = (whole(cell, path, line) for cell in cells[:2])
         else:
-            start, end = _from_seconds(cells[:2], starts, fps, path, line)
+            start, end = _from_seconds(cells[:2], starts, timing.fps, path, line)
         segments.append(Segment(start, end, cells[2], line))
-    check_segments(segments, count, path, sequence, f"{starts[-1]:.3f} s at {rate}")
+    rate = f"{timing.fps:g} frames a second" if timing.is_even else "an uneven rate"
+    check_segments(segments, len(timing.seconds), path, sequence, f"{timing.end:.3f} s at {rate}")
     return expand_segments(segments)
 
 

@@ -1,5 +1,8 @@
 """Read a home's frames and labels, as listed by the stage `sequences`."""
 
+from itertools import pairwise
+from typing import Any
+
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
@@ -22,24 +25,25 @@ def read_frames(home: str) -> pd.DataFrame:
 def sequence_slices(home: str) -> list[slice]:
     """Return a slice for each uncut run of a home's frames, e.g. one per floor."""
     names = read_frames(home)["sequence"].to_numpy()
-    starts = np.flatnonzero(np.r_[True, names[1:] != names[:-1]]) if len(names) else np.array([], int)
-    return [
-        slice(int(start), int(end)) for start, end in zip(starts, np.r_[starts[1:], len(names)], strict=True)
-    ]
+    cuts = np.flatnonzero(names[1:] != names[:-1]) + 1
+    return [slice(start, end) for start, end in pairwise([0, *cuts.tolist(), len(names)])]
 
 
 def frame_rate(home: str) -> float:
     """Return a home's frame rate in frames per second."""
-    return float(files.read_json(paths.sequences(home) / "home.json")["fps"])
+    return float(_facts(home)["fps"])
 
 
 def uneven_times(home: str) -> NDArray[np.float64] | None:
     """Return each frame's seconds since the start of its sequence; None if the frame rate is constant."""
-    facts = files.read_json(paths.sequences(home) / "home.json")
-    return None if facts.get("is_even", True) else read_frames(home)["seconds"].to_numpy(np.float64)
+    return None if _facts(home).get("is_even", True) else read_frames(home)["seconds"].to_numpy(np.float64)
 
 
 def frame_size(home: str) -> tuple[int, int]:
     """Return the (width, height) of a home's frames, in pixels."""
-    facts = files.read_json(paths.sequences(home) / "home.json")
+    facts = _facts(home)
     return facts["width"], facts["height"]
+
+
+def _facts(home: str) -> dict[str, Any]:
+    return files.read_json(paths.sequences(home) / "home.json")

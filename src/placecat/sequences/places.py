@@ -19,11 +19,12 @@ def place_labels(
     *,
     home: Home | None = None,
 ) -> NDArray[np.int16]:
-    """Convert label names to class numbers.
+    """Convert label names to class numbers: (len(labels),) int16, -1 for unlabelled frames.
 
     Frames without a label, or with a label in `ignored` (``transition``, ``corridor``, ...), stay in the
     sequence as unlabelled. They are neither scored nor trained on, but the smoothing filter runs through them
-    (thesis 3.3.2).
+    (thesis 3.3.2). Raises PlacecatError if a label is not a class, an ignored label or an alias, or if an
+    alias stands for neither a class nor an ignored label.
 
     Parameters
     ----------
@@ -37,22 +38,18 @@ def place_labels(
         name.
     home
         The home of the labels, for messages.
-
-    Returns
-    -------
-    (len(labels),) int16, -1 for unlabelled frames.
-
-    Raises
-    ------
-    PlacecatError
-        If a label is not a class, an ignored label or an alias, or if `classes`, `ignored` and `aliases`
-        contradict each other.
     """
-    _check_names(classes, ignored, aliases)
-    numbers = {name: number for number, name in enumerate(classes)}
-    numbers.update(dict.fromkeys(ignored, -1))
-    numbers.update({alias: numbers[name] for alias, name in aliases.items()})
-    numbers[""] = -1
+    if not classes:
+        raise PlacecatError("dataset.classes is empty; name at least one class.")
+    for alias, name in aliases.items():
+        if name not in classes and name not in ignored:
+            raise PlacecatError(
+                f"dataset.aliases: {alias!r} stands for {name!r}, which is neither in dataset.classes nor in "
+                f"dataset.ignored{_nearest(name, [*classes, *ignored])}; correct it, or add it to "
+                "dataset.ignored."
+            )
+    numbers = {name: number for number, name in enumerate(classes)} | dict.fromkeys(ignored, -1)
+    numbers |= {alias: numbers[name] for alias, name in aliases.items()} | {"": -1}
     found, where = np.unique(labels.fillna("").to_numpy(dtype=str), return_inverse=True)
     unknown = [name for name in found if name not in numbers]
     if unknown:
@@ -75,24 +72,6 @@ def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str
             "from dataset.homes or the class from dataset.classes; dataset.require_all_classes=false scores "
             "the home over the classes that it has."
         )
-
-
-def _check_names(classes: Sequence[str], ignored: Sequence[str], aliases: Mapping[str, str]) -> None:
-    if not classes:
-        raise PlacecatError("dataset.classes is empty; name at least one class.")
-    if len(set(classes)) < len(classes):
-        twice = next(name for name in classes if list(classes).count(name) > 1)
-        raise PlacecatError(f"dataset.classes: {twice!r} is listed twice; remove one.")
-    both = sorted(set(classes) & set(ignored))
-    if both:
-        raise PlacecatError(f"dataset.ignored: {both[0]!r} is also in dataset.classes; remove it from one.")
-    for alias, name in aliases.items():
-        if name not in classes and name not in ignored:
-            raise PlacecatError(
-                f"dataset.aliases: {alias!r} stands for {name!r}, which is neither in dataset.classes nor in "
-                f"dataset.ignored{_nearest(name, [*classes, *ignored])}; correct it, or add it to "
-                "dataset.ignored."
-            )
 
 
 def _nearest(name: str, known: Sequence[str]) -> str:

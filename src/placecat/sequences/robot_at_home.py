@@ -14,7 +14,7 @@ Definitions of the tables: https://github.com/goyoambrosio/RobotAtHome2 (``robot
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Literal, NamedTuple, TypeVar
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -50,7 +50,6 @@ _TABLES: dict[str, Columns] = {
     "rh_rooms": {"id": int, "room_type_id": int},
     FILES: {"id": int, "new_path": str, **_FILE_NAMES},
 }
-_Named = TypeVar("_Named")
 
 
 class _Observation(NamedTuple):
@@ -165,7 +164,7 @@ def _observations(data: SqliteFile, file: Path, table: str, home: int, sensor: i
         )
 
 
-def _known(named: Mapping[int, _Named], number: int, where: str, table: str) -> _Named:
+def _known(named: Mapping[int, Any], number: int, where: str, table: str) -> Any:
     if number not in named:
         raise PlacecatError(f"{where} refers to {number}, which is not in rh_{table}; restore the file.")
     return named[number]
@@ -192,8 +191,8 @@ def _check_pictures(file: Path, root: Path, folder: Path, sources: list[str]) ->
         raise PlacecatError(
             f"{folder}: the folder of pictures is missing; unpack them there, or correct dataset.pictures."
         )
-    wanted: dict[Path, list[str]] = {}
+    wanted: dict[Path, dict[str, str]] = {}
     for path in (root / source for source in sources):
-        wanted.setdefault(path.parent, []).append(path.name)
-    for place, names in wanted.items():
-        check_listed(place, folder, str(file), dict.fromkeys(names, f"{file} lists it"), "restore it")
+        wanted.setdefault(path.parent, {})[path.name] = f"{file} lists it"
+    for place, listed in wanted.items():
+        check_listed(place, folder, str(file), listed, "restore it")

@@ -12,7 +12,7 @@ from placecat.footage.recording import Recording
 from placecat.sequences.base import Home
 from placecat.sequences.folders import by_name, data_folder, frame_rate, some_homes
 from placecat.sequences.labels import find_labels
-from placecat.sequences.recorded import home_of, read_recorded
+from placecat.sequences.recorded import home_of
 
 SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
 """Suffixes of video files, in upper or lower case."""
@@ -39,7 +39,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
     recording = Recording(videos[wanted.name])
     timing = recording.timing(None if fps is None else frame_rate(fps, name))
     labels = find_labels(root, [f"{name}.csv"], timing, "the video")
-    return home_of(name, root, camera, [read_recorded(root, recording, timing, "1", labels, "video")])
+    return home_of(name, root, camera, [("1", recording, timing, labels)], "video")
 
 
 def _videos(folder: Path) -> Iterator[Path]:

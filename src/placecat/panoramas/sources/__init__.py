@@ -12,6 +12,7 @@ from placecat import lookup, schema
 from placecat.errors import PlacecatError, did_you_mean, reading
 from placecat.panoramas.panorama import Panorama
 from placecat.schema.names import FileName, Label
+from placecat.sequences.folders import existing, inside
 
 _HOME, _ROOM = schema.of_type(FileName), schema.of_type(Label)
 
@@ -24,11 +25,15 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     line.
     """
     source = lookup.module(__name__, settings["source"], "source", "read")
-    if not root.is_dir():
-        what = "not a folder" if root.exists() else "no such folder"
-        raise PlacecatError(f"{root}: {what}; give the folder of the panoramas.")
+    existing(root, "give the folder of the panoramas.")
     with reading(root):
-        panoramas = _chosen(source.read(root, settings), settings["homes"])
+        panoramas: list[Panorama] = source.read(root, settings)
+        if settings["homes"] is not None:
+            there = {one.home for one in panoramas}
+            for home in settings["homes"]:
+                if home not in there:
+                    raise PlacecatError(f"homes: there is no home {home!r}{did_you_mean(home, there)}")
+            panoramas = [one for one in panoramas if one.home in settings["homes"]]
         if not panoramas:
             raise PlacecatError(f"{root}: no panorama here; correct SOURCE, source or labels.")
         for one in panoramas:
@@ -37,16 +42,6 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
             _check_files(root, one, settings)
     _check_names(panoramas)
     return panoramas
-
-
-def _chosen(panoramas: list[Panorama], homes: list[str] | None) -> list[Panorama]:
-    if homes is None:
-        return panoramas
-    there = {one.home for one in panoramas}
-    for home in homes:
-        if home not in there:
-            raise PlacecatError(f"homes: there is no home {home!r}{did_you_mean(home, there)}")
-    return [one for one in panoramas if one.home in homes]
 
 
 def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) -> None:
@@ -58,8 +53,7 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
         path = root / file
         if not path.is_file():
             raise PlacecatError(f"{path}: the picture is missing ({panorama.origin}){hint}.")
-        if not path.resolve().is_relative_to(root.resolve()):
-            raise PlacecatError(f"{path}: a link that leads out of {root} ({panorama.origin}).")
+        inside(path, root, panorama.origin)
 
 
 def _check_names(panoramas: list[Panorama]) -> None:

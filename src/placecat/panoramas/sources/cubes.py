@@ -6,7 +6,7 @@ from typing import Any
 
 from placecat.panoramas.cube import FACES
 from placecat.panoramas.panorama import Panorama
-from placecat.panoramas.sources.table import read_table
+from placecat.panoramas.sources.equirectangular import read_table
 
 
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:

@@ -1,13 +1,79 @@
-"""Equirectangular pictures from 360-degree cameras, and a table of the pictures' rooms."""
+"""Equirectangular pictures from 360-degree cameras, and a table of their rooms.
 
-from collections.abc import Mapping
+The table is a CSV with the columns home, file, room and, optionally, floor.
+"""
+
+import re
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from placecat.panoramas.panorama import Panorama
-from placecat.panoramas.sources.table import read_table
+from placecat.config import overrides
+from placecat.errors import PlacecatError, did_you_mean
+from placecat.footage.names import relative
+from placecat.panoramas.panorama import FLOOR, Panorama, kind, labels_by_kind
+from placecat.sequences.labels import read_rows, shown
+
+_NEEDED, _OPTIONAL = ("home", "file", "room"), ("floor",)
+_ONLY_FLOOR = "1"
+# Label that a message uses as an example.
+_EXAMPLE = "living_room"
 
 
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas in a folder; see `placecat.panoramas.sources.read`."""
     return read_table(root, settings, lambda file: [file])
+
+
+def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
+    """Read the table in a source's folder; each row is a panorama.
+
+    `settings` are those of conf/panoramas.yaml; `files` maps a row's cell `file` to the panorama's pictures,
+    relative to `root`. Raises PlacecatError, naming the line, if the table is missing or not a CSV, or if a
+    row has invalid cells, a path that leaves `root`, or a room without a label.
+    """
+    path = root / settings["table"]
+    if not path.is_file():
+        raise PlacecatError(f"{path}: the table of rooms is missing; write one with {','.join(_NEEDED)}.")
+    rows = read_rows(path)
+    header = [cell.strip() for cell in rows[0][1]] if rows else []
+    if len(set(header)) < len(header) or not set(_NEEDED) <= set(header) <= {*_NEEDED, *_OPTIONAL}:
+        raise PlacecatError(
+            f"{path} line {rows[0][0] if rows else 1}: the header is {shown(','.join(header))}; write "
+            f"{','.join(_NEEDED)}, and {_OPTIONAL[0]} if there are several."
+        )
+    labels = labels_by_kind(settings["labels"])
+    panoramas = []
+    for line, row in rows[1:]:
+        where = f"{path} line {line}"
+        if len(row) != len(header):
+            raise PlacecatError(f"{where}: {len(row)} columns; write {','.join(header)}.")
+        cells = dict(zip(header, (cell.strip() for cell in row), strict=True))
+        for name in _NEEDED:
+            if not cells[name]:
+                raise PlacecatError(f"{where}: {name} is empty; fill it in.")
+        floor = cells.get("floor", _ONLY_FLOOR)
+        if not FLOOR.fullmatch(floor):
+            raise PlacecatError(
+                f"{where}: {shown(floor)} is not a floor; write a number, or letters, digits, _ and -."
+            )
+        label = labels.get(kind(cells["room"]))
+        if label is None:
+            question = did_you_mean(kind(cells["room"]), labels) or "."
+            raise PlacecatError(
+                f"{where}: unknown room {shown(cells['room'])}{question} Correct it, or add it to a label in "
+                f"conf/panoramas.yaml or on the command line, e.g. {_adding(kind(cells['room']), settings)}"
+            )
+        pictures = tuple(str(relative(file, where)) for file in files(cells["file"]))
+        room = "_".join(cells["room"].casefold().split())
+        panoramas.append(Panorama(cells["home"], floor, room, label, pictures, where))
+    return panoramas
+
+
+def _adding(room: str, settings: Mapping[str, Any]) -> str:
+    """Return the override that adds a room to a label."""
+    labels = settings["labels"]
+    label = _EXAMPLE if _EXAMPLE in labels else min(labels, default=_EXAMPLE)
+    names = ",".join(map(overrides.text, [*labels.get(label, []), room]))
+    override = f"labels.{label}=[{names}]"
+    return override if re.fullmatch(r"[\w.=,-]+\[[\w,-]+\]", override) else overrides.for_shell(override)

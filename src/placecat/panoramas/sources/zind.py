@@ -16,8 +16,7 @@ from typing import Any
 
 from placecat.errors import PlacecatError
 from placecat.footage.names import natural, relative
-from placecat.panoramas.panorama import Panorama, kind, labels_by_kind
-from placecat.panoramas.sources.table import FLOOR
+from placecat.panoramas.panorama import FLOOR, Panorama, kind, labels_by_kind
 
 DATA = "zind_data.json"
 MOST_BYTES = 64 << 20
