@@ -1,6 +1,7 @@
 """The census transform, its histograms, and the 3x3 Laplacian that may precede it."""
 
 from functools import lru_cache
+from itertools import pairwise, product
 from typing import Any
 
 import cv2
@@ -10,6 +11,9 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 CODES = 256
+
+# Up to this many pixels per cell, one joint histogram over cells and codes beats one histogram per cell.
+_FEW = 10_000
 
 # Left to right, top to bottom; the first neighbour sets the highest bit.
 _NEIGHBOURS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1))
@@ -74,16 +78,24 @@ def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]
     """
     number = cells * cells
     places, sizes = _places(*codes.shape, cells)
-    counts = cv2.calcHist([places, codes], [0, 1], None, [number, CODES], [0, number, 0, CODES])
+    if codes.size <= _FEW * number:
+        counts = cv2.calcHist([places, codes], [0, 1], None, [number, CODES], [0, number, 0, CODES])
+    else:
+        rows, columns = (pairwise(_edges(length, cells)) for length in codes.shape)
+        blocks = [codes[slice(*row), slice(*column)] for row, column in product(rows, columns)]
+        counts = np.hstack([cv2.calcHist([block], [0], None, [CODES], [0, CODES]) for block in blocks]).T
     return np.asarray(counts, np.float32) / sizes
+
+
+def _edges(length: int, cells: int) -> NDArray[np.intp]:
+    return np.arange(cells + 1) * length // cells
 
 
 @lru_cache(maxsize=8)
 def _places(height: int, width: int, cells: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
     """Return each pixel's cell index, (h, w), and each cell's pixel count, at least 1, (cells**2, 1)."""
     rows, columns = (
-        np.repeat(np.arange(cells), np.diff(np.arange(cells + 1) * length // cells))
-        for length in (height, width)
+        np.repeat(np.arange(cells), np.diff(_edges(length, cells))) for length in (height, width)
     )
     places = (rows[:, None] * cells + columns).astype(np.uint8)
     sizes = np.bincount(places.ravel(), minlength=cells * cells)[:, None]
