@@ -66,8 +66,7 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
         definitions.findings(), settings.get(params, "verdict"), chosen, results, read_published(), homes
     )
     total = sum(map(len, homes))
-    run = needed.Run(total, chosen.level)
-    power = needed.power_table(details, homes=total, group=chosen.group, level=chosen.level, run=run)
+    power = needed.power_table(details, total, chosen, needed.Run(total, chosen.level))
     rows = _with_others(rows, paths.FINDINGS, "number")
     details = _with_others(details, paths.COMPARISONS, "finding")
     counts = {verdict: int((rows["verdict"] == verdict).sum()) for verdict in (HOLDS, FAILS, UNDECIDED)}
