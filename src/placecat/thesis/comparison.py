@@ -1,5 +1,6 @@
 """Compare results: a variant, its baseline, and their difference."""
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
@@ -139,26 +140,14 @@ def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
 
 def _best(pattern: str, results: Results) -> tuple[str, str]:
     """Find a pattern's trial with the highest average over homes; return its name and a note."""
-    wanted = _labels(pattern)
-    if BEST not in wanted:
+    if BEST not in pattern:
         return pattern, ""
-    table = pattern.removesuffix("|".join(wanted))
-    trials = [
-        name
-        for name in _known(results)
-        if name.startswith(table)
-        and all(part in (BEST, label) for part, label in zip(wanted, _labels(name), strict=True))
-    ]
+    wanted = re.compile(re.escape(pattern).replace(re.escape(BEST), "([^|]*)"))
+    trials = {name: match for name in _known(results) if (match := wanted.fullmatch(name))}
     if not trials:
         raise PlacecatError(f"there is no result {pattern!r}")
-    best = best_of(results, trials)
-    chosen = [label for part, label in zip(wanted, _labels(best), strict=True) if part == BEST and label]
-    return best, f"the best: {', '.join(chosen)}"
-
-
-def _labels(trial: str) -> list[str]:
-    """Split a trial's name into its axis labels, which may contain slashes."""
-    return trial.split("/", 2)[-1].split("|")
+    best = best_of(results, list(trials))
+    return best, f"the best: {', '.join(filter(None, trials[best].groups()))}"
 
 
 def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tuple[str, Number, Number]]:

@@ -6,13 +6,14 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 
-from placecat import settings
+from placecat import files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.results.measured import Results
+from placecat.thesis import definitions
 from placecat.thesis.comparison import Line, alone, compare
 from placecat.thesis.notes import Kind, Note, Notes, joined, without_empty
 from placecat.thesis.number import Number, nothing
-from placecat.thesis.records import read_off
+from placecat.thesis.records import read_off, read_records
 from placecat.thesis.tables import comparable, not_comparable
 
 COLUMNS = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
@@ -28,6 +29,22 @@ class _Said(NamedTuple):
     value: float = np.nan
     quote: str = ""
     note: str = ""
+
+
+def fill(results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
+    """Fill the numbers in the thesis's text (:func:`in_text`), with the files in data/thesis.
+
+    Raises PlacecatError if one of these files is damaged, or a stage's record is missing.
+    """
+    columns = ["name", "section", "quantity", "home", "quote", "note"]
+    return in_text(
+        definitions.in_text(),
+        results,
+        files.read_table(paths.PUBLISHED_TEXT, columns),
+        settings.get(params, "dataset"),
+        {name: split["dataset"] for name, split in settings.get(params, "splits").items()},
+        read_records(params),
+    )
 
 
 def in_text(

@@ -9,7 +9,7 @@ import pandas as pd
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.evaluation.trials import expand
+from placecat.evaluation.trials import Trial, expand
 from placecat.sequences import listing
 from placecat.thesis import definitions
 from placecat.thesis.comparison import Line
@@ -87,6 +87,17 @@ def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
     return found
 
 
+def trials_of(params: Mapping[str, Any]) -> dict[str, Trial]:
+    """Map names to trials, for every trial of every study."""
+    homes = list(settings.get(params, "dataset.homes"))
+    return {
+        trial.name: trial
+        for tables in definitions.studies(params).values()
+        for name, table in tables.items()
+        for trial in expand(name, table, homes)
+    }
+
+
 def _nu_of_cues(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     for name, cue in settings.get(params, "cues").items():
         asked = _asked(cue["classifier"])
@@ -101,13 +112,11 @@ def _nu_of_cues(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    homes = settings.get(params, "dataset.homes")
-    for study, tables in definitions.studies(params).items():
+    all_asked = {name: _asked(trial.settings["classifier"]) for name, trial in trials_of(params).items()}
+    for study in definitions.studies(params):
         path = paths.TRIALS / study / "facts.csv"
         if not path.is_file():
             continue
-        trials = [trial for name, table in tables.items() for trial in expand(name, table, homes)]
-        all_asked = {trial.name: _asked(trial.settings["classifier"]) for trial in trials}
         for facts in files.read_table(path, ["trial", "home", "seed"]).to_dict("records"):
             asked = all_asked.get(facts["trial"])
             if asked is not None and pd.notna(facts["nu_lowest"]):

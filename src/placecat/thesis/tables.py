@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import paths, settings
+from placecat import files, paths, settings
 from placecat.results.measured import Results
 from placecat.thesis import definitions, layouts
 from placecat.thesis.notes import Kind, Note, joined, without_empty
@@ -66,6 +66,16 @@ def in_percent(table: Mapping[str, Any]) -> bool:
     return "caption" not in table
 
 
+def fill(table: Mapping[str, Any], results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
+    """Fill one table of :func:`tables_of` (:func:`fill_table`), with the files in data/thesis.
+
+    Raises PlacecatError if one of these files is damaged.
+    """
+    contradictions = contradictions_of(files.read_table(paths.CONTRADICTIONS, [*_KEY, "note"]))
+    published = files.read_table(paths.PUBLISHED, _KEY)
+    return fill_table(table, results, published, dataset_of(table, params), contradictions)
+
+
 def fill_table(
     table: Mapping[str, Any],
     results: Results,
@@ -77,10 +87,10 @@ def fill_table(
 
     Returns the columns table (its number, or "Addition"), group, row, column, published, measured, spread,
     seeds and note; ``notes``, the same note by kind; and ``number``, the cell's
-    :class:`~placecat.thesis.number.Number`. The published cells come first, in their order, then this run's
-    additional cells. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only
-    with a note that says why. ``spread`` is the largest minus the smallest value over seeds in points, NaN if
-    nothing is random; ``seeds`` is the number of seeds, 0 if nothing is random.
+    :class:`~placecat.thesis.number.Number`, which explains the measured columns. The published cells come
+    first, in their order, then this run's additional cells. ``measured`` is in percent (see
+    :func:`in_percent`), and NaN only with a note that says why. Raises PlacecatError for a result that the
+    run does not have.
 
     Parameters
     ----------
@@ -100,7 +110,7 @@ def fill_table(
     known = published[published["table"] == number]
     order = [tuple(key) for key in known[_KEY].itertuples(index=False)]
     value = dict(zip(order, known["value"], strict=True))
-    cells = layouts.cells(table, results)
+    cells = layouts.LAYOUTS[table["layout"]](table, results)
     rows = []
     for key in [*order, *(key for key in cells if key not in value)]:
         cell = cells.get(key) or nothing(_why_missing(key, dataset))
