@@ -30,24 +30,13 @@ def judge(
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
     """Judge every finding about homes on the homes of all groups.
 
-    Parameters
-    ----------
-    findings, verdict, published
-        As for :func:`placecat.thesis.findings.ledger`; the level of `options` replaces that of `verdict`.
-    options
-        The replication's settings.
-    results
-        Results of all groups.
-    groups
-        Names of the homes in each group.
+    `findings`, `verdict` and `published` are as for :func:`placecat.thesis.findings.ledger`; the level of
+    `options` replaces that of `verdict`. `results` are of all groups, and `groups` names the homes in each.
 
-    Returns
-    -------
-    findings, comparisons
-        The ledger's tables without the findings about other data. Each has a further column ``shared``: the
-        share of variance that a group's homes have in common
-        (:func:`placecat.replication.shared.shared_variance`), NaN if unknown; a finding shows the largest
-        share of its comparisons. If this exceeds `options.shared`, the verdict's reason says so.
+    Returns the ledger's tables of findings and comparisons, without the findings about other data. Each has a
+    further column ``shared``: the share of variance that a group's homes have in common
+    (:func:`placecat.replication.shared.shared_variance`), NaN if unknown; a finding shows the largest share
+    of its comparisons. If this exceeds `options.shared`, the verdict's reason says so.
     """
     of_homes = {name: one for name, one in findings.items() if _is_about_homes(read_finding(name, one))}
     rules = {**verdict, "level": options.level}

@@ -247,10 +247,7 @@ def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[st
         homes, seeds = tuple(dict.fromkeys(values["home"])), tuple(dict.fromkeys(values["seed"]))
         axes = {"seed": seeds, "home": homes, "truth": places, "decision": places}
         confusion = np.zeros([len(labels) for labels in axes.values()], np.int64)
-        index = []
-        for column, labels in axes.items():
-            number = {label: position for position, label in enumerate(labels)}
-            index.append([number[label] for label in values[column]])
-        confusion[tuple(index)] = values["frames"]
+        index = tuple([labels.index(one) for one in values[column]] for column, labels in axes.items())
+        confusion[index] = values["frames"]
         measured[str(name)] = Measured(homes, seeds, places, confusion)
     return measured

@@ -104,7 +104,6 @@ def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
 
 
 def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right: Number) -> list[Line]:
-    """Return both sides, then their difference."""
     prefix = f"{label}: " if label else ""
     return [
         Line(prefix + entry["variant"]["quantity"], home, left),
@@ -114,7 +113,6 @@ def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right:
 
 
 def _pairs(entry: Mapping[str, Any], results: Results, where: str) -> list[Pair]:
-    """List the pairs to compare."""
     if "pairs" in entry:
         pairs = entry["pairs"].items()
         return [_chosen(str(label), variant, baseline, results) for label, (variant, baseline) in pairs]
@@ -158,7 +156,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
         left, right = (_whole(results, one, bool(entry.get("plain"))) for one in names)
         return [("", left, right)]
     tried, both = _homes_of(names, results)
-    in_each = [
+    lines = [
         (home_label(number), in_home(results, pair.variant, number), in_home(results, pair.baseline, number))
         for number in homes
     ]
@@ -167,7 +165,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
         averages = [replace(one, notes=(only_some(both, tried),)) for one in averages]
     return [
         (home, left.noted(pair.variant_note), right.noted(pair.baseline_note))
-        for home, left, right in [*in_each, (AVERAGE, averages[0], averages[1])]
+        for home, left, right in [*lines, (AVERAGE, averages[0], averages[1])]
     ]
 
 
@@ -220,7 +218,6 @@ def _whole(results: Results, name: str, plain: bool) -> Number:
 
 
 def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
-    """Summarize all differences in one number."""
     extremes: dict[str, Callable[..., str]] = {"lowest": min, "highest": max}
     if kind not in ("mean", *extremes):
         raise PlacecatError(
@@ -235,7 +232,6 @@ def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
 
 
 def _error_ratio(results: Results, variant: str, baseline: str) -> Number:
-    """Return the ratio of two results' error rates."""
     origins = (Origin(variant), Origin(baseline))
     errors = [100.0 - results.of(name).by_home().mean(axis=1) for name in (variant, baseline)]
     if (errors[1] <= 0).any():

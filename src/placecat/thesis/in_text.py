@@ -57,22 +57,19 @@ def in_text(
 ) -> pd.DataFrame:
     """Compare the measured numbers with those in the text.
 
-    Returns the columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published,
-    measured, spread, seeds and note; ``notes``, the same note by kind; and ``number``, a
-    :class:`~placecat.thesis.number.Number`. A comparison has rows for both sides and for their difference,
-    variant minus baseline, in points. ``spread`` and ``seeds`` are as in
-    :func:`~placecat.thesis.tables.fill_table`. Raises PlacecatError for an unknown setting or result, an
-    entry without a published line, or a published line without an entry.
+    Returns the columns name, section, quantity, home ("Home 6", "Average", or "" for neither), and further
+    columns as :func:`~placecat.thesis.tables.fill_table` does, from published on. A comparison has rows for
+    both sides and for their difference, variant minus baseline, in points. Raises PlacecatError for an
+    unknown setting or result, an entry without a published line, or a published line without an entry.
 
     Parameters
     ----------
     entries
-        Maps each entry's name to its settings (see data/thesis/in_text.yaml). An entry is a comparison
-        (:func:`~placecat.thesis.comparison.compare`), a single ``result``
-        (:func:`~placecat.thesis.comparison.alone`) or a ``record``
-        (:func:`~placecat.thesis.records.read_off`), each with ``thesis_data`` and, if not measured on the
-        main data set, its data (``split``, or ``data`` in words). Or it is a ``reference``, the reason why it
-        was not measured.
+        Maps each entry's name to its settings (see data/thesis/in_text.yaml): those of
+        :func:`~placecat.thesis.comparison.compare`, :func:`~placecat.thesis.comparison.alone` (with
+        ``result``) or :func:`~placecat.thesis.records.read_off` (with ``record``), with ``thesis_data`` and,
+        if not measured on the main data set, its data (``split``, or ``data`` in words). Or only a
+        ``reference``, the reason why it was not measured.
     published
         Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note; the
         note lists passages in the thesis that contradict the value.
@@ -82,7 +79,10 @@ def in_text(
         Tables by name.
     """
     sections = dict(zip(published["name"], published["section"], strict=True))
-    _same_names(list(entries), list(sections))
+    if more := [name for name in entries if name not in sections]:
+        raise PlacecatError(f"in_text has an entry {more[0]!r} that the thesis does not mention")
+    if more := [name for name in sections if name not in entries]:
+        raise PlacecatError(f"the thesis's number {more[0]!r} has no entry in in_text")
     columns = published[["name", "quantity", "home", "value", "quote", "note"]]
     said = {
         (name, quantity, home): _Said(float(value), quote, note)
@@ -98,13 +98,6 @@ def in_text(
             measured = (number.measured, number.spread, number.seeds, joined(notes), notes, number)
             rows.append((name, str(sections[name]), quantity, home, words.value, *measured))
     return pd.DataFrame(rows, columns=[*COLUMNS, "notes", "number"])
-
-
-def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
-    if more := [name for name in entries if name not in published]:
-        raise PlacecatError(f"in_text has an entry {more[0]!r} that the thesis does not mention")
-    if more := [name for name in published if name not in entries]:
-        raise PlacecatError(f"the thesis's number {more[0]!r} has no entry in in_text")
 
 
 def _lines(
