@@ -13,7 +13,7 @@ from placecat.errors import PlacecatError
 from placecat.provenance import numbering
 from placecat.provenance.origins import KEY, from_json, measurement
 from placecat.results.collect import read_results
-from placecat.results.measured import Measured, Quality, Results
+from placecat.results.measured import Measured, Results
 from placecat.results.quality import QUALITY_COLUMNS, from_rows, quality_rows
 from placecat.results.sources import Source, sources
 from placecat.stages import filtering, integration, splits, toy
@@ -97,11 +97,15 @@ def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], step
     recomputed = _Recomputed(source.folder, source.name, homes, source.site, source.classes, found)
     measured, quality = measure(recomputed, settings.get(params, "probabilities"))
     counts_of = {
-        (home, seed): measured.confusion[s, h]
-        for s, seed in enumerate(measured.seeds)
-        for h, home in enumerate(homes)
+        (home, seed): of_home
+        for seed, of_seed in zip(measured.seeds, measured.confusion, strict=True)
+        for home, of_home in zip(homes, of_seed, strict=True)
     }
-    return _with_quality(_with_counts(results, name, counts_of), name, quality)
+    results = _with_counts(results, name, counts_of)
+    # The conversion to rows and back rounds as the stage's file does; of equal rows, the last one counts.
+    rows = [*quality_rows(name, results.quality[name]), *quality_rows(name, quality)]
+    rounded = from_rows(pd.DataFrame(rows, columns=QUALITY_COLUMNS))
+    return replace(results, quality={**results.quality, **rounded})
 
 
 def _with_counts(results: Results, name: str, counts: Counts) -> Results:
@@ -110,13 +114,6 @@ def _with_counts(results: Results, name: str, counts: Counts) -> Results:
     for (home, seed), of_home in counts.items():
         confusion[one.seeds.index(seed), one.homes.index(home)] = of_home
     return replace(results, measured=results.measured | {name: replace(one, confusion=confusion)})
-
-
-def _with_quality(results: Results, name: str, quality: Quality) -> Results:
-    # The conversion to rows and back rounds as the stage's file does; of equal rows, the last one counts.
-    rows = [*quality_rows(name, results.quality[name]), *quality_rows(name, quality)]
-    recomputed = from_rows(pd.DataFrame(rows, columns=QUALITY_COLUMNS))
-    return replace(results, quality={**results.quality, **recomputed})
 
 
 def _distributions(
@@ -128,14 +125,7 @@ def _distributions(
         steps.append("the whole split trained again from its features")
         yield from _of_split(rest, source, params)
         return
-    step, function = {
-        "cues": ("the cue trained again from its features and codebook", _cue),
-        "tempered": ("the cue trained again from its features and codebook", _cue),
-        "integration": ("integrated again from the distributions of its cues", _integration),
-        "filtered": ("filtered again", _filtered),
-        "hmm": ("smoothed again", _smoothed),
-        "smoothing": ("smoothed again", _smoothed),
-    }[kind]
+    step, function = _STEPS[kind]
     steps.append(step)
     for home in source.homes:
         for seed in source.seeds():
@@ -197,6 +187,16 @@ def _smoothed(rest: str, source: Source, home: str, seed: str, params: Mapping[s
     saved, scheme = _saved(rest, params)
     plan = _plan(params, scheme, home)
     return smooth_home(saved.file(home, seed), plan, smoothing_settings(params))[source.name]
+
+
+_STEPS = {
+    "cues": ("the cue trained again from its features and codebook", _cue),
+    "tempered": ("the cue trained again from its features and codebook", _cue),
+    "integration": ("integrated again from the distributions of its cues", _integration),
+    "filtered": ("filtered again", _filtered),
+    "hmm": ("smoothed again", _smoothed),
+    "smoothing": ("smoothed again", _smoothed),
+}
 
 
 def _of_split(

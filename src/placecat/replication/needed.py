@@ -38,25 +38,15 @@ class _Comparison(NamedTuple):
 
 
 def power_table(comparisons: pd.DataFrame, homes: int, options: Options, run: Run = SIX) -> pd.DataFrame:
-    """Compute the power of each finding.
+    """Compute the power of each finding, from the comparisons in the ledger of `run`.
 
-    Parameters
-    ----------
-    comparisons
-        The comparisons in a run's ledger.
-    homes, options
-        Number of homes in the replication, a multiple of the group size, and the replication's settings.
-    run
-        The run that the comparisons are from.
+    `homes` is the number of homes in the replication, a multiple of the group size in `options`.
 
-    Returns
-    -------
-    pandas.DataFrame
-        One row per finding: number, comparisons (their number), units (number of the replication's homes that
-        count, 0 if unknown) and spread (largest standard deviation between homes, points). Also power
-        (probability of a verdict with `homes` homes) and needed (number of homes for a power of 80 %,
-        infinite above `MOST`), once if the published and once if the measured differences are true. Unknown
-        numbers are NaN: for comparisons of one home, of stays or of shares, and for unpublished differences.
+    Returns one row per finding: number, comparisons (their number), units (number of the replication's homes
+    that count, 0 if unknown) and spread (largest standard deviation between homes, points). Also power
+    (probability of a verdict with `homes` homes) and needed (number of homes for a power of 80 %, infinite
+    above `MOST`), once if the published and once if the measured differences are true. Unknown numbers are
+    NaN: for comparisons of one home, of stays or of shares, and for unpublished differences.
     """
     rows = []
     for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):

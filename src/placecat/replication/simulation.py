@@ -26,22 +26,11 @@ def power(
 ) -> tuple[float, float]:
     """Compute the probability of each verdict on a comparison if homes are normal and independent.
 
-    Parameters
-    ----------
-    effect, deviation
-        Mean and standard deviation, over homes, of the compared difference, in points.
-    homes
-        Number of homes, at least 2.
-    claimed
-        Range that the claim allows.
-    level, wide
-        Level of the interval that must lie inside the range for `holds`, and of the one that must lie outside
-        for `fails` (`placecat.evaluation.verdict.corrected_level`).
-
-    Returns
-    -------
-    holds, fails
-        Probabilities, from 4,000 fixed draws of mean and deviation.
+    `effect` and `deviation` are the mean and standard deviation of the compared difference over homes, in
+    points; `homes` is their number, at least 2; `claimed` is the range that the claim allows. The interval at
+    `level` must lie inside the range for `holds`, and the one at `wide`
+    (`placecat.evaluation.verdict.corrected_level`) must lie outside for `fails`. Returns the probabilities of
+    `holds` and of `fails`, from 4,000 fixed draws of mean and deviation.
     """
     rng = np.random.default_rng(20210)
     means = effect + deviation / math.sqrt(homes) * rng.standard_normal(_DRAWS)

@@ -72,14 +72,9 @@ class Measured:
 
 @dataclass(frozen=True)
 class Quality:
-    """The quality of a result's distributions in some test homes, for each seed.
+    """The quality of a result's distributions in some test homes, for each seed (as for :class:`Measured`).
 
-    Attributes
-    ----------
-    homes, seeds
-        As for :class:`Measured`.
-    values
-        Maps each field of :class:`placecat.evaluation.quality.HomeQuality` to a (seeds, homes) array.
+    `values` maps each field of :class:`placecat.evaluation.quality.HomeQuality` to a (seeds, homes) array.
     """
 
     homes: tuple[str, ...]

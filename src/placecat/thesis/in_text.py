@@ -11,10 +11,10 @@ from placecat.errors import PlacecatError
 from placecat.results.measured import Results
 from placecat.thesis import definitions
 from placecat.thesis.comparison import Line, alone, compare
-from placecat.thesis.notes import Kind, Note, Notes, joined, without_empty
-from placecat.thesis.number import Number, nothing
+from placecat.thesis.notes import Kind, Note
+from placecat.thesis.number import nothing
 from placecat.thesis.records import read_off, read_records
-from placecat.thesis.tables import comparable, not_comparable
+from placecat.thesis.tables import number_columns
 
 COLUMNS = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
 # The table's name, and the columns that identify a number.
@@ -94,9 +94,10 @@ def in_text(
         measured_on = splits[entry["split"]] if "split" in entry else dataset
         for quantity, home, number in _lines(name, entry, results, records, known):
             words = said.get((name, quantity, home), _Said())
-            notes = _notes(entry, number, words, measured_on)
-            measured = (number.measured, number.spread, number.seeds, joined(notes), notes, number)
-            rows.append((name, str(sections[name]), quantity, home, words.value, *measured))
+            quoted = f'the thesis says "{words.quote}"' if words.quote else ""
+            notes = [Note(Kind.PUBLISHED, text) for text in (words.note, quoted)]
+            measured = number_columns(number, words.value, notes, entry, measured_on)
+            rows.append((name, str(sections[name]), quantity, home, *measured))
     return pd.DataFrame(rows, columns=[*COLUMNS, "notes", "number"])
 
 
@@ -115,16 +116,3 @@ def _lines(
     if "record" in entry:
         return read_off(rest, records, where)
     return (alone if "result" in entry else compare)(rest, results, where)
-
-
-def _notes(entry: Mapping[str, Any], number: Number, words: _Said, dataset: Mapping[str, Any]) -> Notes:
-    notes = [Note(Kind.MEASURED, text) for text in number.notes]
-    if len(number.values):
-        notes.insert(0, Note(Kind.DATA, f"measured on {entry.get('data') or dataset['title']}"))
-        thesis_data = entry.get("thesis_data")
-        if np.isfinite(words.value) and thesis_data is not None and not comparable(entry, dataset):
-            notes.append(not_comparable(thesis_data))
-    notes.append(Note(Kind.PUBLISHED, words.note))
-    if words.quote:
-        notes.append(Note(Kind.PUBLISHED, f'the thesis says "{words.quote}"'))
-    return without_empty(notes)

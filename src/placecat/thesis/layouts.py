@@ -154,11 +154,9 @@ def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
 def _quality(results: Results, name: str, measure: str) -> Number:
     one, origins = results.quality.get(name), (Origin(name, part=measure),)
     if one is None:
-        reasons = results.reasons(name)
-        if not reasons:
-            # Raise an error for an unknown name.
-            results.of(name)
-        return nothing(*(reasons or ["nothing was measured"]), origins=origins)
+        # Raise an error for an unknown name.
+        results.find(name)
+        return nothing(*(results.reasons(name) or ["nothing was measured"]), origins=origins)
     values = one.over_homes(measure)
     if not len(values):
         return nothing("no tested frame has a label", origins=origins)

@@ -23,20 +23,13 @@ _VALUE = ["quantity", "column", "where", "pick", "digits"]
 
 
 def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
-    """Read an entry's numbers from a table.
+    """Read an entry's numbers from a table; `records` are tables by name, without rows if not recorded.
 
-    Raises PlacecatError for an unknown setting, table or column, or for several rows without ``pick``.
-
-    Parameters
-    ----------
-    entry
-        ``record``, the table's name, and ``values``. Each value has ``quantity`` (its name), ``column``, and
-        ``where``, which maps columns to the values that select rows. ``pick``, "lowest" or "highest", chooses
-        from several rows. ``digits`` is the number of digits after the decimal point, 2 by default.
-    records
-        Tables by name; a table without rows was not recorded.
-    where
-        Name of the entry in messages.
+    `entry` has ``record``, the table's name, and ``values``. Each value has ``quantity`` (its name),
+    ``column``, and ``where``, which maps columns to the values that select rows. ``pick``, "lowest" or
+    "highest", chooses from several rows. ``digits`` is the number of digits after the decimal point, 2 by
+    default. Raises PlacecatError, with `where`, the entry's name, for an unknown setting, table or column, or
+    for several rows without ``pick``.
     """
     settings.refuse_unknown(entry, ["record", "values"], where)
     if entry["record"] not in records:
