@@ -77,7 +77,7 @@ def test_too_few_units_are_always_undecided():
     judged = compare(measured([90, 90]), measured([10, 10]))
     assert (judged.verdict, judged.reason) == (UNDECIDED, "2 homes are too few for a verdict")
     judged = compare(measured([90]), measured([10]))
-    assert judged.verdict == UNDECIDED
+    assert (judged.verdict, judged.reason) == (UNDECIDED, "1 home is too few for a verdict")
     assert judged.measurement.interval.estimate == 80.0
     assert np.isnan(judged.measurement.interval.low)
 
