@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from placecat.replication import needed
+from placecat.replication import needed, options
 from placecat.report.benchmarks import times
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -134,9 +134,13 @@ def findings() -> str:
     return _markdown(["verdict", "six rendered homes", "24 rendered homes", "six real homes"], rows, 4)
 
 
+def _options() -> options.Options:
+    return options.read(ROOT / options.SETTINGS)
+
+
 def power() -> str:
     """Number of homes that decide each finding."""
-    return needed.markdown(needed.power_table(_read(str(needed.COMPARISONS))))
+    return needed.markdown(needed.power_table(_read(str(needed.COMPARISONS)), 24, _options()))
 
 
 def replicated() -> str:
@@ -180,7 +184,7 @@ def too_small() -> int:
 def marked() -> int:
     """Count the verdicts on 24 homes where groups share more variance than the rule allows for."""
     more = _read(f"{MORE}/findings.csv")
-    return int(((more["verdict"] != "undecided") & (more["shared"] > 0.1)).sum())
+    return int(((more["verdict"] != "undecided") & (more["shared"] > _options().shared)).sum())
 
 
 def averages(name: str) -> str:

@@ -14,11 +14,12 @@ from placecat import paths, results
 from placecat.errors import PlacecatError
 from placecat.explain.find import find
 from placecat.provenance import lines, numbering, tidy
-from placecat.provenance.made import all_stages, made, trials_of
+from placecat.provenance.made import all_stages, made
 from placecat.provenance.origins import from_json, measurement
 from placecat.results.measured import Measured, Results
 from placecat.settings import read_yaml
 from placecat.thesis.number import Number, Origin, mean, nothing
+from placecat.thesis.records import trials_of
 
 ROOT = made_report.ROOT
 

@@ -53,7 +53,7 @@ def test_a_clear_difference_holds_on_many_homes():
     rows, details = pooling.judge(
         findings,
         made_results.PARAMS["verdict"],
-        options.Options(6, 0.98, 0.1),
+        options.Options(group=6, level=0.98, shared=0.1),
         results,
         made_published(),
         parts,

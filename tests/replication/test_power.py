@@ -6,6 +6,9 @@ import pytest
 
 from placecat.errors import PlacecatError
 from placecat.replication.needed import markdown, power_table
+from placecat.replication.options import Options
+
+PLAN = Options(group=6, level=0.98, shared=0.1)
 
 
 def row(finding=1, **changes):
@@ -22,7 +25,7 @@ def row(finding=1, **changes):
 
 
 def table(*rows, homes=24):
-    return power_table(pd.DataFrame(rows), homes).set_index("number")
+    return power_table(pd.DataFrame(rows), homes, PLAN).set_index("number")
 
 
 def test_the_spread_and_the_homes_it_takes():

@@ -61,7 +61,7 @@ def test_without_a_right_side_the_left_is_compared_with_a_number():
         (finding({"left": LEFT, "range": {"above": 9}, "compare": "ratio"}), "no right side"),
         (finding({"left": LEFT, "range": "better"}), "either a right side or the range 'above'"),
         (finding(comparison(range={"above": 9})), "either a right side or the range 'above'"),
-        (finding({"left": LEFT}), "no setting 'range', which is needed"),
+        (finding({"left": LEFT}), "missing a required argument: 'range'"),
         (finding(), "makes no comparison"),
         (finding(comparison(), title="x"), "no setting 'title'"),
     ],

@@ -11,18 +11,16 @@ from numpy.typing import NDArray
 from placecat import cues, files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.provenance import numbering
-from placecat.provenance.made import trials_of
-from placecat.provenance.origins import from_json, measurement
+from placecat.provenance.origins import KEY, from_json, measurement
 from placecat.results.collect import read_results
-from placecat.results.measured import Measured, Quality, Results
+from placecat.results.measured import Measured, Results
 from placecat.results.quality import QUALITY_COLUMNS, from_rows, quality_rows
 from placecat.results.sources import Source, sources
 from placecat.stages import filtering, integration, splits, toy
 from placecat.stages.scores import measure
-from placecat.thesis import filling, in_text
+from placecat.thesis import in_text, tables
 from placecat.thesis.number import Number, Origin
-from placecat.thesis.records import RECORD
-from placecat.thesis.tables import tables_of
+from placecat.thesis.records import RECORD, trials_of
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, fit, read_frames
 from placecat.training.integration import smoothing_settings
@@ -75,15 +73,12 @@ def compute(number: str) -> tuple[bool, str]:
 def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[str, tuple[Key, Number]]:
     """Map each cell's number in a table to its labels and to its value, computed from the results."""
     if table == in_text.NAME:
-        rows = filling.text(results, params)[[*in_text.KEY, "number"]].itertuples(index=False, name=None)
-        return {
-            f"{table}.{position}": ((name, quantity, home), one)
-            for position, (name, quantity, home, one) in enumerate(rows, start=1)
-        }
-    filled = filling.table(tables_of(params)[table], results, params)
+        filled, key = in_text.fill(results, params), in_text.KEY
+    else:
+        filled, key = tables.fill(tables.tables_of(params)[table], results, params), [*KEY]
     ids = numbering.numbers(filled, table)
-    rows = filled[["group", "row", "column", "number"]].itertuples(index=False, name=None)
-    return {ids[group, row, column]: ((group, row, column), one) for group, row, column, one in rows}
+    rows = filled[[*key, "number"]].itertuples(index=False, name=None)
+    return {ids[first, second, third]: ((first, second, third), one) for first, second, third, one in rows}
 
 
 def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
@@ -102,11 +97,15 @@ def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], step
     recomputed = _Recomputed(source.folder, source.name, homes, source.site, source.classes, found)
     measured, quality = measure(recomputed, settings.get(params, "probabilities"))
     counts_of = {
-        (home, seed): measured.confusion[s, h]
-        for s, seed in enumerate(measured.seeds)
-        for h, home in enumerate(homes)
+        (home, seed): of_home
+        for seed, of_seed in zip(measured.seeds, measured.confusion, strict=True)
+        for home, of_home in zip(homes, of_seed, strict=True)
     }
-    return _with_quality(_with_counts(results, name, counts_of), name, quality)
+    results = _with_counts(results, name, counts_of)
+    # The conversion to rows and back rounds as the stage's file does; of equal rows, the last one counts.
+    rows = [*quality_rows(name, results.quality[name]), *quality_rows(name, quality)]
+    rounded = from_rows(pd.DataFrame(rows, columns=QUALITY_COLUMNS))
+    return replace(results, quality={**results.quality, **rounded})
 
 
 def _with_counts(results: Results, name: str, counts: Counts) -> Results:
@@ -115,17 +114,6 @@ def _with_counts(results: Results, name: str, counts: Counts) -> Results:
     for (home, seed), of_home in counts.items():
         confusion[one.seeds.index(seed), one.homes.index(home)] = of_home
     return replace(results, measured=results.measured | {name: replace(one, confusion=confusion)})
-
-
-def _with_quality(results: Results, name: str, quality: Quality) -> Results:
-    # The conversion to rows and back rounds as the stage's file does.
-    recomputed = from_rows(pd.DataFrame(quality_rows(name, quality), columns=QUALITY_COLUMNS))[name]
-    one = results.quality[name]
-    values = {key: array.copy() for key, array in one.values.items()}
-    for home in recomputed.homes:
-        for key, array in values.items():
-            array[:, one.homes.index(home)] = recomputed.values[key][:, recomputed.homes.index(home)]
-    return replace(results, quality={**results.quality, name: replace(one, values=values)})
 
 
 def _distributions(
@@ -137,14 +125,7 @@ def _distributions(
         steps.append("the whole split trained again from its features")
         yield from _of_split(rest, source, params)
         return
-    step, function = {
-        "cues": ("the cue trained again from its features and codebook", _cue),
-        "tempered": ("the cue trained again from its features and codebook", _cue),
-        "integration": ("integrated again from the distributions of its cues", _integration),
-        "filtered": ("filtered again", _filtered),
-        "hmm": ("smoothed again", _smoothed),
-        "smoothing": ("smoothed again", _smoothed),
-    }[kind]
+    step, function = _STEPS[kind]
     steps.append(step)
     for home in source.homes:
         for seed in source.seeds():
@@ -206,6 +187,16 @@ def _smoothed(rest: str, source: Source, home: str, seed: str, params: Mapping[s
     saved, scheme = _saved(rest, params)
     plan = _plan(params, scheme, home)
     return smooth_home(saved.file(home, seed), plan, smoothing_settings(params))[source.name]
+
+
+_STEPS = {
+    "cues": ("the cue trained again from its features and codebook", _cue),
+    "tempered": ("the cue trained again from its features and codebook", _cue),
+    "integration": ("integrated again from the distributions of its cues", _integration),
+    "filtered": ("filtered again", _filtered),
+    "hmm": ("smoothed again", _smoothed),
+    "smoothing": ("smoothed again", _smoothed),
+}
 
 
 def _of_split(

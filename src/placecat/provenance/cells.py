@@ -1,8 +1,8 @@
 """Every cell of the tables and every number in the text, each with its explanation."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass
+from functools import cache, cached_property, partial
 from typing import Any
 
 import pandas as pd
@@ -10,14 +10,14 @@ import pandas as pd
 from placecat import settings
 from placecat.provenance import numbering
 from placecat.provenance.frames import Trained, trained
-from placecat.provenance.made import Made, all_stages, made, trials_of
+from placecat.provenance.made import Made, all_stages, made
 from placecat.provenance.origins import Measurement, from_json
 from placecat.results.measured import MEASURES
 from placecat.thesis import in_text
 from placecat.thesis.comparison import DIFFERENCE
 from placecat.thesis.notes import Notes
 from placecat.thesis.number import ALL_FRAMES, Origin
-from placecat.thesis.records import RECORD
+from placecat.thesis.records import RECORD, trials_of
 from placecat.thesis.tables import in_percent
 
 ALL_HOMES = "all"
@@ -36,32 +36,12 @@ class Table:
 class Explained:
     """An explained cell, or number in the text.
 
-    Attributes
-    ----------
-    id
-        The cell's number on the page, e.g. ``table_26.9.3``; see :mod:`placecat.provenance.numbering`.
-    table, title
-        The table's name (``in_text`` for a number in the text) and title.
-    group, row, column
-        The cell's labels; for a number in the text, its name, quantity and home.
-    home
-        The cell's only home or sequence, or "all".
-    measured, published, spread, seeds
-        As in the table.
-    unit
-        "percent", "points", "nats", "times", or "" if the quantity names it.
-    measurement
-        The cell's values and origins.
-    notes
-        Notes on the cell.
-    data
-        Titles of the measured and the published number's data sets; "" if nothing was published.
-    made
-        How each of the cell's results was made.
-    trained
-        Maps each test home to the frames of each of its plans, without duplicates.
-    findings
-        Numbers of the findings that rest on the cell's results.
+    :func:`placecat.results.load` explains most attributes. `id` is the cell's number on the page
+    (:mod:`placecat.provenance.numbering`). For a number in the text, `group`, `row` and `column` are its
+    name, quantity and home. `unit` is "percent", "points", "nats", "times", or "" if the quantity names it.
+    `data` has the titles of the measured and the published number's data sets; "" if nothing was published.
+    `made` describes how each of the cell's results was made, and `trained` maps each test home to the frames
+    of each of its plans, without duplicates. `findings` numbers the findings that rest on the results.
     """
 
     id: str
@@ -103,18 +83,9 @@ class Explained:
 class Explaining:
     """All cells of a run.
 
-    Attributes
-    ----------
-    params
-        All settings.
-    tables
-        Filled tables, in the report's order.
-    texts
-        Numbers in the text, with their notes.
-    origins
-        Content of data/origins.json.
-    comparisons
-        The findings' comparisons: columns finding, left_results, right_results.
+    `params` are all settings; `tables` are filled, in the report's order; `texts` are the numbers in the
+    text, with notes; `origins` is the content of data/origins.json; `comparisons` are the findings', with the
+    columns finding, left_results and right_results.
     """
 
     params: Mapping[str, Any]
@@ -122,8 +93,12 @@ class Explaining:
     texts: pd.DataFrame
     origins: Mapping[str, Sequence[Mapping[str, Any]]]
     comparisons: pd.DataFrame
-    _made: dict[str, Made] = field(default_factory=dict, init=False)
-    _trained: dict[tuple[str, bool, bool, str], Trained | None] = field(default_factory=dict, init=False)
+
+    def __post_init__(self) -> None:
+        """Remember what many cells share."""
+        trials = trials_of(self.params)
+        self._how = cache(lambda result: made(result, self.params, trials))
+        self._trained = cache(partial(trained, self.params))
 
     def cells(self) -> Iterator[Explained]:
         """Yield every cell of the tables, then every number in the text."""
@@ -146,7 +121,8 @@ class Explaining:
 
     def _of_text(self) -> Iterator[Explained]:
         name, measurements = in_text.NAME, from_json(self.origins[in_text.NAME])
-        for position, row in enumerate(self.texts.to_dict("records"), start=1):
+        ids = numbering.numbers(self.texts, name)
+        for row in self.texts.to_dict("records"):
             key = (row["name"], row["quantity"], row["home"])
             one = measurements[key]
             data = str(next((note.text for note in row["notes"] if note.is_of_the_table), ""))
@@ -154,7 +130,7 @@ class Explaining:
                 key,
                 row,
                 one,
-                id=f"{name}.{position}",
+                id=ids[key],
                 table=name,
                 title=f"Number in the text, section {row['section']}",
                 unit=_unit_in_text(row["quantity"], one.origins),
@@ -179,11 +155,6 @@ class Explaining:
             findings=tuple(finding for finding, of in self._findings.items() if of & set(results)),
         )
 
-    def _how(self, result: str) -> Made:
-        if result not in self._made:
-            self._made[result] = made(result, self.params, self._trials)
-        return self._made[result]
-
     def _frames(self, origins: Sequence[Origin]) -> dict[str, list[Trained]]:
         found: dict[str, list[Trained]] = {}
         for origin in origins:
@@ -192,17 +163,10 @@ class Explaining:
             # The origin of a mean over all homes does not list them.
             homes = origin.homes or settings.get(self.params, "dataset.homes")
             for home in [how.plan] if is_split else homes:
-                key = (how.plan, how.fuses, how.extra, home)
-                if key not in self._trained:
-                    self._trained[key] = trained(how, home, self.params)
-                one = self._trained[key]
+                one = self._trained(how.plan, home, how.fuses, how.extra)
                 if one is not None and one not in found.setdefault(home, []):
                     found[home].append(one)
         return found
-
-    @cached_property
-    def _trials(self) -> Mapping[str, Any]:
-        return trials_of(self.params)
 
     @cached_property
     def _findings(self) -> dict[str, set[str]]:

@@ -5,12 +5,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-import numpy as np
-
 from placecat import settings
-from placecat.provenance.made import Made
 from placecat.training import plan as plans
-from placecat.training.plan import Part, Plan
+from placecat.training.plan import Part
 
 Frames = tuple[tuple[str, int], ...]
 
@@ -27,40 +24,34 @@ class Trained:
         Frames that the cues and the integration are trained on; `integration` is () without fusion.
     tested
         Labelled frames that are tested.
-    places
-        Maps each place to the number of its tested frames.
     """
 
     training_set: str
     cues: Frames
     integration: Frames
     tested: Frames
-    places: Mapping[str, int]
 
 
-def trained(made: Made, home: str, params: Mapping[str, Any]) -> Trained | None:
-    """Return a result's frames for a test home or, on a split, for all its homes; None if it has no plan."""
-    if not made.plan:
+def trained(params: Mapping[str, Any], name: str, home: str, fuses: bool, extra: bool) -> Trained | None:
+    """Return a result's frames for a test home or, on a split, for all its homes; None if it has no plan.
+
+    `name`, `fuses` and `extra` are the result's plan and attributes (:class:`placecat.provenance.made.Made`).
+    """
+    if not name:
         return None
-    if made.plan in settings.get(params, "splits"):
-        plan = plans.of_split(params, made.plan)
+    if name in settings.get(params, "splits"):
+        plan = plans.of_split(params, name)
     else:
-        (plan,) = plans.of_homes(params, made.plan, [home], extra=made.extra)
-    fused = (*plan.integration, *(plan.extra if made.extra else ())) if made.fuses else ()
-    return Trained(plan.training_set, _counts(plan.cues), _counts(fused), _counts(plan.tested), _places(plan))
+        (plan,) = plans.of_homes(params, name, [home], extra=extra)
+    fused = (*plan.integration, *(plan.extra if extra else ())) if fuses else ()
+    return Trained(plan.training_set, _counts(plan.cues), _counts(fused), _counts(plan.tested))
 
 
 def _counts(parts: Sequence[Part]) -> Frames:
-    return tuple((part.home, sum(_chosen(part))) for part in parts)
-
-
-def _places(plan: Plan) -> dict[str, int]:
-    totals = np.array([_chosen(part) for part in plan.tested]).sum(axis=0)
-    return dict(zip(plan.classes, map(int, totals), strict=True))
+    return tuple((part.home, _chosen(part)) for part in parts)
 
 
 @cache
-def _chosen(part: Part) -> tuple[int, ...]:
-    """Count the chosen frames of each class."""
-    _, classes = part.chosen()
-    return tuple(map(int, np.bincount(classes, minlength=max(part.numbers, default=0) + 1)))
+def _chosen(part: Part) -> int:
+    frames, _ = part.chosen()
+    return len(frames)

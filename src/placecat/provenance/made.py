@@ -6,12 +6,15 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from placecat import settings
-from placecat.evaluation.trials import Trial, expand
-from placecat.thesis import definitions
+from placecat.evaluation.trials import Trial
 from placecat.thesis.records import RECORD
 
 _RECORD_STAGES = {"nu": ("sequences", "features", "codebooks", "cues", "trials"), "rejected": ("features",)}
-# The last stages behind every number of the tables.
+# All stages in the pipeline's order; the last ones are behind every number of the tables.
+_ORDER = (
+    *("sequences", "site_sequences", "features", "tracks", "site_features", "codebooks", "cues"),
+    *("integration", "filtering", "smoothing", "splits", "trials", "toy"),
+)
 _LAST = ("scores", "tables")
 
 
@@ -19,26 +22,13 @@ _LAST = ("scores", "tables")
 class Made:
     """How a result was made.
 
-    Attributes
-    ----------
-    title
-        A readable description on one line.
-    stages
-        The DVC stages, without `scores` and `tables`.
-    cues, classifiers, descriptors
-        Names of the cues, and of each cue's classifier and descriptor.
-    system, filter
-        Names; "" if there is none.
-    plan
-        Name of the protocol ("5-5-1") or of the split; "" if there is neither.
-    fuses
-        Whether an integration or a smoothing is trained too.
-    extra
-        Whether the integration also trains on the sequences of ``protocol.extra``.
-    settings
-        Maps each part to its settings.
-    clusters
-        Maps each cue to its descriptor as text and its number of cells, which determine its codebooks' seeds.
+    `title` describes it on one line, and `stages` are DVC's, without `scores` and `tables`. `cues`,
+    `classifiers` and `descriptors` name the cues, and each cue's classifier and descriptor. `system` and
+    `filter` are "" if there is none. `plan` is the protocol ("5-5-1") or the split; "" if there is neither.
+    `fuses` says whether an integration or a smoothing is trained too, and `extra` whether the integration
+    also trains on the sequences of ``protocol.extra``. `settings` maps each part to its settings, and
+    `clusters` each cue to its descriptor as text and its number of cells; these determine its codebooks'
+    seeds.
     """
 
     title: str
@@ -55,17 +45,6 @@ class Made:
     clusters: Mapping[str, tuple[str, int]] = field(default_factory=dict)
 
 
-def trials_of(params: Mapping[str, Any]) -> dict[str, Trial]:
-    """Map names to trials, for every trial of every study."""
-    homes = list(settings.get(params, "dataset.homes"))
-    return {
-        trial.name: trial
-        for tables in definitions.studies(params).values()
-        for name, table in tables.items()
-        for trial in expand(name, table, homes)
-    }
-
-
 def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) -> Made:
     """Describe how a result was made, from its name (see :mod:`placecat.results.sources`).
 
@@ -74,9 +53,9 @@ def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) ->
     kind, _, rest = result.partition("/")
     if kind == "cues":
         name, _, scheme = rest.rpartition("/")
-        return _of_cue(name, scheme, params)
+        return _of_cue(name, params, scheme)
     if kind == "tempered":
-        one = _of_cue(rest, settings.get(params, f"cues.{rest}.schemes")[0], params)
+        one = _of_cue(rest, params)
         return replace(one, title=f"{one.title}, tempered by its cross-validated distributions")
     if kind == "integration":
         return _of_system(rest, params)
@@ -101,12 +80,6 @@ def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
     return (*(stage for stage in _ORDER if stage in known), *(_LAST if known else ("tables",)))
 
 
-_ORDER = (
-    *("sequences", "site_sequences", "features", "tracks", "site_features", "codebooks", "cues"),
-    *("integration", "filtering", "smoothing", "splits", "trials", "toy"),
-)
-
-
 def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
     """Settings of one result of the toy problem, without those of other schemes."""
     scheme = next(part for part in name.split("/") if part in toy["schemes"])
@@ -115,8 +88,10 @@ def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
     return {"scheme": toy["schemes"][scheme], **shared, **changed}
 
 
-def _of_cue(name: str, scheme: str, params: Mapping[str, Any]) -> Made:
+def _of_cue(name: str, params: Mapping[str, Any], scheme: str = "") -> Made:
+    """Describe a cue in a protocol, by default its first."""
     own, one = settings.get(params, f"cues.{name}"), _described_cue(name, params)
+    scheme = scheme or own["schemes"][0]
     is_tracked = one.settings[f"descriptor of {name}"].get("tracked")
     stages = ("codebooks",) * bool(one.clusters) + ("tracks",) * bool(is_tracked)
     title = f"the cue {name} ({own['title']}) trained alone, {scheme}"
@@ -126,10 +101,8 @@ def _of_cue(name: str, scheme: str, params: Mapping[str, Any]) -> Made:
 def _described_cue(name: str, params: Mapping[str, Any]) -> Made:
     """Describe a cue of params.yaml, without title, stages or plan."""
     own = settings.get(params, f"cues.{name}")
-    if own["codebook"] is None:
-        return _described(name, own["descriptor"], own["classifier"], None, params)
-    codebook = settings.get(params, f"codebooks.{own['codebook']}")
-    return _described(name, codebook["descriptor"], own["classifier"], codebook, params)
+    codebook = None if own["codebook"] is None else settings.get(params, f"codebooks.{own['codebook']}")
+    return _described(name, (codebook or own)["descriptor"], own["classifier"], codebook, params)
 
 
 def _described(
@@ -182,7 +155,7 @@ def _smoothing(params: Mapping[str, Any]) -> dict[str, Any]:
 
 def _of_system(name: str, params: Mapping[str, Any]) -> Made:
     system = settings.get(params, f"systems.{name}")
-    cues = [_of_cue(cue, system["scheme"], params) for cue in system["cues"]]
+    cues = [_of_cue(cue, params, system["scheme"]) for cue in system["cues"]]
     stages = {"integration", *(stage for cue in cues for stage in cue.stages)}
     if system["extra"]:
         stages |= {"site_sequences", "site_features"}
@@ -208,9 +181,7 @@ def _integrator(own: Mapping[str, Any]) -> dict[str, Any]:
 
 def _named(name: str, params: Mapping[str, Any]) -> Made:
     """Describe a system, or a cue in the first of its protocols."""
-    if name in settings.get(params, "systems"):
-        return _of_system(name, params)
-    return _of_cue(name, settings.get(params, f"cues.{name}.schemes")[0], params)
+    return (_of_system if name in settings.get(params, "systems") else _of_cue)(name, params)
 
 
 def _filtered(name: str, params: Mapping[str, Any]) -> Made:

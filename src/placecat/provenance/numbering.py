@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import pandas as pd
 
+from placecat.thesis import in_text
 from placecat.thesis.number import AVERAGE
 
 Key = tuple[str, str, str]
@@ -11,8 +12,7 @@ Key = tuple[str, str, str]
 
 def ordered(names: Iterable[str]) -> Sequence[str]:
     """Remove duplicate names, and move the average to the end; otherwise keep their order."""
-    found = list(dict.fromkeys(names))
-    return [name for name in found if name != AVERAGE] + [name for name in found if name == AVERAGE]
+    return sorted(dict.fromkeys(names), key=lambda name: name == AVERAGE)
 
 
 def layout(table: pd.DataFrame) -> tuple[dict[str, Sequence[str]], Sequence[str]]:
@@ -22,7 +22,10 @@ def layout(table: pd.DataFrame) -> tuple[dict[str, Sequence[str]], Sequence[str]
 
 
 def numbers(table: pd.DataFrame, name: str) -> Mapping[Key, str]:
-    """Map each cell's group, row and column to its number; the count of rows continues across groups."""
+    """Map each cell's labels to its number; the count of rows continues across groups."""
+    if name == in_text.NAME:
+        keys = table[in_text.KEY].itertuples(index=False, name=None)
+        return {key: f"{name}.{position}" for position, key in enumerate(keys, start=1)}
     groups, columns = layout(table)
     lines = [(group, row) for group, rows in groups.items() for row in rows]
     return {

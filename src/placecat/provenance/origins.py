@@ -35,14 +35,12 @@ class Measurement:
 def measurement(number: Number, results: Results) -> Measurement:
     """Name a number's seeds, as found in its origins' results."""
     values = tuple(map(float, number.values))
-    names: tuple[str, ...] = (NO_SEED,) * len(values)
-    if number.is_random:
-        for origin in number.origins:
-            one = results.measured.get(origin.result)
-            if one is not None and len(one.seeds) == len(values):
-                names = one.seeds
-                break
-    return Measurement(values, names, number.origins)
+    fixed = (NO_SEED,) * len(values)
+    if not number.is_random:
+        return Measurement(values, fixed, number.origins)
+    measured = (results.measured.get(origin.result) for origin in number.origins)
+    seeds = (one.seeds for one in measured if one is not None and len(one.seeds) == len(values))
+    return Measurement(values, next(seeds, fixed), number.origins)
 
 
 def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = KEY) -> list[dict[str, Any]]:

@@ -22,18 +22,10 @@ ACCURACIES, POWER = "accuracies.csv", "power.csv"
 def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
     """Run a data set's groups of homes and judge the findings on all of them; return what to print.
 
-    Parameters
-    ----------
-    overrides
-        Hydra overrides of conf/ that choose the data set.
-    numbers
-        Numbers of the groups to run, by default all. Their results are written to reports/replication, and
-        those of the other groups are read from there.
-
-    Raises
-    ------
-    PlacecatError
-        For invalid settings, too few homes or an unknown group; if `make repro` has not run or a stage fails.
+    `overrides` are Hydra overrides of conf/ that choose the data set. `numbers` are the groups to run, by
+    default all; their results are written to reports/replication, and those of the other groups are read from
+    there. Raises PlacecatError for invalid settings, too few homes or an unknown group; if `make repro` has
+    not run or a stage fails.
     """
     chosen = options.read()
     params = yaml.load(compose.compose(overrides), Loader=settings.Loader)
@@ -66,8 +58,7 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
         definitions.findings(), settings.get(params, "verdict"), chosen, results, read_published(), homes
     )
     total = sum(map(len, homes))
-    run = needed.Run(total, chosen.level)
-    power = needed.power_table(details, homes=total, group=chosen.group, level=chosen.level, run=run)
+    power = needed.power_table(details, total, chosen, needed.Run(total, chosen.level))
     rows = _with_others(rows, paths.FINDINGS, "number")
     details = _with_others(details, paths.COMPARISONS, "finding")
     counts = {verdict: int((rows["verdict"] == verdict).sum()) for verdict in (HOLDS, FAILS, UNDECIDED)}
@@ -78,15 +69,15 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
         "level": chosen.level,
         "verdicts": counts,
     }
-    for name, table in (
-        (paths.FINDINGS.name, rows),
-        (paths.COMPARISONS.name, details),
-        (ACCURACIES, pooling.accuracies(results)),
-        (POWER, power),
-    ):
+    tables = {paths.FINDINGS.name: rows, paths.COMPARISONS.name: details}
+    tables |= {ACCURACIES: pooling.accuracies(results), POWER: power}
+    for name, table in tables.items():
         files.write_csv(paths.REPLICATION / name, table)
     files.write_json(paths.REPLICATION_FACTS, facts)
-    _remove_other_groups(len(planned))
+    # Remove the results of groups left over from a data set with more homes.
+    expected = {group_results.folder_of(group.number) for group in planned}
+    for folder in set(paths.REPLICATION.glob("group_*")) - expected:
+        shutil.rmtree(folder)
     said = ", ".join(f"{verdict} {count}" for verdict, count in counts.items())
     return f"{len(rows)} findings on {total} homes: {said} ({paths.REPLICATED_FINDINGS})"
 
@@ -99,11 +90,3 @@ def _with_others(table: pd.DataFrame, path: Path, key: str) -> pd.DataFrame:
     return pd.concat([table.assign(replicated=True), others], ignore_index=True).sort_values(
         key, kind="stable", ignore_index=True
     )
-
-
-def _remove_other_groups(count: int) -> None:
-    """Remove the results of groups left over from a data set with more homes."""
-    expected = {group_results.folder_of(number) for number in range(1, count + 1)}
-    for folder in paths.REPLICATION.glob("group_*"):
-        if folder not in expected:
-            shutil.rmtree(folder)

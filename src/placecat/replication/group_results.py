@@ -66,21 +66,10 @@ def _comparable(params: Mapping[str, Any]) -> str:
 def pooled(
     groups: Sequence[tuple[int, Sequence[str]]], params: Mapping[str, Any], others: Results
 ) -> Results:
-    """Read the results of all groups as if they were one data set.
+    """Read the results of all groups, given by number and homes, as if they were one data set.
 
-    Parameters
-    ----------
-    groups
-        Number and homes of each group.
-    params
-        All settings.
-    others
-        The project's results; those on data other than homes are added.
-
-    Raises
-    ------
-    PlacecatError
-        If a group's results are missing, or belong to other homes or settings.
+    `params` are all settings. Of `others`, the project's results, those on data other than homes are added.
+    Raises PlacecatError if a group's results are missing, or belong to other homes or settings.
     """
     scores, missing, dropped = [], [], []
     for number, homes in groups:

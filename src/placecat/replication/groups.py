@@ -18,50 +18,21 @@ from placecat.errors import PlacecatError
 from placecat.replication import group_results
 from placecat.runs import items, linked_folder, lock, unchanged
 
+# Stages that depend on the homes and lead to the tables, in order; and what else they need from the project.
 STAGES = (
-    "sequences",
-    "features",
-    "tracks",
-    "codebooks",
-    "cues",
-    "integration",
-    "filtering",
-    "smoothing",
-    "trials",
-    "scores",
-    "tables",
+    *("sequences", "features", "tracks", "codebooks", "cues", "integration"),
+    *("filtering", "smoothing", "trials", "scores", "tables"),
 )
-"""Stages that depend on the homes and lead to the tables, in order."""
 LINKED = (
-    Path("dvc.yaml"),
-    Path("src"),
-    paths.CONF,
-    paths.PUBLISHED.parent,
-    paths.SITE_SEQUENCES,
-    paths.SITE_FEATURES,
-    paths.SPLITS,
-    paths.TOY,
-    paths.BENCHMARKS,
-    paths.SCALE_STAGES,
+    *(Path("dvc.yaml"), Path("src"), paths.CONF, paths.PUBLISHED.parent, paths.SITE_SEQUENCES),
+    *(paths.SITE_FEATURES, paths.SPLITS, paths.TOY, paths.BENCHMARKS, paths.SCALE_STAGES),
 )
-"""What else these stages need from the project."""
-
 _DONE = "done.json"
 
 
 @dataclass(frozen=True)
 class Group:
-    """A group of a data set's homes.
-
-    Attributes
-    ----------
-    number
-        The group's number, from 1.
-    homes
-        Names of the homes, in order.
-    params
-        All settings of a run on these homes only.
-    """
+    """A group of a data set's homes: its number, from 1; its homes; and all settings of a run on these."""
 
     number: int
     homes: tuple[str, ...]
@@ -86,10 +57,8 @@ def split(params: Mapping[str, Any], size: int) -> tuple[list[Group], tuple[str,
             f"the data set has {len(homes)} homes, but a replication needs two groups of {size}: choose "
             "another data set (dataset=... dataset.homes=...)"
         )
-    groups = []
-    for number in range(1, count + 1):
-        of_group = tuple(homes[(number - 1) * size : number * size])
-        groups.append(Group(number, of_group, _restricted(params, of_group, homes)))
+    parts = [tuple(homes[first : first + size]) for first in range(0, count * size, size)]
+    groups = [Group(n, part, _restricted(params, part, homes)) for n, part in enumerate(parts, start=1)]
     return groups, tuple(homes[count * size :])
 
 

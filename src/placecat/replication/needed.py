@@ -1,7 +1,6 @@
 """Compute how many homes decide each finding, from the spread between homes in a run."""
 
 import re
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -9,14 +8,12 @@ import pandas as pd
 
 from placecat.errors import PlacecatError
 from placecat.evaluation.verdict import Range, corrected_level
+from placecat.paths import COMPARISONS
+from placecat.replication.options import Options
 from placecat.replication.simulation import power, spread
 
-COMPARISONS = Path("reports/findings_comparisons.csv")
-
-MOST = 240
-"""Largest number of homes to try."""
-
-_WANTED = 0.8
+# Largest number of homes to try, and the probability of a verdict that they must reach.
+MOST, _WANTED = 240, 0.8
 
 
 class Run(NamedTuple):
@@ -26,8 +23,8 @@ class Run(NamedTuple):
     level: float
 
 
+# The run on the data set that comes with the project.
 SIX = Run(6, 0.95)
-"""The run on the data set that comes with the project."""
 
 
 class _Comparison(NamedTuple):
@@ -40,29 +37,16 @@ class _Comparison(NamedTuple):
     measured: float
 
 
-def power_table(
-    comparisons: pd.DataFrame, homes: int = 24, *, group: int = 6, level: float = 0.98, run: Run = SIX
-) -> pd.DataFrame:
-    """Compute the power of each finding.
+def power_table(comparisons: pd.DataFrame, homes: int, options: Options, run: Run = SIX) -> pd.DataFrame:
+    """Compute the power of each finding, from the comparisons in the ledger of `run`.
 
-    Parameters
-    ----------
-    comparisons
-        The comparisons in a run's ledger.
-    homes, group, level
-        Number of homes in the replication, a multiple of the group size; the group size; and the level of the
-        replication's intervals.
-    run
-        The run that the comparisons are from.
+    `homes` is the number of homes in the replication, a multiple of the group size in `options`.
 
-    Returns
-    -------
-    pandas.DataFrame
-        One row per finding: number, comparisons (their number), units (number of the replication's homes that
-        count, 0 if unknown) and spread (largest standard deviation between homes, points). Also power
-        (probability of a verdict with `homes` homes) and needed (number of homes for a power of 80 %,
-        infinite above `MOST`), once if the published and once if the measured differences are true. Unknown
-        numbers are NaN: for comparisons of one home, of stays or of shares, and for unpublished differences.
+    Returns one row per finding: number, comparisons (their number), units (number of the replication's homes
+    that count, 0 if unknown) and spread (largest standard deviation between homes, points). Also power
+    (probability of a verdict with `homes` homes) and needed (number of homes for a power of 80 %, infinite
+    above `MOST`), once if the published and once if the measured differences are true. Unknown numbers are
+    NaN: for comparisons of one home, of stays or of shares, and for unpublished differences.
     """
     rows = []
     for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):
@@ -75,8 +59,10 @@ def power_table(
         for truth in ("published", "measured"):
             effects = [getattr(one, truth) for one in complete]
             usable = len(complete) == len(known) and not np.isnan(effects).any()
-            row[f"power_{truth}"] = round(_power(complete, effects, homes, level), 2) if usable else np.nan
-            row[f"needed_{truth}"] = _needed(complete, effects, group, level) if usable else np.nan
+            row[f"power_{truth}"] = (
+                round(_power(complete, effects, homes, options.level), 2) if usable else np.nan
+            )
+            row[f"needed_{truth}"] = _needed(complete, effects, options) if usable else np.nan
         rows.append(row)
     return pd.DataFrame(rows)
 
@@ -118,9 +104,9 @@ def _power(known: list[_Comparison], effects: list[float], homes: int, level: fl
     return max(holds, 1.0 - no_failure)
 
 
-def _needed(known: list[_Comparison], effects: list[float], group: int, level: float) -> float:
-    for homes in range(2 * group, MOST + 1, group):
-        if _power(known, effects, homes, level) >= _WANTED:
+def _needed(known: list[_Comparison], effects: list[float], options: Options) -> float:
+    for homes in range(2 * options.group, MOST + 1, options.group):
+        if _power(known, effects, homes, options.level) >= _WANTED:
             return homes
     return np.inf
 

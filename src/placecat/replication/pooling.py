@@ -11,10 +11,10 @@ from placecat.replication.group_results import is_of_homes
 from placecat.replication.options import Options
 from placecat.replication.shared import shared_variance
 from placecat.results.measured import Results
-from placecat.thesis.claims import Comparison, Finding, read_finding
+from placecat.thesis.claims import Finding, read_finding
 from placecat.thesis.findings import ledger
-from placecat.thesis.judging import in_each_home
-from placecat.thesis.pairing import pair
+from placecat.thesis.judging import Judged, in_each_home
+from placecat.thesis.pairing import Paired
 from placecat.thesis.published import Published
 
 _DECIMALS = 2
@@ -30,36 +30,19 @@ def judge(
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
     """Judge every finding about homes on the homes of all groups.
 
-    Parameters
-    ----------
-    findings, verdict, published
-        As for :func:`placecat.thesis.findings.ledger`; the level of `options` replaces that of `verdict`.
-    options
-        The replication's settings.
-    results
-        Results of all groups.
-    groups
-        Names of the homes in each group.
+    `findings`, `verdict` and `published` are as for :func:`placecat.thesis.findings.ledger`; the level of
+    `options` replaces that of `verdict`. `results` are of all groups, and `groups` names the homes in each.
 
-    Returns
-    -------
-    findings, comparisons
-        The ledger's tables without the findings about other data. Each has a further column ``shared``: the
-        share of variance that a group's homes have in common
-        (:func:`placecat.replication.shared.shared_variance`), NaN if unknown; a finding shows the largest
-        share of its comparisons. If this exceeds `options.shared`, the verdict's reason says so.
+    Returns the ledger's tables of findings and comparisons, without the findings about other data. Each has a
+    further column ``shared``: the share of variance that a group's homes have in common
+    (:func:`placecat.replication.shared.shared_variance`), NaN if unknown; a finding shows the largest share
+    of its comparisons. If this exceeds `options.shared`, the verdict's reason says so.
     """
     of_homes = {name: one for name, one in findings.items() if _is_about_homes(read_finding(name, one))}
     rules = {**verdict, "level": options.level}
-    rows, details = ledger(of_homes, rules, results, published)
+    rows, details, judged = ledger(of_homes, rules, results, published)
     group_of = {home: number for number, homes in enumerate(groups) for home in homes}
-    few = int(verdict["few_homes"])
-    details["shared"] = [
-        _shared(comparison, results, group_of, few)
-        for _, finding in sorted((read_finding(name, one).number, name) for name, one in of_homes.items())
-        for reading in _readings(read_finding(finding, of_homes[finding]))
-        for comparison in reading.comparisons
-    ]
+    details["shared"] = [_shared(one, group_of) for one in judged]
     main = details[details["reading"] == ""].groupby("finding")["shared"].max()
     rows["shared"] = rows["number"].map(main)
     rows["reason"] = [
@@ -71,22 +54,17 @@ def judge(
     return rows, details
 
 
-def _readings(finding: Finding) -> list[Finding]:
-    """Return the finding and its other readings, in the ledger's order."""
-    return [finding, *(finding.read_as(reading) for reading in finding.readings)]
-
-
 def _is_about_homes(finding: Finding) -> bool:
     sides = (side for comparison in finding.comparisons for side in comparison.sides)
     return any(is_of_homes(result) for side in sides for result in side.results)
 
 
-def _shared(comparison: Comparison, results: Results, group_of: Mapping[str, int], few_homes: int) -> float:
-    if comparison.pooled:
+def _shared(judged: Judged, group_of: Mapping[str, int]) -> float:
+    paired = judged.measurement.paired if judged.measurement else None
+    if not isinstance(paired, Paired):
         return float("nan")
     try:
-        paired = pair(results, comparison.sides, few_homes)
-        values = in_each_home(comparison, paired)
+        values = in_each_home(judged.comparison, paired)
     except NotComputable:
         return float("nan")
     return round(shared_variance(values, [group_of[home] for home in paired.homes]), _DECIMALS)

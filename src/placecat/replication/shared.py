@@ -7,22 +7,11 @@ from numpy.typing import ArrayLike
 def shared_variance(values: ArrayLike, groups: ArrayLike) -> float:
     """Estimate the share of variance that members of a group have in common.
 
-    This is the intraclass correlation of a one-way analysis of variance with random groups,
-    (B - W) / (B + (n - 1) W). B and W are the mean squares between and within groups, and n is the number of
-    members per group (an effective number if groups differ in size).
-
-    Parameters
-    ----------
-    values
-        (members,) value of each member.
-    groups
-        (members,) number of each member's group.
-
-    Returns
-    -------
-    float
-        At most 1; below 0 if groups differ less than expected by chance. NaN with fewer than two groups, with
-        one member in each group, or if all values are equal.
+    `values` and `groups` are (members,): each member's value and the number of its group. The share is the
+    intraclass correlation of a one-way analysis of variance with random groups, (B - W) / (B + (n - 1) W). B
+    and W are the mean squares between and within groups, and n is the number of members per group (an
+    effective number if groups differ in size). It is at most 1; below 0 if groups differ less than expected
+    by chance; and NaN with fewer than two groups, with one member in each group, or if all values are equal.
 
     References
     ----------

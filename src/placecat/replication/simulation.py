@@ -9,29 +9,14 @@ from scipy import stats
 from placecat.evaluation.bootstrap import stretch
 from placecat.evaluation.verdict import Range
 
+# Distributions of the difference in a home; `exponential` is skewed, `student` has 3 degrees of freedom.
 SHAPES = ("normal", "exponential", "student")
-"""Distributions of the difference in a home; `exponential` is skewed, `student` has 3 degrees of freedom."""
-
 _DRAWS = 4000
+_SIMULATIONS, _RESAMPLES = 2000, 1000
 
 
 def spread(low: float, high: float, homes: int, level: float = 0.95) -> float:
-    """Estimate the standard deviation between homes from the interval of a mean difference.
-
-    Parameters
-    ----------
-    low, high
-        Ends of the interval.
-    homes
-        Number of units, usually homes; at least 2.
-    level
-        Level of the interval.
-
-    Returns
-    -------
-    float
-        The deviation, in the unit of the ends.
-    """
+    """Estimate the standard deviation between homes (2 or more) from the interval of a mean difference."""
     half = (high - low) / 2.0
     return half * math.sqrt(homes) / float(stats.t.ppf((1.0 + level) / 2.0, homes - 1))
 
@@ -41,22 +26,11 @@ def power(
 ) -> tuple[float, float]:
     """Compute the probability of each verdict on a comparison if homes are normal and independent.
 
-    Parameters
-    ----------
-    effect, deviation
-        Mean and standard deviation, over homes, of the compared difference, in points.
-    homes
-        Number of homes, at least 2.
-    claimed
-        Range that the claim allows.
-    level, wide
-        Level of the interval that must lie inside the range for `holds`, and of the one that must lie outside
-        for `fails` (`placecat.evaluation.verdict.corrected_level`).
-
-    Returns
-    -------
-    holds, fails
-        Probabilities, from 4,000 fixed draws of mean and deviation.
+    `effect` and `deviation` are the mean and standard deviation of the compared difference over homes, in
+    points; `homes` is their number, at least 2; `claimed` is the range that the claim allows. The interval at
+    `level` must lie inside the range for `holds`, and the one at `wide`
+    (`placecat.evaluation.verdict.corrected_level`) must lie outside for `fails`. Returns the probabilities of
+    `holds` and of `fails`, from 4,000 fixed draws of mean and deviation.
     """
     rng = np.random.default_rng(20210)
     means = effect + deviation / math.sqrt(homes) * rng.standard_normal(_DRAWS)
@@ -65,40 +39,6 @@ def power(
     holds = (claimed.low < means - inner) & (means + inner < claimed.high)
     fails = (means + outer <= claimed.low) | (claimed.high <= means - outer)
     return float(holds.mean()), float((fails & ~holds).mean())
-
-
-def homes_needed(
-    effect: float,
-    deviation: float,
-    claimed: Range,
-    *,
-    wanted: float = 0.8,
-    wide: float = 0.95,
-    group: int = 6,
-    most: int = 600,
-) -> int | None:
-    """Find the smallest number of homes, in whole groups, that reaches the wanted power.
-
-    Parameters
-    ----------
-    effect, deviation, claimed, wide
-        As for :func:`power`.
-    wanted
-        Probability that the likelier verdict must reach.
-    group
-        Number of homes in a group.
-    most
-        Largest number of homes to try.
-
-    Returns
-    -------
-    int or None
-        None if `most` homes are not enough.
-    """
-    for homes in range(group, most + 1, group):
-        if max(power(effect, deviation, homes, claimed, wide=wide)) >= wanted:
-            return homes
-    return None
 
 
 def error_rate(
@@ -110,9 +50,6 @@ def error_rate(
     group: int = 6,
     shared: float = 0.0,
     level: float = 0.95,
-    simulations: int = 2000,
-    resamples: int = 1000,
-    seed: int = 0,
 ) -> float:
     """Simulate how often the ledger's rule decides wrongly.
 
@@ -135,20 +72,18 @@ def error_rate(
         for the others.
     level
         Level of the interval.
-    simulations, resamples, seed
-        Numbers of simulations and resamples, and the seed for drawing homes.
 
     Returns
     -------
     float
-        Share of simulations with a wrong verdict.
+        Share of 2,000 simulations, each with 1,000 resamples, with a wrong verdict.
     """
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     sign, name = (-1.0, shape[1:]) if shape.startswith("-") else (1.0, shape)
-    own = _drawn(rng, name, (simulations, homes))
-    common = np.repeat(_drawn(rng, name, (simulations, homes // group)), group, axis=1)
+    own = _drawn(rng, name, (_SIMULATIONS, homes))
+    common = np.repeat(_drawn(rng, name, (_SIMULATIONS, homes // group)), group, axis=1)
     units = truth + sign * (math.sqrt(1.0 - shared) * own + math.sqrt(shared) * common)
-    weights = np.random.default_rng(1).multinomial(homes, [1.0 / homes] * homes, size=resamples) / homes
+    weights = np.random.default_rng(1).multinomial(homes, [1.0 / homes] * homes, size=_RESAMPLES) / homes
     estimates = units.mean(axis=1)
     ends = np.quantile(units @ weights.T, [(1.0 - level) / 2.0, (1.0 + level) / 2.0], axis=1)
     low, high = estimates + stretch(homes, level) * (ends - estimates)

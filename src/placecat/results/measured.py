@@ -72,14 +72,9 @@ class Measured:
 
 @dataclass(frozen=True)
 class Quality:
-    """The quality of a result's distributions in some test homes, for each seed.
+    """The quality of a result's distributions in some test homes, for each seed (as for :class:`Measured`).
 
-    Attributes
-    ----------
-    homes, seeds
-        As for :class:`Measured`.
-    values
-        Maps each field of :class:`placecat.evaluation.quality.HomeQuality` to a (seeds, homes) array.
+    `values` maps each field of :class:`placecat.evaluation.quality.HomeQuality` to a (seeds, homes) array.
     """
 
     homes: tuple[str, ...]
@@ -247,10 +242,7 @@ def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[st
         homes, seeds = tuple(dict.fromkeys(values["home"])), tuple(dict.fromkeys(values["seed"]))
         axes = {"seed": seeds, "home": homes, "truth": places, "decision": places}
         confusion = np.zeros([len(labels) for labels in axes.values()], np.int64)
-        index = []
-        for column, labels in axes.items():
-            number = {label: position for position, label in enumerate(labels)}
-            index.append([number[label] for label in values[column]])
-        confusion[tuple(index)] = values["frames"]
+        index = tuple([labels.index(one) for one in values[column]] for column, labels in axes.items())
+        confusion[index] = values["frames"]
         measured[str(name)] = Measured(homes, seeds, places, confusion)
     return measured

@@ -11,7 +11,7 @@ from placecat.thesis.published import read_published
 def main() -> None:
     """Write reports/findings.csv and reports/findings_comparisons.csv."""
     params = settings.load()
-    findings, comparisons = ledger(
+    findings, comparisons, _ = ledger(
         definitions.findings(), settings.get(params, "verdict"), read_results(params), read_published()
     )
     files.write_csv(paths.FINDINGS, findings)

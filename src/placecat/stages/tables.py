@@ -8,7 +8,7 @@ from placecat.report.formats import table_latex, table_markdown
 from placecat.results.collect import read_results
 from placecat.results.quality import quality_table
 from placecat.stages import run
-from placecat.thesis import filling, in_text, notes, tables
+from placecat.thesis import in_text, notes, tables
 from placecat.thesis.metrics import chosen_averages, nested_metrics, plot_data
 from placecat.thesis.tables import dataset_of, tables_of
 
@@ -23,14 +23,14 @@ def main() -> None:
     with files.replacing(paths.TABLES) as folder:
         for name, table in tables_of(params).items():
             dataset = dataset_of(table, params)
-            filled[name] = filling.table(table, results, params)
+            filled[name] = tables.fill(table, results, params)
             target = paths.OPTIONAL_TABLES if "needs" in table else folder
             files.write_csv(target / f"{name}.csv", filled[name][tables.COLUMNS])
             files.write_text(target / f"{name}.md", table_markdown(table, filled[name], dataset))
             files.write_text(target / f"{name}.tex", table_latex(table, filled[name], dataset))
     files.write_csv(paths.ACCURACIES, results.accuracy_table())
     files.write_csv(paths.PROBABILITIES, quality_table(results.quality))
-    said = filling.text(results, params)
+    said = in_text.fill(results, params)
     files.write_csv(paths.IN_TEXT, said[in_text.COLUMNS])
     origins = {name: to_json(table, results) for name, table in filled.items()}
     files.write_json(paths.ORIGINS, origins | {in_text.NAME: to_json(said, results, in_text.KEY)})

@@ -10,11 +10,12 @@ from placecat import files, paths, settings
 from placecat.mlflow_log.content import figures_run, findings_run, table_run
 from placecat.mlflow_log.store import queued_experiment, queued_in, tracking_uri
 from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, TableRun, log_tables
-from placecat.provenance.made import Made, made, trials_of
+from placecat.provenance.made import Made, made
 from placecat.results.collect import read_results
 from placecat.runs.lockfile import data_version, git_commit
 from placecat.stages import run
 from placecat.thesis import notes
+from placecat.thesis.records import trials_of
 from placecat.thesis.tables import dataset_of, folder_of, tables_of
 
 _TEXT = ["group", "row", "column", "note"]

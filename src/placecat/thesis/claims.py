@@ -85,8 +85,8 @@ class Comparison:
     """
 
     left: Side
-    right: Side | None
     range: tuple[str, float | None]
+    right: Side | None = None
     compare: str = "difference"
     published: Mapping[str, Any] | None = None
     published_home: str | None = None
@@ -119,16 +119,16 @@ class Finding:
     claim: str
     comparisons: tuple[Comparison, ...]
     readings: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
-    filters: tuple[str, ...] = ()
+    filters: Sequence[str] = ()
 
     def read_as(self, reading: str) -> "Finding":
         """Return the same claim about the results of another reading."""
         parts = self.readings[reading]
-        comparisons = []
-        for one in self.comparisons:
-            left, *right = (side.renamed(parts) for side in one.sides)
-            comparisons.append(replace(one, left=left, right=right[0] if right else None))
-        return replace(self, comparisons=tuple(comparisons))
+        comparisons = tuple(
+            replace(one, left=one.left.renamed(parts), right=one.right and one.right.renamed(parts))
+            for one in self.comparisons
+        )
+        return replace(self, comparisons=comparisons)
 
 
 def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
@@ -138,8 +138,8 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     values replace each ``{key}`` in the comparison's text. Unknown, missing or contradictory settings raise
     PlacecatError.
     """
-    file = f"{paths.FINDING_DEFINITIONS / name}.yaml"
-    _check(config, ["number", "section", "claim", "comparisons"], ["readings", "filters"], file)
+    where = f"{paths.FINDING_DEFINITIONS / name}.yaml"
+    finding: Finding = settings.call(Finding, name, settings=config, where=where)
     comparisons = []
     for one in config["comparisons"]:
         rest = {key: value for key, value in one.items() if key != "each"}
@@ -148,63 +148,62 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
         raise PlacecatError(f"{name} makes no comparison")
     if len({one.range[0] == BOTH_SIGNS for one in comparisons}) > 1:
         raise PlacecatError(f"{name} mixes {BOTH_SIGNS} with other ranges: it covers all comparisons")
-    readings = {str(reading): dict(parts) for reading, parts in config.get("readings", {}).items()}
-    compared = "/".join(result for one in comparisons for side in one.sides for result in side.results)
-    for reading, parts in readings.items():
-        if unknown := [part for part in parts if part not in compared.split("/")]:
+    parts_compared = {
+        part
+        for one in comparisons
+        for side in one.sides
+        for result in side.results
+        for part in result.split("/")
+    }
+    for reading, parts in finding.readings.items():
+        if unknown := [part for part in parts if part not in parts_compared]:
             raise PlacecatError(
                 f"{name} reads {unknown[0]!r} in another way ({reading}), but compares no such result"
             )
-    return Finding(
-        name,
-        int(config["number"]),
-        str(config["section"]),
-        str(config["claim"]),
-        tuple(comparisons),
-        readings,
-        tuple(config.get("filters", ())),
-    )
+    return replace(finding, section=str(finding.section), comparisons=tuple(comparisons))
 
 
 def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
-    options = dict(config)
-    _check(options, ["left", "range"], ["right", "compare", "published", "published_home", "pooled"], where)
-    left = _side(options.pop("left"), where)
-    right = _side(options.pop("right"), where) if "right" in options else None
-    kind = options.pop("range")
-    if isinstance(kind, Mapping) and len(kind) != 1:
-        raise PlacecatError(f"a range of {where} has {len(kind)} kinds instead of one")
-    ((name, number),) = kind.items() if isinstance(kind, Mapping) else [(kind, None)]
-    kind = (name, None if number is None else float(number))
-    comparison = Comparison(left, right, kind, **options)
+    read: Comparison = settings.call(Comparison, settings=config, where=where)
+    kinds = config["range"] if isinstance(config["range"], Mapping) else {config["range"]: None}
+    if len(kinds) != 1:
+        raise PlacecatError(f"a range of {where} has {len(kinds)} kinds instead of one")
+    ((kind, number),) = kinds.items()
+    comparison = replace(
+        read,
+        left=_side(config["left"], where),
+        right=_side(config["right"], where) if "right" in config else None,
+        range=(kind, None if number is None else float(number)),
+    )
+    left, right = comparison.left, comparison.right
     if comparison.compare not in COMPARE:
         raise PlacecatError(f"{where} compares by {comparison.compare!r}; choose {' or '.join(COMPARE)}")
-    if (kind[0] == ABOVE) != (right is None):
+    if (kind == ABOVE) != (right is None):
         raise PlacecatError(f"{where} needs either a right side or the range {ABOVE!r}")
     if right is None and comparison.compare == "ratio":
         raise PlacecatError(f"a ratio of {where} has no right side")
     if wrong := [side.label for side in comparison.sides if side.plain and (side.place or side.error)]:
         raise PlacecatError(f"{wrong[0]!r} of {where} cannot be both plain and of one place or an error")
-    if kind[0] == BOTH_SIGNS and right and len(left.results) != len(right.results):
+    if kind == BOTH_SIGNS and right and len(left.results) != len(right.results):
         raise PlacecatError(f"{BOTH_SIGNS} of {where} needs as many results on the right as on the left")
     return comparison
 
 
 def _side(config: Mapping[str, Any], where: str) -> Side:
-    options = dict(config)
-    if ("result" in options) == ("results" in options):
+    if ("result" in config) == ("results" in config):
         raise PlacecatError(f"a side of {where} needs either result or results")
-    results = [options.pop("result")] if "result" in options else options.pop("results")
-    published = options.pop("published", None)
+    results = tuple([config["result"]] if "result" in config else config["results"])
+    published = config.get("published")
     if published is not None:
         published = tuple(published) if isinstance(published, Sequence) else (published,)
-    options["results"] = tuple(results)
+    rest = {key: value for key, value in config.items() if key != "result"}
+    options = {**rest, "results": results, "published": published}
     side: Side = settings.call(Side, settings=options, where=f"a side of {where}")
     if side.combine not in COMBINE:
         raise PlacecatError(f"{where} combines by {side.combine!r}; choose one of {', '.join(COMBINE)}")
     if published is not None and side.combine != "mean" and len(published) != len(results):
         raise PlacecatError(f"{where} has {len(published)} published numbers for {len(results)} results")
-    return replace(side, published=published)
+    return side
 
 
 def _substitute(value: Any, replacements: Mapping[str, Any]) -> Any:
@@ -215,9 +214,3 @@ def _substitute(value: Any, replacements: Mapping[str, Any]) -> Any:
     if isinstance(value, Sequence):
         return [_substitute(one, replacements) for one in value]
     return value
-
-
-def _check(config: Mapping[str, Any], needed: list[str], optional: list[str], where: str) -> None:
-    settings.refuse_unknown(config, [*needed, *optional], where)
-    if missing := [name for name in needed if name not in config]:
-        raise PlacecatError(f"{where} has no setting {missing[0]!r}, which is needed")

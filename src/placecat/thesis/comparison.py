@@ -1,5 +1,6 @@
 """Compare results: a variant, its baseline, and their difference."""
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
@@ -103,7 +104,6 @@ def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
 
 
 def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right: Number) -> list[Line]:
-    """Return both sides, then their difference."""
     prefix = f"{label}: " if label else ""
     return [
         Line(prefix + entry["variant"]["quantity"], home, left),
@@ -113,7 +113,6 @@ def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right:
 
 
 def _pairs(entry: Mapping[str, Any], results: Results, where: str) -> list[Pair]:
-    """List the pairs to compare."""
     if "pairs" in entry:
         pairs = entry["pairs"].items()
         return [_chosen(str(label), variant, baseline, results) for label, (variant, baseline) in pairs]
@@ -139,26 +138,14 @@ def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
 
 def _best(pattern: str, results: Results) -> tuple[str, str]:
     """Find a pattern's trial with the highest average over homes; return its name and a note."""
-    wanted = _labels(pattern)
-    if BEST not in wanted:
+    if BEST not in pattern:
         return pattern, ""
-    table = pattern.removesuffix("|".join(wanted))
-    trials = [
-        name
-        for name in _known(results)
-        if name.startswith(table)
-        and all(part in (BEST, label) for part, label in zip(wanted, _labels(name), strict=True))
-    ]
+    wanted = re.compile(re.escape(pattern).replace(re.escape(BEST), "([^|]*)"))
+    trials = {name: match for name in _known(results) if (match := wanted.fullmatch(name))}
     if not trials:
         raise PlacecatError(f"there is no result {pattern!r}")
-    best = best_of(results, trials)
-    chosen = [label for part, label in zip(wanted, _labels(best), strict=True) if part == BEST and label]
-    return best, f"the best: {', '.join(chosen)}"
-
-
-def _labels(trial: str) -> list[str]:
-    """Split a trial's name into its axis labels, which may contain slashes."""
-    return trial.split("/", 2)[-1].split("|")
+    best = best_of(results, list(trials))
+    return best, f"the best: {', '.join(filter(None, trials[best].groups()))}"
 
 
 def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tuple[str, Number, Number]]:
@@ -169,7 +156,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
         left, right = (_whole(results, one, bool(entry.get("plain"))) for one in names)
         return [("", left, right)]
     tried, both = _homes_of(names, results)
-    in_each = [
+    lines = [
         (home_label(number), in_home(results, pair.variant, number), in_home(results, pair.baseline, number))
         for number in homes
     ]
@@ -178,7 +165,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
         averages = [replace(one, notes=(only_some(both, tried),)) for one in averages]
     return [
         (home, left.noted(pair.variant_note), right.noted(pair.baseline_note))
-        for home, left, right in [*in_each, (AVERAGE, averages[0], averages[1])]
+        for home, left, right in [*lines, (AVERAGE, averages[0], averages[1])]
     ]
 
 
@@ -231,7 +218,6 @@ def _whole(results: Results, name: str, plain: bool) -> Number:
 
 
 def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
-    """Summarize all differences in one number."""
     extremes: dict[str, Callable[..., str]] = {"lowest": min, "highest": max}
     if kind not in ("mean", *extremes):
         raise PlacecatError(
@@ -246,7 +232,6 @@ def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
 
 
 def _error_ratio(results: Results, variant: str, baseline: str) -> Number:
-    """Return the ratio of two results' error rates."""
     origins = (Origin(variant), Origin(baseline))
     errors = [100.0 - results.of(name).by_home().mean(axis=1) for name in (variant, baseline)]
     if (errors[1] <= 0).any():

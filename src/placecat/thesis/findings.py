@@ -21,7 +21,7 @@ _NOTHING = Interval(float("nan"), float("nan"), float("nan"))
 
 def ledger(
     findings: Mapping[str, Any], verdict: Mapping[str, Any], results: Results, published: Published
-) -> tuple[pd.DataFrame, pd.DataFrame]:
+) -> tuple[pd.DataFrame, pd.DataFrame, list[Judged]]:
     """Judge every finding.
 
     `findings` maps each finding's name to its settings (see `read_finding`); invalid settings raise
@@ -42,11 +42,13 @@ def ledger(
         whether a comparison holds; the corrected ends, which allow for the number of comparisons in the
         finding, decide whether it fails. A comparison without measurements is undecided. Numbers are percent
         or points with 2 decimals, NaN if missing.
+    judged
+        The judgement behind each row of `comparisons`.
     """
     rules: Rules = settings.call(Rules, settings=verdict, where="verdict")
     read = sorted((read_finding(name, one) for name, one in findings.items()), key=lambda one: one.number)
     readings = list(dict.fromkeys(reading for finding in read for reading in finding.readings))
-    rows, details = [], []
+    rows, details, all_judged = [], [], []
     for finding in read:
         by_reading = {}
         for reading in ("", *finding.readings):
@@ -56,13 +58,14 @@ def ledger(
                 for one in comparisons
             ]
             details += [_comparison_row(finding, reading, one) for one in judged]
+            all_judged += judged
             by_reading[reading] = _finding_row(finding, judged, rules)
         row = by_reading.pop("")
         drops = filter(None, (results.drops(f"filtered/{one}") for one in finding.filters))
         reason = "; ".join([row.pop("reason"), *drops])
         verdicts = {f"verdict_{name}": by_reading.get(name, {}).get("verdict", "") for name in readings}
         rows.append(row | verdicts | {"reason": reason})
-    return pd.DataFrame(rows), pd.DataFrame(details)
+    return pd.DataFrame(rows), pd.DataFrame(details), all_judged
 
 
 def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> dict[str, Any]:
@@ -91,7 +94,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
         "published": _text(shown.comparison, shown.thesis.numbers, shown.thesis.difference),
         "measured": _text(shown.comparison, shown.measurement.numbers) if shown.measurement else "",
         **_interval("difference", shown),
-        "units": shown.measurement.units if shown.measurement else "",
+        "units": shown.measurement.paired.units if shown.measurement else "",
         "verdict": verdict,
         "reason": "; ".join(dict.fromkeys(reasons)),
     }
@@ -121,7 +124,7 @@ def _comparison_row(finding: Finding, reading: str, judged: Judged) -> dict[str,
         "corrected_low": corrected.low,
         "corrected_high": corrected.high,
         "range": "both signs" if judged.claimed is None else str(judged.claimed),
-        "units": measurement.units if measurement else "",
+        "units": measurement.paired.units if measurement else "",
         "verdict": judged.verdict,
         "reason": judged.reason,
         "left_results": "; ".join(results[0]),

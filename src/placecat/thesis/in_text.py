@@ -6,14 +6,15 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 
-from placecat import settings
+from placecat import files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.results.measured import Results
+from placecat.thesis import definitions
 from placecat.thesis.comparison import Line, alone, compare
-from placecat.thesis.notes import Kind, Note, Notes, joined, without_empty
-from placecat.thesis.number import Number, nothing
-from placecat.thesis.records import read_off
-from placecat.thesis.tables import comparable, not_comparable
+from placecat.thesis.notes import Kind, Note
+from placecat.thesis.number import nothing
+from placecat.thesis.records import read_off, read_records
+from placecat.thesis.tables import number_columns
 
 COLUMNS = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
 # The table's name, and the columns that identify a number.
@@ -30,6 +31,22 @@ class _Said(NamedTuple):
     note: str = ""
 
 
+def fill(results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
+    """Fill the numbers in the thesis's text (:func:`in_text`), with the files in data/thesis.
+
+    Raises PlacecatError if one of these files is damaged, or a stage's record is missing.
+    """
+    columns = ["name", "section", "quantity", "home", "quote", "note"]
+    return in_text(
+        definitions.in_text(),
+        results,
+        files.read_table(paths.PUBLISHED_TEXT, columns),
+        settings.get(params, "dataset"),
+        {name: split["dataset"] for name, split in settings.get(params, "splits").items()},
+        read_records(params),
+    )
+
+
 def in_text(
     entries: Mapping[str, Mapping[str, Any]],
     results: Results,
@@ -40,22 +57,19 @@ def in_text(
 ) -> pd.DataFrame:
     """Compare the measured numbers with those in the text.
 
-    Returns the columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published,
-    measured, spread, seeds and note; ``notes``, the same note by kind; and ``number``, a
-    :class:`~placecat.thesis.number.Number`. A comparison has rows for both sides and for their difference,
-    variant minus baseline, in points. ``spread`` and ``seeds`` are as in
-    :func:`~placecat.thesis.tables.fill_table`. Raises PlacecatError for an unknown setting or result, an
-    entry without a published line, or a published line without an entry.
+    Returns the columns name, section, quantity, home ("Home 6", "Average", or "" for neither), and further
+    columns as :func:`~placecat.thesis.tables.fill_table` does, from published on. A comparison has rows for
+    both sides and for their difference, variant minus baseline, in points. Raises PlacecatError for an
+    unknown setting or result, an entry without a published line, or a published line without an entry.
 
     Parameters
     ----------
     entries
-        Maps each entry's name to its settings (see data/thesis/in_text.yaml). An entry is a comparison
-        (:func:`~placecat.thesis.comparison.compare`), a single ``result``
-        (:func:`~placecat.thesis.comparison.alone`) or a ``record``
-        (:func:`~placecat.thesis.records.read_off`), each with ``thesis_data`` and, if not measured on the
-        main data set, its data (``split``, or ``data`` in words). Or it is a ``reference``, the reason why it
-        was not measured.
+        Maps each entry's name to its settings (see data/thesis/in_text.yaml): those of
+        :func:`~placecat.thesis.comparison.compare`, :func:`~placecat.thesis.comparison.alone` (with
+        ``result``) or :func:`~placecat.thesis.records.read_off` (with ``record``), with ``thesis_data`` and,
+        if not measured on the main data set, its data (``split``, or ``data`` in words). Or only a
+        ``reference``, the reason why it was not measured.
     published
         Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note; the
         note lists passages in the thesis that contradict the value.
@@ -65,7 +79,10 @@ def in_text(
         Tables by name.
     """
     sections = dict(zip(published["name"], published["section"], strict=True))
-    _same_names(list(entries), list(sections))
+    if more := [name for name in entries if name not in sections]:
+        raise PlacecatError(f"in_text has an entry {more[0]!r} that the thesis does not mention")
+    if more := [name for name in sections if name not in entries]:
+        raise PlacecatError(f"the thesis's number {more[0]!r} has no entry in in_text")
     columns = published[["name", "quantity", "home", "value", "quote", "note"]]
     said = {
         (name, quantity, home): _Said(float(value), quote, note)
@@ -77,17 +94,11 @@ def in_text(
         measured_on = splits[entry["split"]] if "split" in entry else dataset
         for quantity, home, number in _lines(name, entry, results, records, known):
             words = said.get((name, quantity, home), _Said())
-            notes = _notes(entry, number, words, measured_on)
-            measured = (number.measured, number.spread, number.seeds, joined(notes), notes, number)
-            rows.append((name, str(sections[name]), quantity, home, words.value, *measured))
+            quoted = f'the thesis says "{words.quote}"' if words.quote else ""
+            notes = [Note(Kind.PUBLISHED, text) for text in (words.note, quoted)]
+            measured = number_columns(number, words.value, notes, entry, measured_on)
+            rows.append((name, str(sections[name]), quantity, home, *measured))
     return pd.DataFrame(rows, columns=[*COLUMNS, "notes", "number"])
-
-
-def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
-    if more := [name for name in entries if name not in published]:
-        raise PlacecatError(f"in_text has an entry {more[0]!r} that the thesis does not mention")
-    if more := [name for name in published if name not in entries]:
-        raise PlacecatError(f"the thesis's number {more[0]!r} has no entry in in_text")
 
 
 def _lines(
@@ -105,16 +116,3 @@ def _lines(
     if "record" in entry:
         return read_off(rest, records, where)
     return (alone if "result" in entry else compare)(rest, results, where)
-
-
-def _notes(entry: Mapping[str, Any], number: Number, words: _Said, dataset: Mapping[str, Any]) -> Notes:
-    notes = [Note(Kind.MEASURED, text) for text in number.notes]
-    if len(number.values):
-        notes.insert(0, Note(Kind.DATA, f"measured on {entry.get('data') or dataset['title']}"))
-        thesis_data = entry.get("thesis_data")
-        if np.isfinite(words.value) and thesis_data is not None and not comparable(entry, dataset):
-            notes.append(not_comparable(thesis_data))
-    notes.append(Note(Kind.PUBLISHED, words.note))
-    if words.quote:
-        notes.append(Note(Kind.PUBLISHED, f'the thesis says "{words.quote}"'))
-    return without_empty(notes)

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,7 @@ from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, Range, correcte
 from placecat.results.measured import Results
 from placecat.thesis.claims import Comparison, Side
 from placecat.thesis.number import AVERAGE
-from placecat.thesis.pairing import Paired, pair
+from placecat.thesis.pairing import Paired, counted, pair, too_few
 from placecat.thesis.pooling import Pooled, pool
 from placecat.thesis.published import Published
 from placecat.thesis.rules import Rules, claimed_range
@@ -26,8 +27,7 @@ _WHERE = {
 }
 
 
-@dataclass(frozen=True)
-class Thesis:
+class Thesis(NamedTuple):
     """The thesis's numbers: one per side, and their difference (or ratio); missing ones are NaN."""
 
     numbers: tuple[float, ...]
@@ -40,6 +40,8 @@ class Measurement:
 
     Attributes
     ----------
+    paired
+        The sides' measurements.
     numbers
         Each side's number, in percent.
     results
@@ -48,27 +50,13 @@ class Measurement:
         Interval of the difference (or ratio), rounded to 2 decimals; the ends are NaN for a single unit.
     corrected
         The interval at the level that allows for the finding's number of comparisons.
-    units
-        Number and kind of the units, as text.
-    gains
-        One (results,) array per home (or for all pooled sequences): left minus right for each pair of
-        results, mean over seeds. Empty if the sides' results do not pair.
-    worse, better
-        Number of cases (a pair of results in a home) in which the left was noticeably worse or better than
-        the right with every seed.
-    note
-        The parts left out, or "".
     """
 
+    paired: Paired | Pooled
     numbers: tuple[float, ...]
     results: tuple[tuple[str, ...], ...]
     interval: Interval
     corrected: Interval
-    units: str
-    gains: tuple[NDArray[np.float64], ...]
-    worse: int
-    better: int
-    note: str
 
 
 @dataclass(frozen=True)
@@ -99,44 +87,46 @@ def judge_comparison(
     `finding` is the finding's name, which determines the bootstrap's seed; `comparisons` is the finding's
     number of comparisons, all of which must hold. Invalid settings raise PlacecatError.
     """
+    measured, missing = None, ""
     try:
         paired = (
             pool(results, comparison.sides)
             if comparison.pooled
             else pair(results, comparison.sides, rules.few_homes)
         )
-        measured = measure(finding, comparison, rules, paired, comparisons)
+        measured = _measure(finding, comparison, rules, paired, comparisons)
     except NotComputable as error:
-        thesis = look_up(comparison, published)
-        claimed = claimed_range(comparison.range, thesis.difference, rules)
-        return Judged(comparison, thesis, claimed, None, UNDECIDED, str(error))
-    thesis = look_up(comparison, published, paired.sides)
+        missing = str(error)
+    thesis = look_up(comparison, published, measured.paired.sides if measured else comparison.sides)
     claimed = claimed_range(comparison.range, thesis.difference, rules)
+    if measured is None:
+        return Judged(comparison, thesis, claimed, None, UNDECIDED, missing)
     if claimed is None:
         verdict, reason = judge_cases([measured], rules)
-    elif too_few := paired.too_few(rules.minimum_units):
-        verdict, reason = UNDECIDED, too_few
+    elif reason := paired.too_few(rules.minimum_units):
+        verdict = UNDECIDED
     else:
         verdict = judge(measured.interval, claimed, measured.corrected)
         reason = _reason(verdict, measured, claimed, corrected_level(rules.level, comparisons))
         reason += ", in these homes" if paired.at_hand else ""
-    if measured.note:
-        reason += f"; {measured.note}"
+    reason = "; ".join(filter(None, (reason, paired.note)))
     return Judged(comparison, thesis, claimed, measured, verdict, reason)
 
 
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
     """Judge, from all cases together, whether something both hurts and helps; return verdict and reason.
 
-    A case is a pair of results in a home; homes may differ between comparisons. The rule is that of
-    :func:`placecat.evaluation.verdict.judge_shares`.
+    A case is a pair of results in a home (or in all pooled sequences); homes may differ between comparisons.
+    It is worse or better if it is so noticeably with every seed; the shares rest on means over seeds. The
+    rule is that of :func:`placecat.evaluation.verdict.judge_shares`.
     """
-    worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
-    gains = [gain for one in measured for gain in one.gains]
-    counts = f"worse in {worse}, better in {better} of {sum(len(one) for one in gains)} cases"
+    cases = [_gains(one.paired) for one in measured]
+    worse = sum(int((one <= -rules.noticeable).all(axis=2).sum()) for one in cases)
+    better = sum(int((one >= rules.noticeable).all(axis=2).sum()) for one in cases)
+    gains = [of_home for one in cases for of_home in one.mean(axis=2).T]
+    counts = f"worse in {worse}, better in {better} of {sum(map(len, gains))} cases"
     if len(gains) < rules.minimum_units:
-        few = "1 home is" if len(gains) == 1 else f"{len(gains)} homes are"
-        return UNDECIDED, f"{counts}; {few} too few for a verdict"
+        return UNDECIDED, f"{counts}; {too_few(counted(len(gains), 'home'))}"
     shares = [
         share_below([sign * gain for gain in gains], -rules.noticeable, level=rules.level)
         for sign in (1.0, -1.0)
@@ -149,9 +139,8 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
     )
 
 
-def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] | None = None) -> Thesis:
-    """Look up a comparison's published numbers; `sides` can restrict them to the measured results."""
-    sides = comparison.sides if sides is None else sides
+def look_up(comparison: Comparison, published: Published, sides: Sequence[Side]) -> Thesis:
+    """Look up a comparison's published numbers; `sides` are its sides, perhaps with only some results."""
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
     difference = _compare(comparison, numbers)[0]
@@ -160,13 +149,10 @@ def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] 
     return Thesis(tuple(float(number[0]) for number in numbers), float(difference))
 
 
-def measure(
-    finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int = 1
+def _measure(
+    finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int
 ) -> Measurement:
-    """Measure a comparison with a bootstrap over its units; a ratio to 0 raises NotComputable.
-
-    `finding` and `comparisons` are as for :func:`judge_comparison`.
-    """
+    """Measure a comparison with a bootstrap over its units; a ratio to 0 raises NotComputable."""
 
     def sides_of(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
         return [_combine(side, of_side) for side, of_side in zip(paired.sides, values, strict=True)]
@@ -185,17 +171,12 @@ def measure(
             )
             for level in (rules.level, corrected_level(rules.level, comparisons))
         )
-    gains = _gains(paired)
     return Measurement(
+        paired,
         numbers=tuple(float(one[0]) for one in numbers),
         results=tuple(_used(side, of_side) for side, of_side in zip(paired.sides, overall, strict=True)),
         interval=interval.rounded(),
         corrected=corrected.rounded(),
-        units=paired.units,
-        gains=tuple(gains.mean(axis=2).T),
-        worse=int((gains <= -rules.noticeable).all(axis=2).sum()),
-        better=int((gains >= rules.noticeable).all(axis=2).sum()),
-        note=paired.note,
     )
 
 
@@ -211,8 +192,7 @@ def in_each_home(comparison: Comparison, paired: Paired) -> NDArray[np.float64]:
 
 
 def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -> str:
-    wide = measured.corrected != measured.interval
-    if verdict == FAILS and wide:
+    if verdict == FAILS and measured.corrected != measured.interval:
         return f"none of the {percent(level)} interval is {claimed}"
     if verdict == UNDECIDED and judge(measured.interval, claimed) == FAILS:
         return f"none of the interval is {claimed}, but part of the {percent(level)} interval is"

@@ -1,4 +1,4 @@
-"""Table layouts, which determine the measured number of each cell."""
+"""Table layouts, which determine the measured number of each cell; a table's ``layout`` names one."""
 
 import itertools
 from collections.abc import Mapping
@@ -31,14 +31,6 @@ Cells = dict[Key, Number]
 def place_column(place: str) -> str:
     """Return a place's name in the published tables, e.g. "Living Room" for ``living_room``."""
     return place.replace("_", " ").title()
-
-
-def cells(table: Mapping[str, Any], results: Results) -> Cells:
-    """Fill a table's cells by its ``layout``, which names one of the functions below.
-
-    Raises PlacecatError for a result that the run does not have.
-    """
-    return LAYOUTS[table["layout"]](table, results)
 
 
 def by_class(table: Mapping[str, Any], results: Results) -> Cells:
@@ -162,11 +154,9 @@ def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
 def _quality(results: Results, name: str, measure: str) -> Number:
     one, origins = results.quality.get(name), (Origin(name, part=measure),)
     if one is None:
-        reasons = results.reasons(name)
-        if not reasons:
-            # Raise an error for an unknown name.
-            results.of(name)
-        return nothing(*(reasons or ["nothing was measured"]), origins=origins)
+        # Raise an error for an unknown name.
+        results.find(name)
+        return nothing(*(results.reasons(name) or ["nothing was measured"]), origins=origins)
     values = one.over_homes(measure)
     if not len(values):
         return nothing("no tested frame has a label", origins=origins)

@@ -44,10 +44,10 @@ def _nest(table: pd.DataFrame) -> dict[str, Any]:
 def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
     """Average selected results over homes and seeds, as in the tables; `dvc exp show` has a column for each.
 
-    `chosen` has the keys ``accuracy`` and ``log_loss``. Each maps a column's name, e.g. ``gist``, to the name
-    of its result, e.g. ``cues/gist/5-5-1``. Returns the accuracies in percent with two decimals, by column,
-    and under ``log_loss`` the log-losses in nats with three decimals, by column. Results that this data does
-    not allow are left out. An unknown kind of number or result raises PlacecatError.
+    `chosen` has the keys ``accuracy`` and ``log_loss``. Each maps a column's name, e.g. ``gist``, to its
+    result, e.g. ``cues/gist/5-5-1``. Returns by column the accuracies (percent, two decimals) and, under
+    ``log_loss``, the log-losses (nats, three decimals), without results that this data does not allow. An
+    unknown kind of number or result raises PlacecatError.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
     averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}

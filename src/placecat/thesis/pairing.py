@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,8 +45,8 @@ class Paired:
     @property
     def units(self) -> str:
         """The units as text, e.g. ``6 homes`` or ``2 homes x 2 seeds``."""
-        homes = _count(len(self.homes), "home")
-        return f"{homes} x {_count(self.seeds, 'seed')}" if self.by_seed else homes
+        homes = counted(len(self.homes), "home")
+        return f"{homes} x {counted(self.seeds, 'seed')}" if self.by_seed else homes
 
     def by_unit(self) -> tuple[NDArray[np.float64], ...]:
         """Return one (results, units) array per side; `by_seed` determines the units."""
@@ -65,7 +66,7 @@ class Paired:
 
     def too_few(self, minimum: int) -> str:
         """Return the reason if there are too few units for a verdict, else ""."""
-        return f"{self.units} are too few for a verdict" if self.n_units < minimum else ""
+        return too_few(self.units) if self.n_units < minimum else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
         """Return one (results, 1) array of percent per side; all units weigh the same."""
@@ -156,7 +157,7 @@ def common_seeds(measured: Iterable[Measured]) -> tuple[str, ...]:
     return tuple(seed for seed in random[0].seeds if all(seed in one.seeds for one in random))
 
 
-def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, ...]) -> NDArray[np.float64]:
+def _values(one: Measured, side: Side, homes: Sequence[str], seeds: Sequence[str]) -> NDArray[np.float64]:
     if side.plain:
         percent = one.plain()
     elif side.place is None:
@@ -168,10 +169,15 @@ def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, .
     percent = percent[:, [one.homes.index(home) for home in homes]]
     if side.error:
         percent = 100.0 - percent
+    return with_seeds(one, percent, seeds).T
+
+
+def with_seeds(one: Measured, values: NDArray[Any], seeds: Sequence[str]) -> NDArray[Any]:
+    """Select the rows of the shared seeds from a result's (seeds, n) values."""
     if one.is_random and seeds:
-        return percent[[one.seeds.index(seed) for seed in seeds]].T
+        return values[[one.seeds.index(seed) for seed in seeds]]
     # Nothing is random, or the results share no seed: only the means can be paired.
-    return np.broadcast_to(percent.mean(axis=0), (max(len(seeds), 1), len(homes))).T
+    return np.broadcast_to(values.mean(axis=0), (max(len(seeds), 1), values.shape[1]))
 
 
 def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
@@ -197,5 +203,11 @@ def _note(results: Results, names: Sequence[str], homes: Sequence[str]) -> str:
     return "; ".join(sorted(reasons))
 
 
-def _count(number: int, noun: str) -> str:
+def counted(number: int, noun: str) -> str:
+    """Return a number with a noun, e.g. "1 home" or "2 homes"."""
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def too_few(units: str) -> str:
+    """Return the reason why there is no verdict on counted units."""
+    return f"{units} {'is' if units in ('1 home', '1 stay') else 'are'} too few for a verdict"

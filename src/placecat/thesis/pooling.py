@@ -10,7 +10,16 @@ from placecat.errors import NotComputable
 from placecat.evaluation.bootstrap import Interval, stratified_bootstrap
 from placecat.results.measured import Measured, Results
 from placecat.thesis.claims import Side
-from placecat.thesis.pairing import Statistic, common_seeds, computable, left_out, look_up
+from placecat.thesis.pairing import (
+    Statistic,
+    common_seeds,
+    computable,
+    counted,
+    left_out,
+    look_up,
+    too_few,
+    with_seeds,
+)
 
 
 @dataclass(frozen=True)
@@ -50,7 +59,7 @@ class Pooled:
     @property
     def units(self) -> str:
         """The units as text."""
-        return f"{len(self.frames)} stays"
+        return counted(len(self.frames), "stay")
 
     @property
     def n_units(self) -> int:
@@ -70,7 +79,7 @@ class Pooled:
         """Return the reason if there are too few stays for a verdict, else ""."""
         once = [self.names[place] for place in np.flatnonzero(np.bincount(self.places) == 1)]
         if len(self.frames) < minimum:
-            return f"{self.units} are too few for a verdict"
+            return too_few(self.units)
         return f"only one stay shows {' and '.join(once)}: too few for a verdict" if once else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
@@ -145,6 +154,4 @@ def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray
     """Count the (seeds, stays) frames decided correctly."""
     right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
     right = right[:, [one.homes.index(stay) for stay in stays]]
-    if one.is_random and seeds:
-        return right[[one.seeds.index(seed) for seed in seeds]]
-    return np.broadcast_to(right.mean(axis=0), (max(len(seeds), 1), len(stays)))
+    return with_seeds(one, right, seeds)

@@ -74,9 +74,8 @@ class Published:
     def _cells(self) -> dict[int, list[tuple[tuple[str, ...], float]]]:
         """The labels and value of each cell, by table number."""
         cells: dict[int, list[tuple[tuple[str, ...], float]]] = {}
-        for table, *labels, value in zip(
-            *(self.tables[name] for name in ("table", *_AXES, "value")), strict=True
-        ):
+        columns = self.tables[["table", *_AXES, "value"]]
+        for table, *labels, value in columns.itertuples(index=False, name=None):
             cells.setdefault(int(table), []).append((tuple(labels), float(value)))
         return cells
 
@@ -84,9 +83,8 @@ class Published:
     def _of_text(self) -> dict[str, list[tuple[dict[str, str], float]]]:
         """The quantity, home and value of each number in the text, by name."""
         rows: dict[str, list[tuple[dict[str, str], float]]] = {}
-        for name, quantity, home, value in zip(
-            *(self.text[column] for column in ("name", "quantity", "home", "value")), strict=True
-        ):
+        columns = self.text[["name", "quantity", "home", "value"]]
+        for name, quantity, home, value in columns.itertuples(index=False, name=None):
             rows.setdefault(name, []).append(({"quantity": quantity, "home": home}, float(value)))
         return rows
 

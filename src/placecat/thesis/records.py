@@ -9,7 +9,7 @@ import pandas as pd
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.evaluation.trials import expand
+from placecat.evaluation.trials import Trial, expand
 from placecat.sequences import listing
 from placecat.thesis import definitions
 from placecat.thesis.comparison import Line
@@ -23,20 +23,13 @@ _VALUE = ["quantity", "column", "where", "pick", "digits"]
 
 
 def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
-    """Read an entry's numbers from a table.
+    """Read an entry's numbers from a table; `records` are tables by name, without rows if not recorded.
 
-    Raises PlacecatError for an unknown setting, table or column, or for several rows without ``pick``.
-
-    Parameters
-    ----------
-    entry
-        ``record``, the table's name, and ``values``. Each value has ``quantity`` (its name), ``column``, and
-        ``where``, which maps columns to the values that select rows. ``pick``, "lowest" or "highest", chooses
-        from several rows. ``digits`` is the number of digits after the decimal point, 2 by default.
-    records
-        Tables by name; a table without rows was not recorded.
-    where
-        Name of the entry in messages.
+    `entry` has ``record``, the table's name, and ``values``. Each value has ``quantity`` (its name),
+    ``column``, and ``where``, which maps columns to the values that select rows. ``pick``, "lowest" or
+    "highest", chooses from several rows. ``digits`` is the number of digits after the decimal point, 2 by
+    default. Raises PlacecatError, with `where`, the entry's name, for an unknown setting, table or column, or
+    for several rows without ``pick``.
     """
     settings.refuse_unknown(entry, ["record", "values"], where)
     if entry["record"] not in records:
@@ -87,6 +80,17 @@ def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
     return found
 
 
+def trials_of(params: Mapping[str, Any]) -> dict[str, Trial]:
+    """Map names to trials, for every trial of every study."""
+    homes = list(settings.get(params, "dataset.homes"))
+    return {
+        trial.name: trial
+        for tables in definitions.studies(params).values()
+        for name, table in tables.items()
+        for trial in expand(name, table, homes)
+    }
+
+
 def _nu_of_cues(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     for name, cue in settings.get(params, "cues").items():
         asked = _asked(cue["classifier"])
@@ -101,13 +105,11 @@ def _nu_of_cues(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    homes = settings.get(params, "dataset.homes")
-    for study, tables in definitions.studies(params).items():
+    all_asked = {name: _asked(trial.settings["classifier"]) for name, trial in trials_of(params).items()}
+    for study in definitions.studies(params):
         path = paths.TRIALS / study / "facts.csv"
         if not path.is_file():
             continue
-        trials = [trial for name, table in tables.items() for trial in expand(name, table, homes)]
-        all_asked = {trial.name: _asked(trial.settings["classifier"]) for trial in trials}
         for facts in files.read_table(path, ["trial", "home", "seed"]).to_dict("records"):
             asked = all_asked.get(facts["trial"])
             if asked is not None and pd.notna(facts["nu_lowest"]):

@@ -11,25 +11,7 @@ from placecat.thesis.claims import ABOVE, BOTH_SIGNS
 
 @dataclass(frozen=True)
 class Rules:
-    """Rules for judging claims; see conf/verdict.
-
-    Attributes
-    ----------
-    level, resamples
-        As for `paired_bootstrap`.
-    minimum_units
-        Smallest number of units for a verdict; with fewer, it is undecided.
-    few_homes
-        As for `pair`.
-    about
-        Relative deviation from a published difference that "about" allows.
-    margin
-        Difference in points that "little" and "no better" must stay below.
-    noticeable
-        Smallest difference in points for which a single home counts as better or worse.
-    rare
-        Largest share of better or worse cases that still counts as an exception, below 0.5.
-    """
+    """Rules for judging claims; conf/verdict explains each, with its unit."""
 
     level: float
     resamples: int

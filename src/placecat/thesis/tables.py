@@ -1,17 +1,17 @@
 """The thesis's tables, with measured and published numbers."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from placecat import paths, settings
+from placecat import files, paths, settings
 from placecat.results.measured import Results
 from placecat.thesis import definitions, layouts
 from placecat.thesis.notes import Kind, Note, joined, without_empty
-from placecat.thesis.number import nothing
+from placecat.thesis.number import Number, nothing
 
 ADDITION = "Addition"
 COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
@@ -66,6 +66,16 @@ def in_percent(table: Mapping[str, Any]) -> bool:
     return "caption" not in table
 
 
+def fill(table: Mapping[str, Any], results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
+    """Fill one table of :func:`tables_of` (:func:`fill_table`), with the files in data/thesis.
+
+    Raises PlacecatError if one of these files is damaged.
+    """
+    contradictions = contradictions_of(files.read_table(paths.CONTRADICTIONS, [*_KEY, "note"]))
+    published = files.read_table(paths.PUBLISHED, _KEY)
+    return fill_table(table, results, published, dataset_of(table, params), contradictions)
+
+
 def fill_table(
     table: Mapping[str, Any],
     results: Results,
@@ -77,55 +87,58 @@ def fill_table(
 
     Returns the columns table (its number, or "Addition"), group, row, column, published, measured, spread,
     seeds and note; ``notes``, the same note by kind; and ``number``, the cell's
-    :class:`~placecat.thesis.number.Number`. The published cells come first, in their order, then this run's
-    additional cells. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only
-    with a note that says why. ``spread`` is the largest minus the smallest value over seeds in points, NaN if
-    nothing is random; ``seeds`` is the number of seeds, 0 if nothing is random.
+    :class:`~placecat.thesis.number.Number`, which explains the measured columns. The published cells come
+    first, in their order, then this run's additional cells. ``measured`` is in percent (see
+    :func:`in_percent`), and NaN only with a note that says why. Raises PlacecatError for a result that the
+    run does not have.
 
-    Parameters
-    ----------
-    table
-        The table's configuration: ``name``, ``number`` (None for an addition), ``thesis_data``, ``layout``
-        and the layout's settings.
-    published
-        All published cells, with the columns table, group, row, column, value; an empty value is an n/a.
-    dataset
-        The table's data (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which the note of each
-        measured cell names, and ``thesis_data``. If this differs from the table's ``thesis_data``, the note
-        of each cell with both numbers says that they are not comparable.
-    contradictions
-        The contradictions from :func:`contradictions_of`.
+    `table` is a table of :func:`tables_of`. `published` has all published cells, with the columns table,
+    group, row, column and value; an empty value is an n/a. `dataset` is the table's data
+    (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which the note of each measured cell names, and
+    ``thesis_data``. If this differs from the table's, the note of each cell with both numbers says that they
+    are not comparable. `contradictions` are those of :func:`contradictions_of`.
     """
     number = table["number"]
     known = published[published["table"] == number]
     order = [tuple(key) for key in known[_KEY].itertuples(index=False)]
     value = dict(zip(order, known["value"], strict=True))
-    cells = layouts.cells(table, results)
+    cells = layouts.LAYOUTS[table["layout"]](table, results)
     rows = []
     for key in [*order, *(key for key in cells if key not in value)]:
         cell = cells.get(key) or nothing(_why_missing(key, dataset))
-        notes = [Note(Kind.MEASURED, text) for text in cell.notes]
-        if np.isfinite(cell.measured):
-            notes.insert(0, Note(Kind.DATA, f"measured on {dataset['title']}"))
-            if np.isfinite(value.get(key, np.nan)) and not comparable(table, dataset):
-                notes.append(not_comparable(table["thesis_data"]))
-        if key in value and np.isnan(value[key]):
-            notes.append(Note(Kind.NOT_AVAILABLE, "the published cell is n/a"))
-        notes.append(Note(Kind.PUBLISHED, contradictions.get((number, *key), "")))
-        measured = (value.get(key, np.nan), cell.measured, cell.spread, cell.seeds)
-        of_cell = without_empty(notes)
-        rows.append((number or ADDITION, *key, *measured, joined(of_cell), of_cell, cell))
+        missing = "the published cell is n/a" if key in value and np.isnan(value[key]) else ""
+        notes = [
+            Note(Kind.NOT_AVAILABLE, missing),
+            Note(Kind.PUBLISHED, contradictions.get((number, *key), "")),
+        ]
+        columns = number_columns(cell, value.get(key, np.nan), notes, table, dataset)
+        rows.append((number or ADDITION, *key, *columns))
     return pd.DataFrame(rows, columns=[*COLUMNS, "notes", "number"])
+
+
+def number_columns(
+    number: Number,
+    published: float,
+    about_published: Iterable[Note],
+    entry: Mapping[str, Any],
+    dataset: Mapping[str, Any],
+) -> tuple[Any, ...]:
+    """Return a number's columns from ``published`` on; `entry` defines the number, measured on `dataset`."""
+    notes = [Note(Kind.MEASURED, text) for text in number.notes]
+    if np.isfinite(number.measured):
+        notes.insert(0, Note(Kind.DATA, f"measured on {entry.get('data') or dataset['title']}"))
+        thesis_data = entry.get("thesis_data")
+        if np.isfinite(published) and thesis_data is not None and not comparable(entry, dataset):
+            text = f"the published number is from the {thesis_data} and is not comparable"
+            notes.append(Note(Kind.NOT_COMPARABLE, text))
+    of_number = without_empty([*notes, *about_published])
+    measured = (number.measured, number.spread, number.seeds)
+    return (published, *measured, joined(of_number), of_number, number)
 
 
 def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
     """Whether a table's published numbers were measured on this run's data."""
     return table["thesis_data"] is not None and bool(table["thesis_data"] == dataset["thesis_data"])
-
-
-def not_comparable(thesis_data: str) -> Note:
-    """Return the note for a published number that was measured on other data."""
-    return Note(Kind.NOT_COMPARABLE, f"the published number is from the {thesis_data} and is not comparable")
 
 
 def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:
