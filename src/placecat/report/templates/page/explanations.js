@@ -29,7 +29,7 @@
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   dialog.addEventListener("close", () => history.replaceState(null, "", location.pathname + location.search));
 
-  // Cells are numbered as in placecat.explain.numbering, before sorting moves rows.
+  // Cells are numbered as in placecat.provenance.numbering, before sorting moves rows.
   for (const table of document.querySelectorAll("table[data-name]")) {
     const name = table.dataset.name;
     const rows = [...table.tBodies].flatMap((body) => [...body.rows]).filter((row) => !row.matches(".group"));
