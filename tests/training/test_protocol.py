@@ -4,7 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
-from placecat.training.protocol import fold_without, select_frames, tested_homes
+from placecat.training import protocol
+from placecat.training.protocol import fold_without, select_frames
 
 HOMES = ["A", "B", "C", "D", "E", "F"]
 
@@ -44,13 +45,13 @@ def test_training_sets_of_both_schemes_differ_in_name():
 
 @pytest.mark.parametrize(("tested", "numbers"), [("C", [2]), (["F", "A"], [0, 5]), ("all", range(6))])
 def test_tested_homes_keep_their_order(tested, numbers):
-    assert tested_homes(HOMES, tested) == tuple(HOMES[number] for number in numbers)
+    assert protocol.tested_homes(HOMES, tested) == tuple(HOMES[number] for number in numbers)
 
 
 def test_an_unknown_test_home_is_refused():
     message = "there is no home 'Home1' in dataset.homes .there are: A, B, C, D, E, F; or all"
     with pytest.raises(PlacecatError, match=message):
-        tested_homes(HOMES, ["A", "Home1"])
+        protocol.tested_homes(HOMES, ["A", "Home1"])
 
 
 @pytest.mark.parametrize(

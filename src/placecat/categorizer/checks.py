@@ -9,23 +9,20 @@ from pydantic import Field, StringConstraints
 from placecat import schema
 from placecat.categorizer.system import TrainedSystem
 from placecat.errors import PlacecatError
-from placecat.schema.base import Section
+from placecat.ranges import Index, Positive, Side
+from placecat.schema.base import Own, Section
 from placecat.vision.frame import check as check_vision
 
 # Largest valid number in a vision setting. Larger ones need too much memory; real ones are far smaller.
 _MOST = 4096
-_SIDE = Annotated[int, Field(ge=1, le=2**14)]
 _Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
-_Count = Annotated[int, Field(ge=0)]
-_Rate = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 # Rounding may push a probability above 1.
 _Share = Annotated[float, Field(ge=0, le=1.000001)]
-Settings = dict[str, Any]
 
 
 class _TrainingFrames(Section):
-    cues: _Count
-    integration: _Count
+    cues: Index
+    integration: Index
 
 
 class _Data(Section):
@@ -58,12 +55,12 @@ class _Card(Section):
     data: _Data
     classes: Annotated[list[_Name], Field(min_length=2)]
     frame_sizes: Annotated[
-        list[Annotated[list[_SIDE], Field(min_length=2, max_length=2)]], Field(min_length=1)
+        list[Annotated[list[Side], Field(min_length=2, max_length=2)]], Field(min_length=1)
     ]
-    fps: list[_Rate]
+    fps: list[Positive]
     accuracy: dict[str, float]
     unknown: _Unknown | None
-    settings: Settings
+    settings: Own
     versions: dict[str, str]
 
 
@@ -71,7 +68,7 @@ class _LocalDescriptor(Section):
     kind: Literal["local"]
     name: _Name
     y_pos: bool
-    y_weight: Annotated[float, Field(allow_inf_nan=False)]
+    y_weight: float
     color: _Name | None
     max_regions: Annotated[int, Field(ge=1, le=_MOST)]
     tracked: bool = False
@@ -85,23 +82,23 @@ class _HolisticDescriptor(Section):
 class _Cue(Section):
     name: _Name
     descriptor: Annotated[_LocalDescriptor | _HolisticDescriptor, Field(discriminator="kind")]
-    model: Settings
+    model: Own
 
 
 class _Vision(Section):
-    attention: Settings
-    regions: Settings
-    information: Settings
-    local: dict[str, Settings]
-    holistic: dict[str, Settings]
+    attention: Own
+    regions: Own
+    information: Own
+    local: dict[str, Own]
+    holistic: dict[str, Own]
 
 
 class _Content(Section):
     vision: _Vision
-    tracking: Settings | None
+    tracking: Own | None
     cues: Annotated[list[_Cue], Field(min_length=1)]
-    integrator: Settings
-    smoothing: Settings
+    integrator: Own
+    smoothing: Own
     arrays: Annotated[int, Field(ge=0, le=9999)]
 
 
