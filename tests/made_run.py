@@ -54,8 +54,8 @@ def build(folder, params):
         _write_sequence(folder, home, images)
         _write_features(home, images, params)
         _write_cues(home)
-    for fold in protocol.folds(HOMES, "5-5-1"):
-        _write_codebook(fold, params)
+    for home in HOMES:
+        _write_codebook(protocol.fold_without(HOMES, "5-5-1", [home]), params)
 
 
 def _write_sequence(folder, home, images):
@@ -117,7 +117,7 @@ def _write_cues(home):
 def _write_codebook(fold, params):
     own = params["codebooks"]["hog_y"]
     rows = protocol.select_frames(LABELS, **params["protocol"]["cue_frames"])
-    train = store.read_training(fold.cue_homes, own["descriptor"], dict.fromkeys(fold.cue_homes, rows))
+    train = store.read_training(own["descriptor"], dict.fromkeys(fold.cue_homes, rows))
     codebook = Codebook.fit(train, cells=1, seed=0, tree=own["tree"])
     path = paths.codebook("hog_y", fold.training_set, 0)
     files.write_arrays(path, codebook.to_arrays())

@@ -178,7 +178,7 @@ def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, mon
     decisions = []
     for part in listing.sequence_slices("Home3"):
         categorizer.reset()
-        for image in read_frames(folder / HOMES, frames.iloc[part], size=categorizer.frame_size):
+        for image in read_frames(folder / HOMES, frames.iloc[part], size=categorizer.frame_sizes[0]):
             decisions.append(categorizer.update(image))
     for stage, name, attribute in (
         ("integration", "test", "integrated"),

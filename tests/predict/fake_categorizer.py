@@ -23,7 +23,6 @@ class FakeCategorizer:
 
     classes = CLASSES
     frame_sizes = ((WIDTH, HEIGHT),)
-    frame_size = (WIDTH, HEIGHT)
     # Confidences are 0.6 for the first frame, and 0.002 less from frame to frame.
     threshold = 0.579
 

@@ -10,8 +10,7 @@ from placecat.drawing.lettering import mask, write
 from placecat.drawing.style import house_style
 from placecat.predict import report, timeline
 from placecat.predict.annotate import Annotator
-from placecat.predict.clock import clock
-from placecat.predict.frame import Frame
+from placecat.predict.frame import Frame, clock
 from placecat.predict.prediction import Prediction
 
 

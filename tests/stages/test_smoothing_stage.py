@@ -76,9 +76,7 @@ def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monk
     source = paths.CUES / f"gist/5-5-1/{plan.test}.no-seed.npz"
     frames, cue = PARAMS["protocol"]["cue_frames"], Cue.of(PARAMS, "gist")
     pairs = {home: (plan.test, home) for home in HOMES[1:]}
-    unseen = {
-        home: predict_unseen(without_homes(PARAMS, pair, pair), cue)[home] for home, pair in pairs.items()
-    }
+    unseen = {home: predict_unseen(without_homes(PARAMS, pair), cue)[home] for home, pair in pairs.items()}
 
     def judge():
         return judge_smoothing(MODEL, source, plan, unseen, 1e-6)

@@ -6,7 +6,7 @@ from made_features import HOMES, PARAMS, make
 
 from placecat.sequences import listing
 from placecat.training import plan as plans
-from placecat.training.protocol import folds
+from placecat.training.protocol import fold_without
 
 
 def names(parts):
@@ -15,8 +15,9 @@ def names(parts):
 
 @pytest.mark.parametrize("scheme", ["5-5-1", "4-5-1"])
 def test_a_plan_of_homes_is_the_fold(scheme):
-    for plan, fold in zip(plans.of_homes(PARAMS, scheme), folds(HOMES, scheme), strict=True):
-        assert (plan.test, plan.training_set, plan.dataset) == (fold.test, fold.training_set, "made")
+    for plan, home in zip(plans.of_homes(PARAMS, scheme), HOMES, strict=True):
+        fold = fold_without(HOMES, scheme, [home])
+        assert (plan.test, plan.training_set, plan.dataset) == (home, fold.training_set, "made")
         assert names(plan.cues) == list(fold.cue_homes)
         assert names(plan.integration) == list(fold.integration_homes)
         assert {(part.offset, part.step) for part in plan.cues} == {(0, 3)}
@@ -34,7 +35,7 @@ def test_further_sequences_have_the_places_of_the_homes_by_name():
 def test_a_released_system_trains_on_every_home_or_on_all_but_one():
     everything = plans.of_release(PARAMS, "5-5-1")
     assert (names(everything.cues), everything.tested, everything.training_set) == (HOMES, (), "all")
-    assert plans.of_release(PARAMS, "4-5-1", ["H3"]) == plans.of_homes(PARAMS, "4-5-1")[2]
+    assert plans.of_homes(PARAMS, "4-5-1", ["H4", "H3"]) == plans.of_homes(PARAMS, "4-5-1")[2:]
 
 
 def test_a_training_home_is_judged_without_the_test_home():
@@ -48,9 +49,9 @@ def test_a_training_home_is_judged_without_the_test_home():
 
 
 def test_homes_that_are_left_out_have_no_part():
-    plan = plans.without_homes(PARAMS, ("H1", "H4"), ("H4",))
+    plan = plans.without_homes(PARAMS, ("H4", "H1"))
     assert names(plan.cues) == names(plan.integration) == ["H2", "H3"]
-    assert (plan.test, plan.training_set) == ("H4", "without-H1-H4")
+    assert (names(plan.tested), plan.training_set) == (["H4", "H1"], "without-H4-H1")
 
 
 def split_params(places):

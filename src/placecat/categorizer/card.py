@@ -14,23 +14,14 @@ LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
 
 
 def make_card(**known: Any) -> dict[str, Any]:
-    """Build a card.
+    """Build a card: the facts `known`, and the versions of this project, Python and `LIBRARIES`.
 
-    Parameters
-    ----------
-    **known
-        JSON types only. ``title``: name of the system. ``data``: ``title``, ``note`` or None, ``version``
-        (DVC's checksum), training ``homes``, homes ``left_out``, and the numbers of training ``frames`` for
-        the cues and for the integration. ``classes``: names of the places. ``frame_sizes``, ``fps``: (width,
-        height) and frames/s of the training footage. ``accuracy``: percent per home, measured with an equally
-        configured system that had not seen the home; may be empty. ``unknown``: from
-        :func:`placecat.categorizer.held_out.unknown`; None if not measured. ``settings``: all training
-        settings.
-
-    Returns
-    -------
-    dict
-        The card, with the versions of this project, Python and `LIBRARIES`.
+    The facts have JSON types only. ``title``: name of the system. ``data``: ``title``, ``note`` or None,
+    ``version`` (DVC's checksum), training ``homes``, homes ``left_out``, and the numbers of training
+    ``frames`` for the cues and for the integration. ``classes``: names of the places. ``frame_sizes``,
+    ``fps``: (width, height) and frames/s of the training footage. ``accuracy``: percent per home, measured
+    with an equally configured system that had not seen the home; may be empty. ``unknown``: from
+    :func:`placecat.categorizer.held_out.unknown`; None if not measured. ``settings``: all training settings.
     """
     versions = {"python": platform.python_version()} | {name: version(name) for name in LIBRARIES}
     return {"format": FORMAT, "placecat": __version__} | known | {"versions": versions}

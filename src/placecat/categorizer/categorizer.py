@@ -15,7 +15,7 @@ from threadpoolctl import ThreadpoolController
 
 from placecat.categorizer import model_file
 from placecat.categorizer.checks import check_distribution
-from placecat.categorizer.fitting import Fit, fit
+from placecat.categorizer.fitting import fit
 from placecat.categorizer.system import TrainedSystem
 from placecat.categorizer.visits import UNKNOWN, Visit, VisitLog
 from placecat.cues import cue_input
@@ -25,36 +25,20 @@ from placecat.fusion.smoothing import Smoother, check_elapsed
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.tracking import RegionTracker
 
-# Height, width and channels of the frame that tests a loaded model.
-_TRIAL = (256, 256, 3)
-
 
 @dataclass(frozen=True)
 class Decision:
     """The decision after a frame. Distributions are (n_classes,) float64 and sum to 1.
 
-    Attributes
-    ----------
-    place
-        The most probable class of `proba`.
-    confidence
-        Its probability.
-    proba
-        Distribution after the hidden Markov model and the delay (thesis 3.4).
-    hmm
-        Distribution before the delay.
-    integrated, cues
-        Distributions for this frame alone: from all cues together (3.3.3), and from each cue.
-    regions
-        (n, 4) float32, the salient regions: x, y (pixels of the resized frame), scale, strength; strongest
-        first. These are the tracked regions if any cue follows regions.
-    is_known
-        Whether `confidence` is at least :attr:`Categorizer.threshold`.
-    seconds
-        Time of the frame; see :meth:`Categorizer.update`.
-    about
-        Time that `proba` refers to, at or before `seconds`: the mean time of the frames that the delay mixes,
-        weighted as the delay weights them.
+    `place` is the most probable class of `proba`, and `confidence` its probability; it `is_known` if this is
+    at least :attr:`Categorizer.threshold`. `proba` is the distribution after the hidden Markov model and the
+    delay (thesis 3.4), and `hmm` the one before the delay. For this frame alone, `integrated` is the
+    distribution from all cues together (3.3.3), and `cues` has those from each cue.
+
+    `regions` are the salient regions, (n, 4) float32: x, y (pixels of the resized frame), scale, strength;
+    strongest first. These are the tracked regions if any cue follows regions. `seconds` is the time of the
+    frame; see :meth:`Categorizer.update`. `proba` refers to the time `about`, at or before `seconds`: the
+    mean time of the frames that the delay mixes, weighted as the delay weights them.
     """
 
     place: str
@@ -113,7 +97,6 @@ class Categorizer:
 
     def __init__(self, system: TrainedSystem, *, resize: bool = False) -> None:
         self._resize = resize
-        self._fits: dict[tuple[int, int], Fit] = {}
         self.card: dict[str, Any] = system.card
         self.classes: tuple[str, ...] = tuple(system.card["classes"])
         self.frame_sizes: tuple[tuple[int, int], ...] = tuple(
@@ -122,11 +105,8 @@ class Categorizer:
         unknown = system.card.get("unknown") or {"threshold": 0.0}
         self.threshold: float = math.inf if unknown["threshold"] is None else float(unknown["threshold"])
         self._system = system
-        self._tracked = [cue.name for cue in system.cues if cue.descriptor.get("tracked", False)]
-        own = [cue.descriptor for cue in system.cues if cue.name not in self._tracked]
-        followed = [cue.descriptor for cue in system.cues if cue.name in self._tracked]
-        self._vision = _only(system.vision, own)
-        self._track_vision = _only(system.vision, followed)
+        self._vision = _only(system.vision, [cue.descriptor for cue in system.cues if not cue.is_tracked])
+        self._track_vision = _only(system.vision, [cue.descriptor for cue in system.cues if cue.is_tracked])
         check(self._vision)
         self._modules = {
             name: settings.get("descriptor", name) for name, settings in system.vision["local"].items()
@@ -161,11 +141,6 @@ class Categorizer:
         return categorizer
 
     @property
-    def frame_size(self) -> tuple[int, int]:
-        """The first of `frame_sizes`, (width, height)."""
-        return self.frame_sizes[0]
-
-    @property
     def frame_rate(self) -> float:
         """Frame rate of the footage that the smoothing was trained on, in frames per second."""
         return self._system.smoothing.frame_rate
@@ -177,7 +152,7 @@ class Categorizer:
         self._last: float | None = None
         self._visits = VisitLog()
         tracking = self._system.tracking
-        self._tracker = RegionTracker(**tracking) if tracking is not None and self._tracked else None
+        self._tracker = RegionTracker(**tracking) if tracking is not None else None
 
     def update(
         self, frame: NDArray[np.uint8], seconds: float | None = None, *, time: float | None = None
@@ -197,12 +172,9 @@ class Categorizer:
             Time of the frame in seconds, on any clock that never runs backwards. The first frame lasts one
             period of `frame_rate`.
 
-        Raises
-        ------
-        PlacecatError
-            If the frame has the wrong type or size (with `resize`: if less than half of it would remain), if
-            its time is not finite or is earlier than the last frame's, or if both times are passed. The frame
-            is then skipped, and the next one can follow.
+        A frame is skipped with a PlacecatError if it has the wrong type or size (with `resize`: if less than
+        half of it would remain), if its time is not finite or is earlier than the last frame's, or if both
+        times are passed.
         """
         frame = self._fitted(frame)
         now, elapsed = self._moment(seconds, time)
@@ -244,7 +216,7 @@ class Categorizer:
 
     def _try(self) -> None:
         """Run all parts on a frame of noise, then reset."""
-        frame = np.random.default_rng(0).integers(0, 256, _TRIAL, np.uint8)
+        frame = np.random.default_rng(0).integers(0, 256, (256, 256, 3), np.uint8)
         decision = self._decide(frame, None, 0.0)
         for proba in (*decision.cues.values(), decision.integrated, decision.hmm, decision.proba):
             check_distribution(proba, len(self.classes))
@@ -257,7 +229,7 @@ class Categorizer:
             for cue in self._system.cues:
                 seen = cue_input.assemble(
                     cue.descriptor,
-                    followed if cue.name in self._tracked else arrays,
+                    followed if cue.is_tracked else arrays,
                     height=frame.shape[0],
                     modules=self._modules,
                 )
@@ -265,7 +237,7 @@ class Categorizer:
             integrated = self._system.integrator.predict_proba(np.stack(list(cues.values()))[None])[0]
             hmm, proba = self._smoother.step(integrated, elapsed)
         best = int(proba.argmax())
-        shown = followed if self._tracker is not None else arrays
+        shown = followed or arrays
         lasted = 1.0 / self.frame_rate if elapsed is None else elapsed
         return Decision(
             place=self.classes[best],
@@ -296,16 +268,14 @@ class Categorizer:
                 f"a frame has {size[0]}x{size[1]} pixels, but the model was trained on {known}: scale frames "
                 "to that, load the model with resize=True, or train on footage of this size"
             )
-        if size not in self._fits:
-            self._fits[size] = fit(size, self.frame_sizes, resize=True)
-        return self._fits[size](frame)
+        return fit(size, self.frame_sizes, resize=True)(frame)
 
     def _describe(self, frame: NDArray[np.uint8]) -> tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]:
-        """Return the frame's features, and those of its tracked regions; the first axis has length 1."""
+        """Return the features of the frame and of any tracked regions; the first axis has length 1."""
         arrays = describe_frame(frame, self._vision)
         followed: dict[str, NDArray[Any]] = {}
-        if self._tracker is not None:
-            most = int((self._system.tracking or {})["max_regions"])
+        if self._tracker is not None and self._system.tracking is not None:
+            most = int(self._system.tracking["max_regions"])
             found = arrays["regions"][: min(int(arrays["count"]), most)]
             regions = self._tracker.step(frame, found)
             settings = {

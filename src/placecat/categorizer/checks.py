@@ -9,42 +9,33 @@ from pydantic import Field, StringConstraints
 from placecat import schema
 from placecat.categorizer.system import TrainedSystem
 from placecat.errors import PlacecatError
+from placecat.ranges import Index, Positive, Side
 from placecat.schema import signatures
-from placecat.schema.base import Section
+from placecat.schema.base import Own, Section
 from placecat.vision.frame import check as check_vision
 
 # Largest valid number in a vision setting. Larger ones need too much memory; real ones are far smaller.
 _MOST = 4096
-_SIDE = Annotated[int, Field(ge=1, le=2**14)]
 _Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
-_Count = Annotated[int, Field(ge=0)]
-_Rate = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 # Rounding may push a probability above 1.
 _Share = Annotated[float, Field(ge=0, le=1.000001)]
-Settings = dict[str, Any]
 
 
-class TrainingFrames(Section):
-    """Numbers of training frames."""
-
-    cues: _Count
-    integration: _Count
+class _TrainingFrames(Section):
+    cues: Index
+    integration: Index
 
 
-class Data(Section):
-    """The system's training data."""
-
+class _Data(Section):
     title: str | int
     note: str | None
     version: str
     homes: list[str | int]
     left_out: list[str | int]
-    frames: TrainingFrames
+    frames: _TrainingFrames
 
 
-class Risk(Section):
-    """Measurements for one accepted share of wrong decisions."""
-
+class _Risk(Section):
     risk: _Share
     threshold: _Share | None
     coverage: _Share
@@ -52,64 +43,29 @@ class Risk(Section):
     worst: _Share | None
 
 
-class Unknown(Section):
-    """The threshold for `unknown`; see :func:`placecat.categorizer.held_out.unknown`."""
-
+class _Unknown(Section):
     risk: _Share
     threshold: _Share | None
-    measured: list[Risk]
+    measured: list[_Risk]
 
 
-class Card(Section):
-    """The card; see :func:`placecat.categorizer.card.make_card`."""
-
+class _Card(Section):
     format: int
     placecat: str
     title: str
-    data: Data
+    data: _Data
     classes: Annotated[list[_Name], Field(min_length=2)]
     frame_sizes: Annotated[
-        list[Annotated[list[_SIDE], Field(min_length=2, max_length=2)]], Field(min_length=1)
+        list[Annotated[list[Side], Field(min_length=2, max_length=2)]], Field(min_length=1)
     ]
-    fps: list[_Rate]
+    fps: list[Positive]
     accuracy: dict[str, float]
-    unknown: Unknown | None
-    settings: Settings
+    unknown: _Unknown | None
+    settings: Own
     versions: dict[str, str]
 
 
-class Cue(Section):
-    """One cue."""
-
-    name: _Name
-    descriptor: Settings
-    model: Settings
-
-
-class Vision(Section):
-    """Settings of :func:`placecat.vision.frame.describe_frame`."""
-
-    attention: Settings
-    regions: Settings
-    information: Settings
-    local: dict[str, Settings]
-    holistic: dict[str, Settings]
-
-
-class Content(Section):
-    """Everything except the card; :mod:`placecat.categorizer.plain` writes the objects and arrays."""
-
-    vision: Vision
-    tracking: Settings | None
-    cues: Annotated[list[Cue], Field(min_length=1)]
-    integrator: Settings
-    smoothing: Settings
-    arrays: Annotated[int, Field(ge=0, le=9999)]
-
-
-class LocalDescriptor(Section):
-    """The descriptor of a cue that reads regions."""
-
+class _LocalDescriptor(Section):
     kind: Literal["local"]
     name: _Name
     y_pos: bool
@@ -119,16 +75,37 @@ class LocalDescriptor(Section):
     tracked: bool = False
 
 
-class HolisticDescriptor(Section):
-    """The descriptor of a cue that reads whole frames."""
-
+class _HolisticDescriptor(Section):
     kind: Literal["holistic"]
     name: _Name
 
 
+class _Cue(Section):
+    name: _Name
+    descriptor: Annotated[_LocalDescriptor | _HolisticDescriptor, Field(discriminator="kind")]
+    model: Own
+
+
+class _Vision(Section):
+    attention: Own
+    regions: Own
+    information: Own
+    local: dict[str, Own]
+    holistic: dict[str, Own]
+
+
+class _Content(Section):
+    vision: _Vision
+    tracking: Own | None
+    cues: Annotated[list[_Cue], Field(min_length=1)]
+    integrator: Own
+    smoothing: Own
+    arrays: Annotated[int, Field(ge=0, le=9999)]
+
+
 def check_card(card: Mapping[str, Any]) -> None:
     """Refuse a card with missing, extra or invalid fields, or with a repeated class."""
-    schema.check(card, Card)
+    schema.check(card, _Card)
     if len(set(card["classes"])) < len(card["classes"]):
         raise PlacecatError("classes: a place is named twice")
 
@@ -137,14 +114,11 @@ def check_content(content: Any) -> None:
     """Refuse content that :func:`placecat.categorizer.model_file.write` cannot have written."""
     if not isinstance(content, dict):
         raise PlacecatError("its content is not a mapping")
-    schema.check(content, Content)
+    schema.check(content, _Content)
     check_vision(content["vision"])
     signatures.check_vision("tracking", content["tracking"] or {}, "tracking")
     _check_sizes(content["vision"], "vision")
     _check_sizes(content["tracking"], "tracking")
-    for cue in content["cues"]:
-        descriptor = cue["descriptor"]
-        schema.check(descriptor, LocalDescriptor if descriptor.get("kind") == "local" else HolisticDescriptor)
 
 
 def check_system(system: TrainedSystem) -> None:
@@ -152,7 +126,7 @@ def check_system(system: TrainedSystem) -> None:
     n_classes, names = len(system.card["classes"]), [cue.name for cue in system.cues]
     if len(set(names)) < len(names):
         raise PlacecatError("a cue is named twice")
-    if any(cue.descriptor.get("tracked", False) for cue in system.cues) != (system.tracking is not None):
+    if any(cue.is_tracked for cue in system.cues) != (system.tracking is not None):
         raise PlacecatError("settings of the tracking do not fit the cues")
     if system.smoothing.transition.shape != (n_classes, n_classes):
         raise PlacecatError(f"its smoothing is not for {n_classes} places")

@@ -13,16 +13,29 @@ Field = Callable[[Any, Sizes], None]
 _LARGE = 10**15
 
 
-def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.inf) -> Field:
-    """Accept a finite number from `low` to `high` that is greater than `above`."""
-
+def _passing(test: Callable[[Any], bool], wanted: str) -> Field:
     def field(value: Any, sizes: Sizes) -> None:
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise ValueError(f"is not a number, but {_short(value)}")
-        if not (low <= value <= high and value > above):
-            raise ValueError(f"is {_short(value)}, which is out of range")
+        if not test(value):
+            raise ValueError(f"is {_short(value)}, not {wanted}")
 
     return field
+
+
+truth = _passing(lambda value: type(value) is bool, "true or false")
+mapping = _passing(lambda value: isinstance(value, dict), "a mapping")
+
+
+def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.inf) -> Field:
+    """Accept a finite number from `low` to `high` that is greater than `above`."""
+    return _passing(
+        lambda value: (
+            isinstance(value, int | float)
+            and not isinstance(value, bool)
+            and low <= value <= high
+            and value > above
+        ),
+        f"a number from {max(low, above):g} to {high:g}",
+    )
 
 
 def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
@@ -37,20 +50,9 @@ def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
     return field
 
 
-def truth(value: Any, sizes: Sizes) -> None:
-    """Accept true or false."""
-    if type(value) is not bool:
-        raise ValueError(f"is neither true nor false, but {_short(value)}")
-
-
 def one_of(*valid: str) -> Field:
     """Accept one of the words in `valid`."""
-
-    def field(value: Any, sizes: Sizes) -> None:
-        if not isinstance(value, str) or value not in valid:
-            raise ValueError(f"is {_short(value)}, none of {', '.join(valid)}")
-
-    return field
+    return _passing(lambda value: isinstance(value, str) and value in valid, f"one of {', '.join(valid)}")
 
 
 def optional(other: Field) -> Field:
@@ -124,16 +126,6 @@ def by_number(item: Field) -> Field:
             item(one, sizes)
 
     return field
-
-
-def anything(value: Any, sizes: Sizes) -> None:
-    """Accept any value: predictions do not read this field."""
-
-
-def mapping(value: Any, sizes: Sizes) -> None:
-    """Accept any mapping."""
-    if not isinstance(value, dict):
-        raise ValueError("is not a mapping")
 
 
 def having(*methods: str) -> Field:

@@ -1,18 +1,21 @@
 """The fields of each class in a trained model: their types, ranges and shapes.
 
-A class that is not listed, such as an added classifier, is accepted unchecked, since `Categorizer.load` tries
-every model before use.
+An estimator's parameters have the types and ranges that its constructor declares. A class that is not listed,
+such as an added classifier, is accepted unchecked, since `Categorizer.load` tries every model before use.
 """
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from functools import cache
+from typing import Any, get_type_hints
 
 import numpy as np
+from pydantic import TypeAdapter
+from sklearn.base import BaseEstimator
 
+from placecat import schema
 from placecat.categorizer.field_kinds import (
     Field,
     Sizes,
-    anything,
     array,
     by_number,
     having,
@@ -26,23 +29,19 @@ from placecat.categorizer.field_kinds import (
 )
 from placecat.errors import PlacecatError
 from placecat.fusion.integrate import METHODS
-from placecat.learning.calibration import CALIBRATIONS
-from placecat.learning.nu_svm import POLICIES
-from placecat.learning.one_against_all import COMBINATIONS, PRIORS, RELIABILITIES
-from placecat.learning.scaling import KINDS
-from placecat.learning.sequential import DECISIONS, ORDERS, OUTPUTS, TRAINING
-from placecat.learning.two_class import SIGMOID_WEIGHTS, SIGMOIDS
 
 
-def check(class_name: str, state: Mapping[str, Any]) -> None:
-    """Refuse attributes that do not fit the class, such as ``NuSVM``, or each other.
+def check(kind: type, state: Mapping[str, Any]) -> None:
+    """Refuse attributes that do not fit the class, such as :class:`NuSVM`, or each other.
 
     The PlacecatError names the class and, if possible, the attribute.
     """
+    class_name = kind.__name__
     fields = FIELDS.get(class_name)
     if fields is None:
         return
-    different = sorted(set(fields) ^ set(state))
+    parameters = _parameters(kind)
+    different = sorted({*fields, *parameters} ^ set(state))
     if different:
         raise PlacecatError(f"a {class_name} has wrong attributes ({', '.join(different)})")
     sizes: Sizes = {}
@@ -51,13 +50,24 @@ def check(class_name: str, state: Mapping[str, Any]) -> None:
             field(state[name], sizes)
         except ValueError as error:
             raise PlacecatError(f"{name} of a {class_name} {error}") from None
+    for name, adapter in parameters.items():
+        schema.check_value(state[name], adapter, f"{name} of a {class_name}")
     relation = RELATIONS.get(class_name)
     if relation is not None and not relation(state, sizes):
         raise PlacecatError(f"the attributes of a {class_name} do not match")
 
 
+@cache
+def _parameters(kind: type) -> dict[str, TypeAdapter[Any]]:
+    """Return the checks of an estimator's parameters that are stored and that `FIELDS` does not have."""
+    if not issubclass(kind, BaseEstimator):
+        return {}
+    hints = get_type_hints(kind.__init__, include_extras=True)  # type: ignore[misc]
+    others = {"return", *FIELDS[kind.__name__], *getattr(kind, "TRAINING_ONLY", ())}
+    return {name: schema.of_type(hint) for name, hint in hints.items() if name not in others}
+
+
 _CUE = having("predict_proba")
-_SEED = whole(0, 2**64)
 
 
 def _probabilities(*sides: str) -> Field:
@@ -72,12 +82,6 @@ def _classes(value: Any, sizes: Sizes) -> None:
 
 
 _MULTI_CLASS: dict[str, Field] = {
-    "base": anything,
-    "calibration": one_of(*CALIBRATIONS),
-    "sigmoid": one_of(*SIGMOIDS),
-    "sigmoid_weights": one_of(*SIGMOID_WEIGHTS),
-    "folds": whole(2),
-    "n_jobs": optional(whole(-1024)),
     "classes_": _classes,
     "n_features_in_": whole(1),
     "scorer_": having("decisions"),
@@ -88,9 +92,6 @@ _MULTI_CLASS: dict[str, Field] = {
     "fold_nu_": several(array("f", None, low=0, nan=True), side="K"),
 }
 _BAYES: dict[str, Field] = {
-    "alpha": number(above=0),
-    "n_values": optional(whole(2)),
-    "prior": one_of("uniform", "frequency"),
     "n_features_in_": whole(1, side="V"),
     "n_values_": whole(2, side="Q"),
     "classes_": _classes,
@@ -134,10 +135,6 @@ FIELDS: dict[str, dict[str, Field]] = {
     },
     "Codebook": {"trees": several(having("assign", "centers"), least=1), "of_sets": truth},
     "HierarchicalKMeans": {
-        "branching": whole(2),
-        "max_clusters": whole(1),
-        "max_iter": whole(1),
-        "seed": _SEED,
         "n_features_in_": whole(1, side="D"),
         "node_centers_": array("f", "N", "D"),
         "node_sizes_": array("i", "N", low=0),
@@ -146,9 +143,6 @@ FIELDS: dict[str, dict[str, Field]] = {
         "max_clusters_": whole(1),
     },
     "FlatKMeans": {
-        "numbers": several(whole(1)),
-        "max_iter": whole(1),
-        "seed": _SEED,
         "n_features_in_": whole(1, side="D"),
         "n_points_": whole(1),
         "centers_": by_number(lambda value, sizes: array("f", len(value), "D")(value, sizes)),
@@ -156,7 +150,6 @@ FIELDS: dict[str, dict[str, Field]] = {
     "NaiveBayes": _BAYES | {"feature_log_prob_": array("f", "K", "V", "Q", high=0)},
     "DependencyTree": _BAYES
     | {
-        "root": whole(0),
         "parents_": array("i", "K", "V", low=-1, below="V"),
         "_log_parents": array("f", "K", "V", "Q"),
         "_is_dense": truth,
@@ -165,27 +158,18 @@ FIELDS: dict[str, dict[str, Field]] = {
     },
     "ModifiedKNN": {
         "n_clusters": whole(1, side="N"),
-        "n_neighbors": whole(1),
-        "smoothing": number(0),
-        "class_weighting": one_of("once", "per_region"),
-        "seed": _SEED,
         "classes_": _classes,
         "frequencies_": array("i", "N", "K", low=0),
         "centers_": array("f", "N", "D"),
         "n_features_in_": whole(1, side="D"),
     },
     "KernelScaling": {
-        "kind": one_of(*KINDS),
-        "gamma_scale": number(above=0),
         "n_features_in_": whole(1, side="D"),
         "offset_": array("f", "D"),
         "factor_": array("f", "D", low=0),
     },
     "SpatialPCA": {
         "cells": whole(1, side="C"),
-        "components": optional(whole(1)),
-        "factor": optional(number(above=0)),
-        "whiten": truth,
         "n_features_in_": whole(1),
         "mean_": array("f", "C", "W"),
         "components_": array("f", "C", "P", "W"),
@@ -194,39 +178,18 @@ FIELDS: dict[str, dict[str, Field]] = {
     },
     "OneAgainstAll": _MULTI_CLASS
     | {
-        "combination": one_of(*COMBINATIONS),
-        "exclusive": truth,
-        "reliability": one_of(*RELIABILITIES),
-        "reliability_smoothing": number(0),
-        "prior": one_of(*PRIORS),
-        "uncertainty": number(0),
         "prior_": _probabilities("K"),
         "reliability_": _probabilities("K", "K"),
         "posterior_": _probabilities("K", "K"),
     },
     "Sequential": _MULTI_CLASS
     | {
-        "order": one_of(*ORDERS),
-        "training": one_of(*TRAINING),
-        "decision": one_of(*DECISIONS),
-        "output": one_of(*OUTPUTS),
         "strength_": _probabilities("K"),
         "order_": array("i", "K", low=0, below="K"),
     },
-    "NuSVM": {
-        "gamma": number(above=0),
-        "nu": number(0, 1),
-        "nu_policy": one_of(*POLICIES),
-        "tol": number(above=0),
-        "cache_mb": number(above=0),
-    },
-    "RVM": {
-        "gamma": number(above=0),
-        "tol": number(above=0),
-        "max_iter": whole(1),
-        "candidates": whole(1),
-    },
-    "GentleAdaBoost": {"n_rounds": whole(1), "max_bins": whole(2), "weight_trim": number(0, 1)},
+    "NuSVM": {},
+    "RVM": {},
+    "GentleAdaBoost": {},
     "KernelExpansion": {
         "support_vectors": array("f", "S", "D"),
         "coef": array("f", "S", "M"),
@@ -243,18 +206,18 @@ FIELDS: dict[str, dict[str, Field]] = {
 }
 
 
-def _are_distributions(rows: Any) -> bool:
+def _fit_smoothing(state: Mapping[str, Any], sizes: Sizes) -> bool:
+    rows = np.stack([state["transition"], state["emission"]])
     return bool(np.allclose(rows.sum(axis=-1), 1.0, atol=1e-6))
 
 
 def _fit_tree(state: Mapping[str, Any], sizes: Sizes) -> bool:
     branching, splits, nodes = state["branching"], sizes["S"], np.arange(sizes["S"])
-    # A node can be split only once, and only after it was created.
-    made = (state["split_nodes_"] < 1 + branching * nodes).all()
     return bool(
         sizes["N"] == 1 + branching * splits
         and state["max_clusters_"] == 1 + (branching - 1) * splits
-        and made
+        # A node can be split only once, and only after it was created.
+        and (state["split_nodes_"] < 1 + branching * nodes).all()
         and len(np.unique(state["split_nodes_"])) == splits
     )
 
@@ -282,9 +245,7 @@ def _fit_pairs(state: Mapping[str, Any], sizes: Sizes) -> bool:
 
 # Relations between attributes, other than equal sides.
 RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
-    "SmoothingModel": lambda state, _: all(
-        _are_distributions(state[name]) for name in ("transition", "emission")
-    ),
+    "SmoothingModel": _fit_smoothing,
     "Integrator": lambda state, _: (
         (state["model"] is None) == (state["method"] != "das")
         and (state["weights"] is None) == (state["method"] != "log_pool")

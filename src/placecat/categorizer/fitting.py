@@ -45,23 +45,11 @@ class Fit:
 
 
 def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
-    """Choose how to crop and scale frames to a size that the model knows.
+    """Choose how to crop and scale footage of the size `source` to one of the model's sizes, `known`.
 
-    Parameters
-    ----------
-    source
-        (width, height) of the footage.
-    known
-        The model's sizes, at least one.
-    resize
-        Whether to scale frames of other sizes, and crop them at the centre if their aspect ratio differs.
-        The chosen size keeps the most of the frame; among equals, the nearest size wins.
-
-    Raises
-    ------
-    PlacecatError
-        If the model does not know the size and `resize` is false, or if less than half of the frame would
-        remain.
+    With `resize`, frames of other sizes are scaled, and cropped at the centre if their aspect ratio differs.
+    The chosen size keeps the most of the frame; among equals, the nearest size wins. Raises PlacecatError if
+    the model does not know the size and `resize` is false, or if less than half of the frame would remain.
     """
     if source in known:
         return Fit(source, source, source)

@@ -58,20 +58,11 @@ def accuracies(held_out: HeldOut) -> dict[str, float]:
 def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[str, Any] | None:
     """Choose the confidence below which a decision is unknown.
 
-    Parameters
-    ----------
-    chosen
-        Accepted share of wrong decisions.
-    shown
-        Other shares to measure.
-
-    Returns
-    -------
-    dict
-        For the card; None if there are fewer than two homes. ``risk``: `chosen`. ``threshold``: the chosen
-        confidence, or None if none is high enough. ``measured``: for each share its ``threshold``, and
-        ``coverage``, ``wrong`` and ``worst``, measured in each home with the threshold chosen on the other
-        homes (:class:`placecat.evaluation.selection.Selection`).
+    `chosen` is the accepted share of wrong decisions; the shares `shown` are measured too. Returns a dict for
+    the card, or None if there are fewer than two homes. ``risk``: `chosen`. ``threshold``: the chosen
+    confidence, or None if none is high enough. ``measured``: for each share its ``threshold``, and
+    ``coverage``, ``wrong`` and ``worst``, measured in each home with the threshold chosen on the other homes
+    (:class:`placecat.evaluation.selection.Selection`).
     """
     homes = {home: decided(read_labels(home), proba) for home, proba in held_out.items()}
     if len(homes) < 2:
@@ -79,10 +70,14 @@ def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[st
     rows = []
     for risk in sorted({*shown, chosen}):
         unseen = select_unseen(homes, risk)
-        measured = {"coverage": unseen.coverage, "wrong": unseen.risk, "worst": unseen.worst}
-        threshold = _finite(choose_threshold(list(homes.values()), risk))
         rows.append(
-            {"risk": risk, "threshold": threshold} | {key: _rounded(value) for key, value in measured.items()}
+            {
+                "risk": risk,
+                "threshold": _finite(choose_threshold(list(homes.values()), risk)),
+                "coverage": _finite(round(unseen.coverage, 4)),
+                "wrong": _finite(round(unseen.risk, 4)),
+                "worst": _finite(round(unseen.worst, 4)),
+            }
         )
     (threshold,) = (row["threshold"] for row in rows if row["risk"] == chosen)
     return {"risk": chosen, "threshold": threshold, "measured": rows}
@@ -90,7 +85,3 @@ def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[st
 
 def _finite(value: float) -> float | None:
     return value if np.isfinite(value) else None
-
-
-def _rounded(value: float) -> float | None:
-    return round(value, 4) if np.isfinite(value) else None

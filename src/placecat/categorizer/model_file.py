@@ -92,11 +92,10 @@ def _array_name(number: int) -> str:
 
 
 def _json(members: archive.Archive, name: str) -> Any:
+    content = members.content(name)
     try:
-        return json.loads(members.content(name), parse_constant=_refuse)
+        return json.loads(content, parse_constant=_refuse)
     except (ValueError, RecursionError) as error:
-        if isinstance(error, PlacecatError):
-            raise
         raise members.damaged(f"its member {name} cannot be read ({error})") from None
 
 

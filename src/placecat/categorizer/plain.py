@@ -43,11 +43,12 @@ def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
         items = [[to_plain(key, arrays), to_plain(item, arrays)] for key, item in value.items()]
         return {_KIND: "dict", "items": items}
     kind = type(value)
-    if f"{kind.__module__}:{kind.__qualname__}" not in _classes(kind.__module__):
-        raise TypeError(f"{kind.__module__}.{kind.__qualname__} is not a class of a trained model")
+    name = f"{kind.__module__}:{kind.__qualname__}"
+    if name not in _classes(kind.__module__):
+        raise TypeError(f"{name} is not a class of a trained model")
     skipped = getattr(kind, "TRAINING_ONLY", ())
-    state = {name: to_plain(item, arrays) for name, item in vars(value).items() if name not in skipped}
-    return {_KIND: "object", "class": f"{kind.__module__}:{kind.__qualname__}", "state": state}
+    state = {key: to_plain(item, arrays) for key, item in vars(value).items() if key not in skipped}
+    return {_KIND: "object", "class": name, "state": state}
 
 
 def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
@@ -89,7 +90,7 @@ def _rebuild(name: str, state: dict[str, Any]) -> Any:
         raise PlacecatError(f"a part of the model is a {name}, which this version of placecat does not have")
     if not all(attribute.isidentifier() and not attribute.startswith("__") for attribute in state):
         raise PlacecatError(f"a part of the model, a {name}, has an invalid attribute name")
-    fields.check(kind.__name__, state)
+    fields.check(kind, state)
     rebuilt: Any = object.__new__(kind)
     # Bypass __setattr__, which frozen classes forbid.
     rebuilt.__dict__.update(state)

@@ -16,21 +16,19 @@ class TrainedCue:
     descriptor: dict[str, Any]
     model: CueModel
 
+    @property
+    def is_tracked(self) -> bool:
+        """Whether the cue follows regions."""
+        return bool(self.descriptor.get("tracked", False))
+
 
 @dataclass(frozen=True)
 class TrainedSystem:
-    """The cues, their integration, and the smoothing.
+    """The cues, their integration, and the smoothing, in order of use.
 
-    Attributes
-    ----------
-    card
-        Facts about the system, in JSON types only; see :mod:`placecat.categorizer.card`.
-    vision
-        Settings of :func:`placecat.vision.frame.describe_frame` for regions that are not tracked.
-    tracking
-        Settings of :class:`placecat.vision.tracking.RegionTracker`; None if no cue follows regions.
-    cues, integrator, smoothing
-        The parts, in order of use.
+    `card` has facts about the system, in JSON types only; see :mod:`placecat.categorizer.card`. `vision` has
+    settings of :func:`placecat.vision.frame.describe_frame` for regions that are not tracked; `tracking` has
+    those of :class:`placecat.vision.tracking.RegionTracker`, or is None if no cue follows regions.
     """
 
     card: dict[str, Any]

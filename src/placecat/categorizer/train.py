@@ -19,19 +19,10 @@ from placecat.training.integration import fused_parts
 def train_command(system: str | None, without: Sequence[str], seed: int | None, output: Path | None) -> int:
     """Run `placecat train`: train a system, measure it in unseen homes, and write it to a file.
 
-    Returns 0; user errors raise PlacecatError.
-
-    Parameters
-    ----------
-    system
-        A system from conf/system; None uses ``model.system``.
-    without
-        Homes to leave out of all training.
-    seed
-        One of ``protocol.seeds``; None uses ``model.seed``.
-    output
-        The model file. None means data/model.placecat or, with any other option, a file in data/models that
-        is named after the options, such as SYSTEM-without-HOME.placecat.
+    `system` is from conf/system, by default ``model.system``; `seed` is one of ``protocol.seeds``, by default
+    ``model.seed``. The homes `without` are left out of all training. The default `output` is
+    data/model.placecat or, with any other option, a file in data/models that is named after the options, such
+    as SYSTEM-without-HOME.placecat. Returns 0; user errors raise PlacecatError.
     """
     params = settings.load()
     name = system if system is not None else str(settings.get(params, "model.system"))
@@ -63,20 +54,11 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
 def train(
     params: Mapping[str, Any], name: str, *, without: Sequence[str] = (), seed: int | None = None
 ) -> TrainedSystem:
-    """Train a system on all homes except `without`.
+    """Train the system `name` on all homes except `without`, with a seed as in :func:`train_command`.
 
     If `without` is one home, the system equals, bit for bit, the one that the stages apply to that home. Its
     card has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system, home or
     seed, for too few homes, and for missing features.
-
-    Parameters
-    ----------
-    params
-        All settings.
-    name
-        Name of the system.
-    without, seed
-        As in :func:`train_command`.
     """
     seed = int(settings.get(params, "model.seed")) if seed is None else seed
     seeds = settings.get(params, "protocol.seeds")
@@ -95,10 +77,14 @@ def assemble(
     """Combine a system's trained parts, its vision settings, and its card."""
     sections = {section: settings.get(params, section) for section in ("attention", "regions", "information")}
     cues = tuple(TrainedCue(cue, dict(own.descriptor), own.model) for cue, own in trained.cues.items())
+    tracking = None
+    if any(cue.is_tracked for cue in cues):
+        own = settings.get(params, "tracking")
+        tracking = {name: value for name, value in own.items() if name != "descriptors"}
     return TrainedSystem(
         card=card,
         vision=sections | system.descriptors(params),
-        tracking=_tracking(params, cues),
+        tracking=tracking,
         cues=cues,
         integrator=trained.integrator,
         smoothing=trained.smoothing,
@@ -113,12 +99,6 @@ def measured(system: TrainedSystem, params: Mapping[str, Any], decisions: held_o
         "unknown": held_out.unknown(decisions, risk, shown),
     }
     return replace(system, card=system.card | facts)
-
-
-def _tracking(params: Mapping[str, Any], cues: Sequence[TrainedCue]) -> dict[str, Any] | None:
-    if not any(cue.descriptor.get("tracked", False) for cue in cues):
-        return None
-    return {name: value for name, value in settings.get(params, "tracking").items() if name != "descriptors"}
 
 
 def _card(params: Mapping[str, Any], name: str, plan: plans.Plan, seed: int) -> dict[str, Any]:

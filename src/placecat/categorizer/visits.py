@@ -8,18 +8,10 @@ UNKNOWN = "unknown"
 
 @dataclass(frozen=True)
 class Visit:
-    """A stay.
+    """A stay in a place, or in `UNKNOWN`.
 
-    Attributes
-    ----------
-    place
-        Name of the place, or `UNKNOWN`.
-    start, end
-        Times in seconds of its first frame, and of the first frame after it.
-    confidence
-        Mean confidence of its frames.
-    frames
-        Number of frames, at least 1.
+    `start` and `end` are the times in seconds of its first frame, and of the first frame after it.
+    `confidence` is the mean confidence of its frames; there is at least one.
     """
 
     place: str

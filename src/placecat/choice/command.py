@@ -84,7 +84,7 @@ def _judge(
 
 def _cue_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> Tasks:
     planned = [
-        plans.without_homes(params, homes, homes) for homes in left_out(settings.get(params, "dataset.homes"))
+        plans.without_homes(params, homes) for homes in left_out(settings.get(params, "dataset.homes"))
     ]
     tasks: list[Task] = []
     for name in options["cues"]["names"]:
@@ -120,7 +120,7 @@ def _smoothing_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> T
     for name in options["smoothing"]["names"]:
         own, scheme = _without_codebook(params, name), settings.get(params, f"cues.{name}.schemes")[0]
         cue, pairs = Cue(own["descriptor"], own["classifier"]), list(itertools.combinations(homes, 2))
-        wanted = [(plans.without_homes(params, pair, pair), cue) for pair in pairs]
+        wanted = [(plans.without_homes(params, pair), cue) for pair in pairs]
         done = parallel.in_parallel(predict_unseen, wanted, f"cue {name} without two homes")
         unseen: dict[str, dict[str, Any]] = {home: {} for home in homes}
         for (first, second), proba in zip(pairs, done, strict=True):

@@ -15,7 +15,7 @@ from placecat.choice.judging import Judgement, judge_home
 from placecat.errors import PlacecatError
 from placecat.training import fold_file
 from placecat.training import plan as plans
-from placecat.training.integration import smooth
+from placecat.training.integration import apply_smoothing, fit_smoothing
 from placecat.training.saved import smooth_home
 
 
@@ -46,7 +46,8 @@ def judge_smoothing(
     for home in homes:
         others = [part for part in plan.cues if part.home != home]
         is_other = home_of_frame != home
-        smoothed = smooth(home, unseen[home], others, held_out[is_other], truth[is_other], smoothing)
-        judged.append((plan.test, home, *judge_home(home, smoothed["delayed"], smallest)))
+        model = fit_smoothing(others, held_out[is_other], truth[is_other], smoothing)
+        smoothed = apply_smoothing(model, home, unseen[home])["delayed"]
+        judged.append((plan.test, home, *judge_home(home, smoothed, smallest)))
     tested = smooth_home(source, plan, smoothing)["delayed"]
     return [*judged, (plan.test, plan.test, *judge_home(plan.test, tested, smallest))]

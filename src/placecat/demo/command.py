@@ -1,8 +1,9 @@
 """The command ``placecat demo``: train on every 10th frame of five homes, then walk through a sixth home."""
 
+import base64
 import shutil
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from contextlib import chdir
 from pathlib import Path
 from typing import Any
@@ -10,29 +11,31 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import yaml
-from numpy.typing import NDArray
 
 from placecat import files, paths
 from placecat.categorizer import Categorizer, Decision
 from placecat.categorizer.fitting import fit
 from placecat.config.compose import compose
-from placecat.demo import page, training
+from placecat.demo import training
 from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.predict import tables, timeline, truth
 from placecat.predict.frame import Frame
-from placecat.predict.prediction import Prediction
-from placecat.predict.run import Speed, Wish, run
+from placecat.predict.run import Speed, run
 from placecat.predict.sources import Folder
 from placecat.progress import Progress
+from placecat.report.embed import embed
+from placecat.templates import environment
 
 OUTPUT = Path("predictions/demo")
 PAGE, TIMELINE, CLIP, TABLE = "index.html", "timeline.png", "annotated.webm", "accuracy.csv"
 FILES = (PAGE, TIMELINE, CLIP, TABLE, tables.FRAMES)
 # Speed of the clip relative to the walk.
 PACE = 10.0
-_WORK = "work"
+# The command that trains on all frames.
+COMPLETE = "make repro"
+_INTEGRATION, _SMOOTHING = f"integration/{training.SYSTEM}", f"smoothing/{training.SYSTEM}"
 
 
 def demo_command() -> int:
@@ -48,7 +51,7 @@ def demo_command() -> int:
     *homes, tested = params["dataset"]["homes"]
     complete = _complete_run(params, tested)
     with files.replacing(OUTPUT.absolute()) as temporary:
-        work = temporary / _WORK
+        work = temporary / "work"
         work.mkdir(parents=True)
         with chdir(work):
             print(
@@ -63,11 +66,11 @@ def demo_command() -> int:
         shutil.rmtree(work)
         table = table.join(complete)
         files.write_csv(temporary / TABLE, table.rename_axis("result").reset_index())
-        page.write(temporary / PAGE, table, tested, len(homes), temporary / TIMELINE, temporary / CLIP)
+        _write_page(temporary, table, tested, len(homes))
     chance = 100 / len(params["dataset"]["classes"])
     print(f"\nAccuracy in {tested}, percent (mean over the places; chance is {chance:.0f}):\n")
     print(table.to_string(float_format="%.0f", na_rep="-"))
-    print(f"\nA few frames teach little: {page.COMPLETE} trains on all and tests every home.\n")
+    print(f"\nA few frames teach little: {COMPLETE} trains on all and tests every home.\n")
     print(f"  {OUTPUT / TIMELINE}: the walk over time")
     print(f"  {OUTPUT / CLIP}: the annotated clip")
     print(f"  {OUTPUT / PAGE}: all on one page")
@@ -102,21 +105,13 @@ def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd
                 by_cue[name].append(int(proba.argmax()))
             progress.update()
 
-        wish = Wish(film=folder / CLIP, truth=labels, pace=PACE)
-        prediction, _, _ = run(categorizer, source, chosen, wish, show)
+        prediction, _, _ = run(
+            categorizer, source, chosen, show, film_path=folder / CLIP, truth=labels, pace=PACE
+        )
     tables.write_frames(folder / tables.FRAMES, prediction)
     with house_style():
         title = f"{home}: {params['systems'][training.SYSTEM]['title']}"
         save(timeline.draw(prediction, title, labels), folder / TIMELINE)
-    return _table(params, by_cue, prediction, labels)
-
-
-def _table(
-    params: Mapping[str, Any],
-    by_cue: Mapping[str, Sequence[int]],
-    prediction: Prediction,
-    labels: NDArray[np.int16],
-) -> pd.DataFrame:
     decisions = {name: np.array(places) for name, places in by_cue.items()}
     decisions |= {_INTEGRATION: prediction.frame_decision, _SMOOTHING: prediction.decision}
     n_classes = len(prediction.classes)
@@ -126,18 +121,38 @@ def _table(
     )
 
 
-_INTEGRATION, _SMOOTHING = f"integration/{training.SYSTEM}", f"smoothing/{training.SYSTEM}"
-
-
 def _titles(params: Mapping[str, Any]) -> dict[str, str]:
     cues = params["systems"][training.SYSTEM]["cues"]
     own = {name: str(params["cues"][name]["title"]) for name in cues}
     return own | {_INTEGRATION: f"DAS {training.SCHEME}, all five", _SMOOTHING: "and the HMM"}
 
 
+def _write_page(folder: Path, table: pd.DataFrame, home: str, training_homes: int) -> None:
+    """Write an offline page about the test home: the table in percent, the timeline and the clip."""
+    rows = [
+        (name, ["" if pd.isna(value) else f"{value:.0f}" for value in values])
+        for name, *values in table.itertuples()
+    ]
+    video = base64.b64encode((folder / CLIP).read_bytes()).decode("ascii")
+    text = (
+        environment("placecat.demo")
+        .get_template("demo.html.j2")
+        .render(
+            columns=list(table.columns),
+            rows=rows,
+            home=home.replace("_", " "),
+            training_homes=training_homes,
+            timeline=embed((folder / TIMELINE).read_bytes()),
+            clip=f"data:video/webm;base64,{video}",
+            complete=COMPLETE,
+        )
+    )
+    files.write_text(folder / PAGE, text)
+
+
 def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
     """Return the test home's rows from the results of `make repro`, or no rows without these results."""
-    column = f"all frames ({page.COMPLETE})"
+    column = f"all frames ({COMPLETE})"
     if not paths.ACCURACIES.is_file():
         return pd.DataFrame({column: []}, dtype=float)
     known = pd.read_csv(paths.ACCURACIES)

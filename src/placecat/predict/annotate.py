@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from placecat.categorizer import Decision
 from placecat.drawing import palette
 from placecat.drawing.lettering import line_height, mask, write
-from placecat.predict.clock import clock
-from placecat.predict.frame import Frame
+from placecat.predict.frame import Frame, clock
 from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]
@@ -37,9 +36,10 @@ class Annotator:
         width = round(size[0] * self._times)
         self._method = cv2.INTER_AREA if self._times < 1 else cv2.INTER_LINEAR
         self._unit = max(12, round(height / 26))
-        self._panel = round(15.5 * self._unit)
         self._width, self._height = width, height
-        self.size = (width + self._panel + (width + self._panel) % 2, height + height % 2)
+        total = width + round(15.5 * self._unit)
+        self._left, self._right = width + self._unit, total - self._unit
+        self.size = (total + total % 2, height + height % 2)
 
     def __call__(self, frame: Frame, decision: Decision, label: str | None = None) -> NDArray[np.uint8]:
         """Return the picture of a frame, with its true place if known: (h, w, 3) uint8, BGR."""
@@ -64,16 +64,11 @@ class Annotator:
 
     def _decision(self, picture: NDArray[np.uint8], decision: Decision, label: str | None) -> None:
         """Draw the place beside its colour, the confidence as a number and a bar, and the label."""
-        unit, left, right = self._unit, self._width + self._unit, self._width + self._panel - self._unit
+        unit, left, right = self._unit, self._left, self._right
         top = unit
-        swatch = round(1.1 * unit)
-        cv2.rectangle(
-            picture,
-            (left, top + unit // 4),
-            (left + swatch, top + unit // 4 + swatch),
-            self._colors[decision.place],
-            -1,
-        )
+        corner, swatch = (left, top + unit // 4), round(1.1 * unit)
+        opposite = (corner[0] + swatch, corner[1] + swatch)
+        cv2.rectangle(picture, corner, opposite, self._colors[decision.place], cv2.FILLED)
         # A question mark means that the place is unknown.
         name = palette.place_title(decision.place) + ("" if decision.is_known else "?")
         x = left + round(1.6 * unit)
@@ -89,28 +84,25 @@ class Annotator:
 
     def _places(self, picture: NDArray[np.uint8], decision: Decision) -> None:
         """Draw a bar for each place's probability, and a thin bar below it for this frame alone."""
-        unit, left, right = self._unit, self._width + self._unit, self._width + self._panel - self._unit
+        unit, left, right = self._unit, self._left, self._right
         top, bottom = round(7.9 * unit), self._height - round(4.2 * unit)
         row = min(round(3.0 * unit), (bottom - top) // max(1, len(self._classes)))
         size = min(unit, max(8, round(0.45 * row)))
         thick, thin = max(2, round(0.3 * row)), max(1, round(0.09 * row))
         for number, name in enumerate(self._classes):
             y = top + number * row
-            # The slice cuts off a long name where the number begins.
-            is_best = name == decision.place
-            write(
-                picture[:, : right - 3 * size], palette.place_title(name), (left, y), size, _INK, bold=is_best
-            )
-            write(
-                picture, f"{decision.proba[number]:.0%}", (right, y), size, _INK, align="right", bold=is_best
-            )
+            bold, share = name == decision.place, float(decision.proba[number])
+            # A long name is cut off where the number begins.
+            uncovered = picture[:, : right - 3 * size]
+            write(uncovered, palette.place_title(name), (left, y), size, _INK, bold=bold)
+            write(picture, f"{share:.0%}", (right, y), size, _INK, align="right", bold=bold)
             y += line_height(size)
-            _bar(picture, (left, y, right, y + thick), float(decision.proba[number]), self._colors[name])
+            _bar(picture, (left, y, right, y + thick), share, self._colors[name])
             y += thick + max(1, thin // 2)
             _bar(picture, (left, y, right, y + thin), float(decision.integrated[number]), _GREY)
 
     def _time(self, picture: NDArray[np.uint8], frame: Frame) -> None:
-        size, left = round(0.8 * self._unit), self._width + self._unit
+        size, left = round(0.8 * self._unit), self._left
         top = self._height - round(3.4 * self._unit)
         write(picture, "thin bars: this frame alone", (left, top), size, _GREY)
         text = f"{clock(frame.seconds)}   frame {frame.number}"

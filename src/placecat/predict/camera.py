@@ -27,21 +27,10 @@ class Camera(Source):
     footage ends when the camera stops delivering frames. Raises PlacecatError if the camera cannot be opened
     or delivers no frames.
 
-    Parameters
-    ----------
-    address
-        Camera number or stream address.
-    name, title
-        Names for the results folder and for messages.
-    fps
-        Frames per second; None uses the camera's reported rate.
-    size
-        (width, height) requested from a numbered camera; its frames may differ.
-
-    Attributes
-    ----------
-    arrived
-        Number of frames delivered, up to the last one used.
+    `address` is a camera's number or a stream's address; `name` is for the results folder, `title` for
+    messages. `fps` replaces the camera's reported rate in frames per second. `size` is the (width, height)
+    requested from a numbered camera; its frames may differ. The attribute `arrived` is the number of frames
+    delivered, up to the last one used.
     """
 
     is_live, timing = True, None
@@ -81,7 +70,10 @@ class Camera(Source):
         try:
             while True:
                 with self._news:
-                    self._wait()
+                    # Wait briefly each time: on some systems, Ctrl-C does not interrupt a long wait.
+                    until = time.monotonic() + PATIENCE
+                    while self._newest is None and not self._is_over and time.monotonic() < until:
+                        self._news.wait(0.2)
                     if self._newest is None:
                         return
                     (image, when), self._newest = self._newest, None
@@ -94,12 +86,6 @@ class Camera(Source):
             thread.join(timeout=2.0)
             if not thread.is_alive():
                 self._capture.release()
-
-    def _wait(self) -> None:
-        # Wait briefly each time: on some systems, Ctrl-C does not interrupt a long wait.
-        until = time.monotonic() + PATIENCE
-        while self._newest is None and not self._is_over and time.monotonic() < until:
-            self._news.wait(0.2)
 
     def _read(self) -> None:
         failures = 0

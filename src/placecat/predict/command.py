@@ -21,9 +21,8 @@ from placecat.predict import destination, exports, report, tables, truth
 from placecat.predict.camera import Camera
 from placecat.predict.frame import Frame, Source
 from placecat.predict.home import PREFIX, DataSetHome, data_set
-from placecat.predict.notes import notes
 from placecat.predict.prediction import Prediction
-from placecat.predict.run import Speed, Wish, run, true_label
+from placecat.predict.run import Speed, run, true_label
 from placecat.predict.sources import Folder, open_source, without_password
 from placecat.progress import Progress
 
@@ -117,7 +116,7 @@ def _open(options: Options, categorizer: Categorizer) -> Source:
         options.source,
         fps=options.fps,
         usual_fps=categorizer.frame_rate,
-        size=categorizer.frame_size,
+        size=categorizer.frame_sizes[0],
         topic=options.topic,
     )
 
@@ -132,8 +131,7 @@ def _write(folder: Path, job: _Job) -> None:
     ):
         temporary.mkdir()
         film = temporary / f"{ANNOTATED}{options.film}" if options.film else None
-        wish = Wish(every=options.every, seconds=options.seconds, film=film, truth=labels)
-        with Progress(description=source.name, total=_total(source, wish), unit="frames") as progress:
+        with Progress(description=source.name, total=_total(job), unit="frames") as progress:
 
             def show(frame: Frame, decision: Decision, speed: Speed) -> None:
                 for export in exported:
@@ -141,7 +139,16 @@ def _write(folder: Path, job: _Job) -> None:
                 progress.set_postfix_str(f"{decision.place} {decision.confidence:.0%}", refresh=False)
                 progress.update()
 
-            prediction, speed, was_stopped = run(categorizer, source, job.fit, wish, show)
+            prediction, speed, was_stopped = run(
+                categorizer,
+                source,
+                job.fit,
+                show,
+                every=options.every,
+                limit=options.seconds,
+                film_path=film,
+                truth=labels,
+            )
         if was_stopped:
             print("Stopped; the results so far are written.")
         shown = None if labels is None else labels[prediction.numbers - 1]
@@ -149,26 +156,29 @@ def _write(folder: Path, job: _Job) -> None:
         tables.write_frames(temporary / tables.FRAMES, prediction)
         tables.write_segments(temporary / tables.SEGMENTS, prediction)
         tables.write_visits(temporary / tables.VISITS, prediction)
-        _draw(temporary / TIMELINE, prediction, f"{source.name}: {job.title or 'places'}", shown)
-        files.write_json(temporary / SPEED, _speed(speed, source))
+        # Imported late: Matplotlib takes longer to import than to draw.
+        from placecat.drawing.style import house_style, save
+        from placecat.predict import timeline
+
+        with house_style():
+            title = f"{source.name}: {job.title or 'places'}"
+            save(timeline.draw(prediction, title, shown), temporary / TIMELINE)
+        measured = {
+            "frames_per_second": round(speed.rate, 2),
+            "categorizer_frames_per_second": round(speed.categorizer_rate, 2),
+            "footage_frames_per_second": source.fps,
+            "times_the_footage": round(speed.rate / speed.wanted, 3),
+        }
+        files.write_json(temporary / SPEED, measured)
         content = _summary(job, prediction, agreement)
         content["files"] = sorted([*(path.name for path in temporary.iterdir()), destination.SUMMARY])
-        content |= destination.checksums(temporary, tables.TABLES)
+        content[destination.CHECKED] = {name: files.checksum(temporary / name) for name in tables.TABLES}
         files.write_json(temporary / destination.SUMMARY, content)
         kept = destination.keep(folder, temporary)
     for name, copy in kept.items():
         note = f"{one_line(name)} was added or edited: it is kept as {one_line(folder / copy)}"
         print(f"placecat: note: {note}", file=sys.stderr)
     _print(folder, job, prediction, speed, content)
-
-
-def _draw(path: Path, prediction: Prediction, title: str, shown: NDArray[np.int16] | None) -> None:
-    # Imported late: Matplotlib takes longer to import than to draw.
-    from placecat.drawing.style import house_style, save
-    from placecat.predict import timeline
-
-    with house_style():
-        save(timeline.draw(prediction, title, shown), path)
 
 
 def _check(options: Options) -> None:
@@ -213,21 +223,13 @@ def _announce(job: _Job) -> None:
     sys.stdout.flush()
 
 
-def _total(source: Source, wish: Wish) -> int | None:
+def _total(job: _Job) -> int | None:
     """Estimate the number of frames to categorize; return None if it is unknown."""
-    if source.timing is None:
+    timing, limit = job.source.timing, job.options.seconds
+    if timing is None:
         return None
-    taken = np.searchsorted(source.timing.seconds, np.inf if wish.seconds is None else wish.seconds)
-    return -(-int(taken) // wish.every)
-
-
-def _speed(speed: Speed, source: Source) -> dict[str, float]:
-    return {
-        "frames_per_second": round(speed.rate, 2),
-        "categorizer_frames_per_second": round(speed.categorizer_rate, 2),
-        "footage_frames_per_second": source.fps,
-        "times_the_footage": round(speed.rate / speed.wanted, 3),
-    }
+    taken = len(timing.seconds) if limit is None else int(np.searchsorted(timing.seconds, limit))
+    return -(-taken // job.options.every)
 
 
 def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None) -> dict[str, Any]:
@@ -237,7 +239,7 @@ def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None
         "lost_frames": list(damage.lost),
         "damaged_frames": list(damage.damaged),
         "turned_frames": list(prediction.turned),
-        "notes": notes(job.source, prediction, job.categorizer),
+        "notes": report.notes(job.source, prediction, job.categorizer),
     }
     return {
         "source": without_password(job.options.source),

@@ -2,7 +2,7 @@
 
 import json
 import shutil
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
@@ -15,7 +15,8 @@ from placecat.errors import PlacecatError, refusal
 from placecat.predict.tables import TABLES
 
 SUMMARY = "summary.json"
-_CHECKED = "sha256"
+CHECKED = "sha256"
+"""Entry of the summary that has the tables' checksums, to detect tables that are edited later."""
 
 
 @contextmanager
@@ -69,19 +70,12 @@ def reserved(
 
 
 def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
-    """Refuse to replace files that cannot be recreated; the PlacecatError names the obstacle.
+    """Refuse to replace files in the results folder that cannot be recreated.
 
-    Parameters
-    ----------
-    folder
-        The results folder.
-    source
-        The footage as the user typed it, without any password.
-    read
-        Input files and folders; none may be in `folder`.
-    force
-        Also replace a prediction that is of another source or a camera, or that was edited (see
-        :func:`keep`). Nothing but a prediction is ever replaced.
+    Nothing but a prediction is ever replaced. It must be of the same `source`, which is the footage as the
+    user typed it, without any password, and no camera, and must not be edited; with `force`, any prediction
+    is replaced (see :func:`keep`). No input, one of `read`, may be in `folder`. The PlacecatError names the
+    obstacle.
     """
     files.check_target(folder)
     for path in read:
@@ -138,11 +132,6 @@ def keep(folder: Path, new: Path) -> dict[str, str]:
     return kept
 
 
-def checksums(folder: Path, names: Sequence[str]) -> dict[str, Any]:
-    """Return checksums for the summary, to detect tables that are edited later."""
-    return {_CHECKED: {name: files.checksum(folder / name) for name in names}}
-
-
 def _summary(folder: Path) -> dict[str, Any] | None:
     try:
         found = json.loads((folder / SUMMARY).read_text(encoding="utf-8"))
@@ -150,15 +139,16 @@ def _summary(folder: Path) -> dict[str, Any] | None:
         return None
     if not isinstance(found, dict) or not isinstance(found.get("files"), list):
         return None
-    checked = found.get(_CHECKED)
+    checked = found.get(CHECKED)
     return found if isinstance(checked, dict) and set(checked) == set(TABLES) else None
 
 
 def _changed(folder: Path, summary: dict[str, Any]) -> list[str]:
     """List the files that were added or edited since the prediction."""
-    changed = []
-    for path in sorted(folder.iterdir()):
-        digest = summary[_CHECKED].get(path.name)
-        if path.name not in summary["files"] or (digest is not None and files.checksum(path) != digest):
-            changed.append(path.name)
-    return changed
+    digests = summary[CHECKED]
+    return [
+        path.name
+        for path in sorted(folder.iterdir())
+        if path.name not in summary["files"]
+        or (path.name in digests and files.checksum(path) != digests[path.name])
+    ]

@@ -3,7 +3,6 @@
 The modules of these formats are imported late because they import Matplotlib for its colours.
 """
 
-import importlib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
@@ -18,40 +17,26 @@ if TYPE_CHECKING:
 
     Export = McapFile | RerunFile
 
-# Maps each option to its file suffix, module and class; a module is imported only if its option is used.
-_KINDS = {"mcap": (".mcap", "mcap_file", "McapFile"), "rerun": (".rrd", "rerun_file", "RerunFile")}
-OPTIONS = tuple(_KINDS)
+_ENDINGS = {"mcap": ".mcap", "rerun": ".rrd"}
+OPTIONS = tuple(_ENDINGS)
 
 
 def _kind(option: str) -> "type[McapFile] | type[RerunFile]":
-    _, module, name = _KINDS[option]
-    kind: type[McapFile] | type[RerunFile] = getattr(
-        importlib.import_module(f"placecat.predict.{module}"), name
-    )
-    return kind
+    from placecat.predict.mcap_file import McapFile
+    from placecat.predict.rerun_file import RerunFile
+
+    return McapFile if option == "mcap" else RerunFile
 
 
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
     """Before any work starts, refuse files that must not or cannot be written.
 
-    Parameters
-    ----------
-    wanted
-        Maps each option, one of `OPTIONS`, to its file.
-    folder
-        The results folder, which will be replaced.
-    read
-        Input files and folders.
-    force
-        Replace an existing file, but never an input.
-
-    Raises
-    ------
-    PlacecatError
-        If a package is missing, a name has the wrong suffix, or a file must not or cannot be written.
+    `wanted` maps each option, one of `OPTIONS`, to its file. The results `folder` will be replaced. An
+    existing file is only replaced with `force`, and an input, one of `read`, never. The PlacecatError names a
+    missing package, a wrong suffix, or a file that must not or cannot be written.
     """
     for option, path in wanted.items():
-        ending = _KINDS[option][0]
+        ending = _ENDINGS[option]
         _kind(option).require()
         given = f"--{option} is {path}"
         if path.suffix != ending:

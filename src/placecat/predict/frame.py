@@ -1,4 +1,4 @@
-"""Footage and its frames."""
+"""Footage, its frames, and their times."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Iterator, Sequence
@@ -15,18 +15,9 @@ from placecat.footage.timing import Timing
 class Frame:
     """One frame.
 
-    Attributes
-    ----------
-    number
-        Frame number, from 1; a camera's unused frames do not count.
-    seconds
-        Time since the first frame.
-    file
-        Name of the image file; "" if there is none.
-    image
-        (H, W, 3) uint8, BGR.
-    begins
-        Whether a cut precedes the frame; the system restarts after a cut.
+    `number` counts from 1, without a camera's unused frames; `seconds` is the time since the first frame.
+    `file` names the image file, or is "". `image` is (H, W, 3) uint8, BGR. The system restarts at a frame
+    that `begins`: a cut precedes it.
     """
 
     number: int
@@ -41,6 +32,13 @@ def nanoseconds(seconds: float) -> int:
     return round(seconds * 1e9)
 
 
+def clock(seconds: float) -> str:
+    """Format seconds as minutes and seconds, and hours if needed, e.g. "0:07" or "1:02:03"."""
+    minutes, rest = divmod(int(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02d}:{rest:02d}" if hours else f"{minutes}:{rest:02d}"
+
+
 class Damage(NamedTuple):
     """The numbers of the lost (undecodable) and damaged (decoded with errors) frames, and a note."""
 
@@ -52,24 +50,11 @@ class Damage(NamedTuple):
 class Source(ABC):
     """Base class for footage.
 
-    Attributes
-    ----------
-    name
-        Name of the results folder.
-    fps
-        Frame rate in frames per second.
-    size
-        (width, height) of the first frame in pixels; later frames may differ if a phone was turned.
-    timing
-        Times of all frames, including lost ones; None for a camera.
-    is_live
-        Whether frames that are not read in time are lost.
-    reached
-        Number of the last frame read, from 1; 0 before the first.
-    start
-        Time of the first frame in nanoseconds since 1970; 0 if unknown.
-    topic
-        A bag's image topic; "" otherwise.
+    `name` is that of the results folder, `fps` in frames per second, and `size` the (width, height) of the
+    first frame in pixels; later frames may differ if a phone was turned. `timing` has the times of all
+    frames, including lost ones; None for a camera. If `is_live`, frames that are not read in time are lost.
+    `reached` is the number of the last frame read, from 1, or 0 before the first. `start` is the time of the
+    first frame in nanoseconds since 1970, or 0 if unknown. `topic` is a bag's image topic, or "".
     """
 
     name: str

@@ -21,16 +21,9 @@ PREFIX = "home:"
 class DataSetHome(Source):
     """The frames of a home, floor by floor.
 
-    The system restarts at each floor and at any other cut. Times continue from the previous floor.
-
-    Parameters
-    ----------
-    name
-        A home of the data set. Raises PlacecatError if it is unknown or cannot be read.
-    dataset
-        Data set settings, as in conf/dataset.
-    fps
-        Frames per second; None uses the data set's rate.
+    The system restarts at each floor and at any other cut. Times continue from the previous floor. `name` is
+    a home of the data set, whose settings are as in conf/dataset; raises PlacecatError if the home is unknown
+    or cannot be read. `fps` replaces the data set's rate in frames per second.
     """
 
     timing: Timing

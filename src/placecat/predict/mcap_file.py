@@ -35,27 +35,29 @@ _WORK = ".folder"
 class McapFile:
     """Writes an MCAP file, with a summary and indices, in a ``with`` block.
 
-    Parameters
-    ----------
-    path, name
-        The file to write, and its final name without the suffix.
-    classes
-        Names of the places.
-    size
-        (width, height) of the frames.
-    start
-        Time of the first frame in nanoseconds since 1970.
+    Its final name, without the suffix, is `name`. `classes` are the names of the places, and `size` is the
+    (width, height) of the frames. `start` is the time of the first frame in nanoseconds since 1970.
     """
 
     @staticmethod
-    def require() -> None:
-        """Raise PlacecatError if rosbags is not installed."""
-        _rosbags()
+    def require() -> tuple[Any, Any]:
+        """Return the message definitions and the writer's module; PlacecatError if rosbags is missing."""
+        try:
+            from rosbags import rosbag2
+            from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+        except ModuleNotFoundError as error:
+            raise PlacecatError(
+                f"--mcap needs the optional extra ({error.name} is missing): pip install -e '.[robot]'"
+            ) from None
+        store = get_typestore(Stores.ROS2_HUMBLE)
+        for name, text in _DEFINITIONS.items():
+            store.register(get_types_from_msg(text, name))
+        return store, rosbag2
 
     def __init__(
         self, path: Path, name: str, classes: tuple[str, ...], size: tuple[int, int], start: int
     ) -> None:
-        store, writer = _rosbags()
+        store, writer = self.require()
         self._path, self._classes, self._start = path, classes, start
         self._annotator = Annotator(classes, size)
         self._place: str | None = None
@@ -115,21 +117,6 @@ def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
     if not done:
         raise RuntimeError("OpenCV cannot write JPEG")
     return coded.ravel().astype(np.uint8, copy=False)
-
-
-def _rosbags() -> tuple[Any, Any]:
-    """Return the message definitions and the writer's module."""
-    try:
-        from rosbags import rosbag2
-        from rosbags.typesys import Stores, get_types_from_msg, get_typestore
-    except ModuleNotFoundError as error:
-        raise PlacecatError(
-            f"--mcap needs the optional extra ({error.name} is missing): pip install -e '.[robot]'"
-        ) from None
-    store = get_typestore(Stores.ROS2_HUMBLE)
-    for name, text in _DEFINITIONS.items():
-        store.register(get_types_from_msg(text, name))
-    return store, rosbag2
 
 
 def _quality(*, is_latched: bool) -> Any:

@@ -14,32 +14,13 @@ from placecat.sequences.labels import Segment
 class Prediction:
     """The n categorized frames, in order.
 
-    Attributes
-    ----------
-    classes
-        Names of the K places.
-    fps
-        Frame rate of the footage, in frames per second.
-    length
-        Number of the last frame read, from 1.
-    numbers
-        (n,) int64, number of each frame in the footage, from 1.
-    seconds
-        (n,) float64, time since the first frame.
-    names
-        Image file of each frame; empty if the frames have none.
-    proba
-        (n, K) float64, smoothed probabilities, which decide the place.
-    integrated
-        (n, K) float64, probabilities of each frame alone.
-    end
-        End of the last frame in seconds; None if it lasts as long as the others.
-    turned
-        Numbers of the frames whose size differs from the first.
-    threshold
-        Decisions below this confidence are unknown.
-    cuts
-        Indices of the frames that follow a cut, such as a new floor.
+    The K places are `classes`. The footage has `fps` frames per second; its last frame that was read has the
+    number `length`, from 1. Each frame has a number in the footage, `numbers` (n,) int64 from 1, a time since
+    the first frame, `seconds` (n,) float64, and an image file in `names`, which is empty if there are none.
+    The smoothed probabilities `proba` (n, K) float64 decide the place; `integrated` are those of each frame
+    alone. The last frame ends at `end` seconds; None if it lasts as long as the others. `turned` are the
+    numbers of the frames whose size differs from the first, and `cuts` the indices of the frames that follow
+    a cut, such as a new floor. Decisions with a confidence below `threshold` are unknown.
     """
 
     classes: tuple[str, ...]

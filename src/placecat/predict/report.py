@@ -1,13 +1,46 @@
-"""Report a prediction as text and as JSON."""
+"""Report a prediction as text and as JSON, with notes for the user."""
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+import pandas as pd
 
-from placecat.predict.clock import clock
+from placecat.categorizer import Categorizer
+from placecat.predict.frame import Source, clock
+from placecat.predict.home import DataSetHome
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed
+
+SLOW = 0.95
+"""A frame rate below this share of the model's is slow; 4.995 instead of 5 frames/s is not. Our choice."""
+
+
+def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> list[str]:
+    """List warnings for the user, one line each; call this after reading all frames of the source."""
+    found = [source.damage().note]
+    if prediction.turned:
+        found.append(
+            f"{len(prediction.turned)} frames from frame {prediction.turned[0]} on have another size than "
+            "the first (was the phone turned?): only their centre is used"
+        )
+    data = categorizer.card["data"]
+    # Data sets with equal titles count as the same.
+    is_same = isinstance(source, DataSetHome) and source.title == data.get("title")
+    if is_same and source.name in map(str, data["homes"]):
+        found.append(
+            f"{source.name} trained this model, so this accuracy says nothing about new homes; `placecat "
+            f"train --without {source.name}` leaves it out"
+        )
+    if len(prediction.seconds) > 1 and 0 < categorizer.threshold < math.inf:
+        period = float(np.median(np.diff(prediction.seconds)))
+        if period * categorizer.frame_rate * SLOW > 1:
+            found.append(
+                f"{1 / period:.3g} frames/s are used, but the confidence for `unknown` was chosen at "
+                f"{categorizer.frame_rate:.3g}: each frame counts for more, so `unknown` is too rare"
+            )
+    return [note for note in found if note]
 
 
 def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[str, Any]:
@@ -44,18 +77,16 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
     """Return lines: accuracy, a confusion table (rows: labels, columns: decisions) and the named share."""
     if agreement["accuracy"] is None:
         return ["No categorized frame has a label of the model's places: nothing is scored."]
-    rows = [list(map(str, row)) for row in agreement["confusion"]]
-    widths = [max(len(name), *(len(row[column]) for row in rows)) for column, name in enumerate(classes)]
-    first = max(len("label"), *map(len, classes))
+    table = pd.DataFrame(agreement["confusion"], list(classes), pd.Index(classes, name="label"))
+    percents = [agreement["by_place"][name] for name in classes]
+    correct = ["-" if percent is None else f"{percent:.1f} %" for percent in percents]
+    # A place may have this name.
+    table.insert(len(classes), "correct", correct, allow_duplicates=True)
     lines = [
         f"Accuracy (mean over the labelled places): {agreement['accuracy']:.2f} %; "
         f"of each frame alone {agreement['frame_accuracy']:.2f} %",
-        "  " + "  ".join([f"{'label':{first}}", *_cells(classes, widths), "correct"]),
+        *(f"  {line}" for line in table.to_string().splitlines()),
     ]
-    for name, row in zip(classes, rows, strict=True):
-        percent = agreement["by_place"][name]
-        correct = "-" if percent is None else f"{percent:.1f} %"
-        lines.append("  " + "  ".join([f"{name:{first}}", *_cells(row, widths), f"{correct:>7}"]))
     if agreement["named"] < 100:
         wrong = agreement["named_wrongly"]
         wrongly = "" if wrong is None else f", of which {wrong:.2f} % wrongly"
@@ -102,14 +133,9 @@ def _share_of_time(prediction: Prediction) -> dict[str, float]:
 
 
 def _share_unknown(prediction: Prediction) -> float:
-    """Return the share of time during which the place is unknown."""
     lengths = prediction.ends - prediction.seconds
     return float(lengths[~prediction.is_known].sum() / lengths.sum())
 
 
 def _changes(decision: np.ndarray) -> int:
     return int((decision[1:] != decision[:-1]).sum())
-
-
-def _cells(texts: Sequence[str], widths: Sequence[int]) -> list[str]:
-    return [f"{text:>{width}}" for text, width in zip(texts, widths, strict=True)]

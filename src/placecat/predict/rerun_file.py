@@ -34,15 +34,21 @@ class RerunFile:
     def __init__(
         self, path: Path, name: str, classes: tuple[str, ...], size: tuple[int, int], start: int
     ) -> None:
-        self._rerun = _rerun()
+        self._rerun = self.require()
         self._path, self._name, self._start = path, name, start
         self._entities = {one: self._rerun.new_entity_path([PROBABILITIES, one]) for one in classes}
         self._place: str | None = None
 
     @staticmethod
-    def require() -> None:
-        """Raise PlacecatError if Rerun is not installed."""
-        _rerun()
+    def require() -> Any:
+        """Return the Rerun library; raise PlacecatError if it is not installed."""
+        try:
+            import rerun
+        except ModuleNotFoundError as error:
+            raise PlacecatError(
+                f"--rerun needs the optional extra ({error.name} is missing): pip install -e '.[rerun]'"
+            ) from None
+        return rerun
 
     def __enter__(self) -> "RerunFile":
         import rerun.blueprint as views
@@ -87,13 +93,3 @@ class RerunFile:
             self._place = decision.name
             text = palette.place_title(decision.name)
             log(PLACE, rerun.TextLog(text if not label else f"{text} (label: {palette.place_title(label)})"))
-
-
-def _rerun() -> Any:
-    try:
-        import rerun
-    except ModuleNotFoundError as error:
-        raise PlacecatError(
-            f"--rerun needs the optional extra ({error.name} is missing): pip install -e '.[rerun]'"
-        ) from None
-    return rerun

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -21,16 +21,10 @@ Shown = Callable[[Frame, Decision, "Speed"], None]
 
 @dataclass
 class Speed:
-    """Speed of a prediction.
+    """Speed of a prediction: `wanted` frames are categorized per second of footage.
 
-    Attributes
-    ----------
-    wanted
-        Frames to categorize per second of footage.
-    frames
-        Number of categorized frames.
-    seconds, categorizing
-        Time in total (decoding, categorizing, drawing), and in the categorizer alone.
+    So far, `frames` are categorized; this took `seconds` in total (decoding, categorizing, drawing), of which
+    the categorizer took `categorizing`.
     """
 
     wanted: float
@@ -49,68 +43,41 @@ class Speed:
         return self.frames / self.categorizing if self.categorizing else 0.0
 
 
-@dataclass(frozen=True)
-class Wish:
-    """The user's options.
-
-    Attributes
-    ----------
-    every
-        Categorize one frame out of this many.
-    seconds
-        Seconds of footage to use; None uses all of it.
-    film
-        Path of the annotated video, if any.
-    truth
-        (frames of the footage,) int16, class indices to show in the video, or -1 for unlabelled frames.
-    pace
-        Speed of the video relative to the footage.
-    """
-
-    every: int = 1
-    seconds: float | None = None
-    film: Path | None = None
-    truth: NDArray[np.int16] | None = None
-    pace: float = 1.0
-
-
 def run(
-    system: Categorizer, source: Source, fit: Fit, wish: Wish, shown: Shown = lambda *_: None
+    system: Categorizer,
+    source: Source,
+    fit: Fit,
+    shown: Shown,
+    *,
+    every: int = 1,
+    limit: float | None = None,
+    film_path: Path | None = None,
+    truth: NDArray[np.int16] | None = None,
+    pace: float = 1.0,
 ) -> tuple[Prediction, Speed, bool]:
-    """Categorize footage.
+    """Categorize one frame in `every` of the footage, or of its first `limit` seconds.
 
-    Ctrl-C ends a camera's footage after the first frame; otherwise, it raises KeyboardInterrupt.
+    The system must not have seen any frames yet; `fit` fits frames to a size that it accepts. `shown` is
+    called after each frame. An annotated video is written to `film_path`, if any, at a `pace` relative to the
+    footage. It shows the labels `truth`: (frames of the footage,) int16, class indices, or -1 for unlabelled
+    frames.
 
-    Parameters
-    ----------
-    system
-        A system that has not seen any frames yet.
-    fit
-        Fits frames to a size that the system accepts.
-    shown
-        Called after each frame.
-
-    Returns
-    -------
-    The prediction, which has at least one frame; the speed; and whether Ctrl-C ended the footage.
-
-    Raises
-    ------
-    PlacecatError
-        If a frame cannot be read, or no frame is used.
+    Returns the prediction, which has at least one frame; the speed; and whether Ctrl-C ended the footage. It
+    ends a camera's footage after the first frame; otherwise, it raises KeyboardInterrupt. Raises
+    PlacecatError if a frame cannot be read, or no frame is used.
     """
     rows: list[tuple[int, float, str, NDArray[np.float64], NDArray[np.float64]]] = []
-    speed = Speed(source.fps / wish.every)
+    speed = Speed(source.fps / every)
     was_stopped = False
     with ExitStack() as stack:
         film = None
-        if wish.film is not None:
+        if film_path is not None:
             # Imported late: it imports Matplotlib for its colours.
             from placecat.predict.annotate import Annotator
 
             annotator = Annotator(system.classes, fit.target)
-            film = stack.enter_context(Film(wish.film, speed.wanted * wish.pace, annotator.size))
-        frames = source.frames(wish.every)
+            film = stack.enter_context(Film(film_path, speed.wanted * pace, annotator.size))
+        frames = source.frames(every)
         stack.callback(frames.close)  # type: ignore[attr-defined]
         start = time.perf_counter()
         # The first frame lasts one frame period.
@@ -118,11 +85,11 @@ def run(
         turned, cuts = [], []
         try:
             for raw in frames:
-                if wish.seconds is not None and raw.seconds >= wish.seconds:
+                if limit is not None and raw.seconds >= limit:
                     break
                 if raw.image.shape[1::-1] != tuple(source.size):
                     turned.append(raw.number)
-                frame = Frame(raw.number, raw.seconds, raw.file, fit(raw.image), raw.begins)
+                frame = replace(raw, image=fit(raw.image))
                 if frame.begins:
                     system.reset()
                     seen = frame.seconds - 1.0 / speed.wanted
@@ -132,8 +99,8 @@ def run(
                 seen = frame.seconds
                 speed.categorizing += time.perf_counter() - before
                 if film is not None:
-                    label = true_label(wish.truth, frame.number, system.classes)
-                    film.add(annotator(frame, decision, label), frame.seconds / wish.pace)
+                    label = true_label(truth, frame.number, system.classes)
+                    film.add(annotator(frame, decision, label), frame.seconds / pace)
                 # Append in one step: Ctrl-C must not leave half a row.
                 rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
                 speed.frames, speed.seconds = len(rows), time.perf_counter() - start
@@ -145,9 +112,9 @@ def run(
     if not rows:
         raise PlacecatError("no frame was used: give a longer --seconds")
     numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
-    last = source.reached if wish.seconds is None else numbers[-1]
+    last = source.reached if limit is None else numbers[-1]
     timing = source.timing
-    end = None if timing is None or timing.is_even else min(timing.end, wish.seconds or np.inf)
+    end = None if timing is None or timing.is_even else min(timing.end, limit or np.inf)
     prediction = Prediction(
         classes=system.classes,
         fps=source.fps,

@@ -4,9 +4,6 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
 from placecat.errors import PlacecatError, reading
 from placecat.footage.bag_recording import BagRecording
 from placecat.footage.bags import is_bag
@@ -33,26 +30,18 @@ def open_source(
 ) -> Source:
     """Open footage. Raises PlacecatError if it cannot be read.
 
-    Parameters
-    ----------
-    text
-        A video file, a folder of images, a bag, ``camera`` or ``camera:NUMBER``, or a stream's address (rtsp,
-        http). A file or folder takes precedence over a camera of the same name.
-    fps
-        Frames per second; None uses the footage's rate.
-    usual_fps
-        Frame rate to use for a folder, which has none.
-    size
-        (width, height) requested from a camera.
-    topic
-        A bag's image topic; None uses its only one.
+    `text` names a video file, a folder of images, a bag, ``camera`` or ``camera:NUMBER``, or a stream's
+    address (rtsp, http). A file or folder takes precedence over a camera of the same name. `fps` replaces the
+    footage's rate in frames per second; a folder has none, so its default is `usual_fps`. `size` is the
+    (width, height) requested from a camera. `topic` is a bag's image topic; None uses its only one.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
     path = Path(text)
     with reading(path):
         if is_bag(path):
-            return _bag(path, fps, topic)
+            bag = BagRecording(path, topic, fps)
+            return Recorded(path.resolve().name if path.is_dir() else path.stem, bag, bag.timing)
     if topic is not None:
         raise PlacecatError(f"--topic is for bags, but there is no bag {without_password(text)}")
     if _STREAM.fullmatch(text):
@@ -73,11 +62,6 @@ def open_source(
         f"{text}: no such file or folder: give a video, a folder of images, a bag, camera, camera:NUMBER, or "
         "the address of a stream (rtsp://..., http://...)"
     )
-
-
-def _bag(path: Path, fps: float | None, topic: str | None) -> "Recorded":
-    recording = BagRecording(path, topic, fps)
-    return Recorded(path.resolve().name if path.is_dir() else path.stem, recording, recording.timing)
 
 
 def _video(path: Path, fps: float | None) -> "Recorded":
@@ -136,14 +120,11 @@ class Folder(Source):
         for number, name in enumerate(self._images, 1):
             self.reached = number
             if (number - 1) % every == 0:
-                yield Frame(number, (number - 1) / self.fps, name, self._read(name))
-
-    def _read(self, name: str) -> NDArray[np.uint8]:
-        image = read_image(self._path / name)
-        size = (image.shape[1], image.shape[0])
-        if size != self.size:
-            raise PlacecatError(
-                f"{self._path / name}: {size[0]}x{size[1]} pixels, but the first image has "
-                f"{self.size[0]}x{self.size[1]}; convert or remove it"
-            )
-        return image
+                image = read_image(self._path / name)
+                height, width, _ = image.shape
+                if (width, height) != self.size:
+                    raise PlacecatError(
+                        f"{self._path / name}: {width}x{height} pixels, but the first image has "
+                        f"{self.size[0]}x{self.size[1]}; convert or remove it"
+                    )
+                yield Frame(number, (number - 1) / self.fps, name, image)

@@ -12,7 +12,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy.typing import NDArray
 
 from placecat.drawing import palette
-from placecat.predict.clock import clock
+from placecat.predict.frame import clock
 from placecat.predict.prediction import Prediction
 
 COLUMNS = 2000

@@ -41,18 +41,11 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
 def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, object]:
     """Score the categorized frames like the frames of a home (thesis 4.2).
 
-    Parameters
-    ----------
-    truth
-        (n,) class indices of these frames, or -1 for unscored frames.
-
-    Returns
-    -------
-    dict
-        ``accuracy`` and ``frame_accuracy`` (each frame alone): mean over the labelled places, in percent, or
-        None if nothing is scored. ``by_place``: percent correct per place. ``confusion``: counts, one row per
-        true place. ``named``: percent of scored frames that are not unknown. ``named_wrongly``: percent of
-        these that are wrong. Both weight all places equally.
+    `truth` has the (n,) class indices of these frames, or -1 for unscored frames. Returns ``accuracy`` and
+    ``frame_accuracy`` (each frame alone): mean over the labelled places, in percent, or None if nothing is
+    scored; ``by_place``: percent correct per place; ``confusion``: counts, one row per true place; ``named``:
+    percent of scored frames that are not unknown; ``named_wrongly``: percent of these that are wrong. Both
+    weight all places equally.
     """
     n_classes = len(prediction.classes)
     confusion = confusion_matrix(truth, prediction.decision, n_classes)

@@ -160,12 +160,9 @@ class Run:
         self._need(path)
         return Codebook.from_arrays(files.read_arrays(path))
 
-    def fold(self, home: str, scheme: str = "5-5-1") -> protocol.Fold:
-        """Return a test home's training plan."""
-        for fold in protocol.folds(self.homes, scheme):
-            if fold.test == home:
-                return fold
-        raise PlacecatError(f"there is no home {home!r} in dataset.homes: {', '.join(self.homes)}")
+    def fold(self, home: str) -> protocol.Fold:
+        """Return a test home's training homes in the protocol 5-5-1."""
+        return protocol.fold_without(self.homes, "5-5-1", [home])
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
         """Return the indices of a home's frames that train cues and codebooks (thesis 4.2)."""

@@ -14,7 +14,7 @@ from placecat.stages import run
 from placecat.training import fold_file, store
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, train
-from placecat.training.integration import fuse, smooth, smoothing_settings
+from placecat.training.integration import apply_smoothing, fit_smoothing, fuse, smoothing_settings
 
 Probabilities = dict[str, NDArray[np.float64]]
 
@@ -92,12 +92,12 @@ def apply_system(
     """Integrate the cues' outputs and smooth the decisions for every tested sequence."""
     fused = fuse(plan.integration, [train for train, _ in outputs], plan.classes, integrator)
     assert fused.cross_validated is not None
+    model = fit_smoothing(plan.integration, fused.cross_validated, fused.truth, smoothing)
     result = {}
     for part in plan.tested:
         stacked = np.stack([tested[part.home] for _, tested in outputs], axis=1)
         proba = fused.integrator.predict_proba(stacked)
-        smoothed = smooth(part.home, proba, plan.integration, fused.cross_validated, fused.truth, smoothing)
-        result[part.home] = {"test": proba} | smoothed
+        result[part.home] = {"test": proba} | apply_smoothing(model, part.home, proba)
     return result
 
 

@@ -22,15 +22,9 @@ from placecat.training.plan import Part, Plan
 class Cue:
     """The settings of a cue.
 
-    Attributes
-    ----------
-    descriptor
-        As in :func:`placecat.cues.cue_input.check`.
-    classifier
-        As in :func:`placecat.cues.fit`.
-    codebook
-        ``cells`` and ``tree``, as in :meth:`placecat.cues.codebook.Codebook.fit`; None for a cue without
-        clusters.
+    `descriptor` is as in :func:`placecat.cues.cue_input.check`, `classifier` as in :func:`placecat.cues.fit`.
+    `codebook` has ``cells`` and ``tree``, as in :meth:`placecat.cues.codebook.Codebook.fit`; it is None for a
+    cue without clusters.
     """
 
     descriptor: Mapping[str, Any]
@@ -49,15 +43,7 @@ class Cue:
 
 @dataclass(frozen=True)
 class TrainingFrames:
-    """Training frames, one part after another.
-
-    Attributes
-    ----------
-    described
-        The frames' descriptors.
-    truth, home_of_frame
-        (n,) classes of the frames, and (n,) names of their sequences.
-    """
+    """Training frames, one part after another: their descriptors, (n,) classes, and (n,) sequence names."""
 
     described: Descriptors
     truth: NDArray[np.int16]
@@ -66,18 +52,10 @@ class TrainingFrames:
 
 @dataclass(frozen=True)
 class TrainedCue:
-    """A trained cue.
+    """A trained cue, with the classes and sequence names of its training frames.
 
-    Attributes
-    ----------
-    descriptor
-        The cue's descriptor.
-    model
-        The trained model.
-    truth, home_of_frame
-        (n,) classes of the training frames, and (n,) names of their sequences.
-    cross_validated
-        (n, n_classes) distributions for these frames from :func:`placecat.cues.cross_validate`, or None.
+    `cross_validated` holds (n, n_classes) distributions for these frames from
+    :func:`placecat.cues.cross_validate`, or is None.
     """
 
     descriptor: Mapping[str, Any]
@@ -116,7 +94,7 @@ def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> Trainin
     chosen = {part.home: part.chosen() for part in parts}
     rows = {home: frames for home, (frames, _) in chosen.items()}
     return TrainingFrames(
-        store.read_training(tuple(rows), descriptor, rows),
+        store.read_training(descriptor, rows),
         np.concatenate([truth for _, truth in chosen.values()]),
         np.concatenate([np.full(len(frames), home) for home, frames in rows.items()]),
     )
@@ -127,14 +105,8 @@ def cluster(
 ) -> Codebook:
     """Cluster a cue's training frames.
 
-    Parameters
-    ----------
-    frames
-        Frames that train the plan's cues.
-    seed
-        One of ``protocol.seeds``; the clustering's seed is derived from it, the plan and the cue.
-    numbers
-        The numbers of clusters that will be used; None means those in the codebook's settings.
+    The clustering's seed is derived from `seed`, one of ``protocol.seeds``, the plan and the cue. `numbers`
+    are the numbers of clusters that will be used; None means those in the codebook's settings.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]

@@ -48,11 +48,9 @@ def has(path: Path, name: str) -> bool:
 def read(path: Path, name: str) -> NDArray[Any]:
     """Read one array; raises FileNotFoundError or KeyError unless `has` returns True."""
     with np.load(path, allow_pickle=False) as archive:
-        array: NDArray[Any] = archive[name]
-    return array
+        return archive[name]
 
 
 def read_facts(path: Path) -> dict[str, Any]:
     """Read the facts that :func:`write` stored."""
-    facts: dict[str, Any] = files.read_json(path.with_suffix(".json"))
-    return facts
+    return files.read_json(path.with_suffix(".json"))

@@ -36,23 +36,43 @@ def fuse(
     temperatures: Sequence[float] | None = None,
     cross_validated: bool = True,
 ) -> integrate.Trained:
-    """Train an integration.
+    """Train an integration on `parts`; other parameters are as in :func:`placecat.fusion.integrate.fit`.
 
-    Parameters
-    ----------
-    parts
-        Parts that train the integration.
-    outputs
-        One dictionary per cue, which maps each part's name to the distributions for its chosen frames.
-    classes
-        Names of the places.
-    integrator, temperatures, cross_validated
-        As in :func:`placecat.fusion.integrate.fit`.
+    `outputs` has one dictionary per cue, which maps each part's name to the distributions for its chosen
+    frames. `classes` are the names of the places.
     """
     train = {part.home: np.stack([proba[part.home] for proba in outputs], axis=1) for part in parts}
     truth = {part.home: part.chosen()[1] for part in parts}
     return integrate.fit(
         train, truth, classes, temperatures=temperatures, cross_validated=cross_validated, **integrator
+    )
+
+
+def fit_smoothing(
+    parts: Sequence[Part],
+    proba: NDArray[np.float64],
+    truth: NDArray[np.int16],
+    options: Mapping[str, Any],
+) -> smoothing.SmoothingModel:
+    """Estimate the smoothing's statistics from `parts`.
+
+    `proba` holds (n, n_classes) cross-validated distributions for the parts' frames, and `truth` their (n,)
+    classes. `options` are as in :func:`placecat.fusion.smoothing.fit`.
+    """
+    walks, rates = training_walks(parts)
+    return smoothing.fit(walks, proba, truth, proba.shape[1], training_frame_rates=rates, **options)
+
+
+def apply_smoothing(
+    model: smoothing.SmoothingModel, home: str, proba: NDArray[np.float64]
+) -> dict[str, NDArray[np.float64]]:
+    """Smooth `proba`, (frames, n_classes) for every frame of `home`; return ``hmm`` and ``delayed`` alike."""
+    return smoothing.apply(
+        model,
+        proba,
+        listing.sequence_slices(home),
+        frame_rate=listing.frame_rate(home),
+        times=listing.uneven_times(home),
     )
 
 
@@ -76,44 +96,3 @@ def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list
             walks.append(walk)
             rates.append(rate)
     return walks, rates
-
-
-def smooth(
-    home: str,
-    proba: NDArray[np.float64],
-    parts: Sequence[Part],
-    training_proba: NDArray[np.float64],
-    training_truth: NDArray[np.int16],
-    options: Mapping[str, Any],
-) -> dict[str, NDArray[np.float64]]:
-    """Smooth one sequence's distributions using statistics from other sequences.
-
-    Parameters
-    ----------
-    proba
-        (frames, n_classes) for every frame of `home`.
-    parts
-        Parts that provide the statistics.
-    training_proba, training_truth
-        (n, n_classes) cross-validated distributions for these parts' frames, and their (n,) classes.
-    options
-        As in :func:`placecat.fusion.smoothing.fit`.
-
-    Returns
-    -------
-    dict
-        ``hmm`` and ``delayed``, each (frames, n_classes).
-    """
-    walks, frame_rates = training_walks(parts)
-    return smoothing.smooth(
-        proba,
-        listing.sequence_slices(home),
-        frame_rate=listing.frame_rate(home),
-        times=listing.uneven_times(home),
-        training_sequences=walks,
-        training_frame_rates=frame_rates,
-        training_proba=training_proba,
-        training_truth=training_truth,
-        n_classes=proba.shape[1],
-        **options,
-    )

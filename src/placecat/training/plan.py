@@ -18,14 +18,9 @@ from placecat.training import protocol
 class Part:
     """Frames of one sequence.
 
-    Attributes
-    ----------
-    home
-        Name of the sequence, as in :func:`placecat.paths.sequences`.
-    numbers
-        Class index of each place in the sequence's data set; -1 for a place that does not count.
-    offset, step
-        Selection of frames, see :func:`placecat.training.protocol.select_frames`.
+    `home` names the sequence, as in :func:`placecat.paths.sequences`. `numbers` has the class index of each
+    place in the sequence's data set, or -1 for a place that does not count. `offset` and `step` select
+    frames, see :func:`placecat.training.protocol.select_frames`.
     """
 
     home: str
@@ -53,22 +48,10 @@ class Part:
 class Plan:
     """The training sequences and the tested sequences.
 
-    Attributes
-    ----------
-    classes
-        Names of the places.
-    cues
-        Parts that train codebooks, scalings and cues.
-    integration
-        Parts that train the integration and the smoothing.
-    extra
-        Additional sequences that train the integration if a system asks for them (thesis 4.5).
-    tested
-        Sequences that no trained component has seen.
-    dataset
-        Name of the data set.
-    left_out
-        Homes that do not train the cues; None for a fixed split.
+    `classes` names the places, `dataset` the data set. The parts `cues` train codebooks, scalings and cues;
+    `integration` trains the integration and the smoothing; `extra` also trains the integration if a system
+    asks for it (thesis 4.5). No trained component has seen `tested`. The homes `left_out` do not train the
+    cues; None for a fixed split.
     """
 
     classes: tuple[str, ...]
@@ -92,10 +75,8 @@ class Plan:
 
     def with_cue_frames(self, frames: Mapping[str, int]) -> Plan:
         """Return this plan, but with other frames (``offset`` and ``step``) to train the cues."""
-        return replace(
-            self,
-            cues=tuple(replace(part, offset=frames["offset"], step=frames["step"]) for part in self.cues),
-        )
+        offset, step = frames["offset"], frames["step"]
+        return replace(self, cues=tuple(replace(part, offset=offset, step=step) for part in self.cues))
 
 
 def of_homes(
@@ -105,13 +86,12 @@ def of_homes(
     *,
     extra: bool = False,
 ) -> list[Plan]:
-    """Plan every fold of the main data set.
+    """Plan every fold of the main data set: test each home of `tested` alone, as in :func:`of_release`.
 
-    `params` holds all settings; `scheme`, `tested` and the errors are as in
-    :func:`placecat.training.protocol.folds`. `extra` adds the sequences of ``protocol.extra``.
+    `tested` is as in :func:`placecat.training.protocol.tested_homes`.
     """
-    homes = settings.get(params, "dataset.homes")
-    return [_of_fold(params, fold, extra=extra) for fold in protocol.folds(homes, scheme, tested)]
+    homes = protocol.tested_homes(settings.get(params, "dataset.homes"), tested)
+    return [of_release(params, scheme, [home], extra=extra) for home in homes]
 
 
 def of_release(
@@ -119,21 +99,27 @@ def of_release(
 ) -> Plan:
     """Plan a system for other footage: test the homes in `without`, and train on all others.
 
-    Parameters
-    ----------
-    params, scheme, extra
-        As in :func:`of_homes`.
-    without
-        As in :func:`placecat.training.protocol.fold_without`.
+    `params` holds all settings; `scheme`, `without` and the errors are as in
+    :func:`placecat.training.protocol.fold_without`. `extra` adds the sequences of ``protocol.extra``.
     """
     fold = protocol.fold_without(settings.get(params, "dataset.homes"), scheme, without)
-    return _of_fold(params, fold, extra=extra)
+    plan = _of_main(params, fold.cue_homes, fold.integration_homes, fold.without, fold.left_out)
+    if not extra:
+        return plan
+    split, sequences = (settings.get(params, f"protocol.extra.{name}") for name in ("split", "sequences"))
+    # Places are matched by name.
+    places = settings.get(params, f"splits.{split}.dataset.classes")
+    numbers = tuple(plan.classes.index(place) if place in plan.classes else -1 for place in places)
+    chosen = settings.get(params, "protocol.integration_frames")
+    return replace(
+        plan, extra=tuple(Part(f"{split}/{sequence}", numbers, **chosen) for sequence in sequences)
+    )
 
 
-def without_homes(params: Mapping[str, Any], left_out: Sequence[str], tested: Sequence[str]) -> Plan:
-    """Plan a test on training homes: train on all but `left_out`, and test some of those: `tested`."""
-    homes = [home for home in settings.get(params, "dataset.homes") if home not in left_out]
-    return _of_main(params, homes, homes, tested, tuple(left_out))
+def without_homes(params: Mapping[str, Any], tested: Sequence[str]) -> Plan:
+    """Plan a test on the training homes `tested`: train on all others."""
+    homes = [home for home in settings.get(params, "dataset.homes") if home not in tested]
+    return _of_main(params, homes, homes, tested, tuple(tested))
 
 
 def of_split(params: Mapping[str, Any], split: str) -> Plan:
@@ -177,11 +163,6 @@ def on_training_homes(plan: Plan) -> list[Plan]:
     ]
 
 
-def _of_fold(params: Mapping[str, Any], fold: protocol.Fold, *, extra: bool) -> Plan:
-    plan = _of_main(params, fold.cue_homes, fold.integration_homes, fold.without, fold.left_out)
-    return replace(plan, extra=_extra(params)) if extra else plan
-
-
 def _of_main(
     params: Mapping[str, Any],
     cues: Sequence[str],
@@ -190,32 +171,20 @@ def _of_main(
     left_out: tuple[str, ...],
 ) -> Plan:
     """Make a plan for homes of the main data set, without additional sequences."""
+    classes = tuple(settings.get(params, "dataset.classes"))
+    numbers = tuple(range(len(classes)))
+    cue_frames, integration_frames = (
+        settings.get(params, f"protocol.{name}") for name in ("cue_frames", "integration_frames")
+    )
     return Plan(
-        classes=tuple(settings.get(params, "dataset.classes")),
-        cues=_parts(params, cues, "cue_frames"),
-        integration=_parts(params, integration, "integration_frames"),
+        classes=classes,
+        cues=tuple(Part(home, numbers, **cue_frames) for home in cues),
+        integration=tuple(Part(home, numbers, **integration_frames) for home in integration),
         extra=(),
-        tested=_parts(params, tested, None),
+        tested=tuple(Part(home, numbers) for home in tested),
         dataset=settings.get(params, "dataset.name"),
         left_out=left_out,
     )
-
-
-def _parts(params: Mapping[str, Any], homes: Sequence[str], frames: str | None) -> tuple[Part, ...]:
-    """Return one part per home, with the frames that a setting selects, or all labelled frames."""
-    numbers = tuple(range(len(settings.get(params, "dataset.classes"))))
-    chosen: Mapping[str, int] = {} if frames is None else settings.get(params, f"protocol.{frames}")
-    return tuple(Part(home, numbers, **chosen) for home in homes)
-
-
-def _extra(params: Mapping[str, Any]) -> tuple[Part, ...]:
-    """Return the sequences of ``protocol.extra``; their places are matched by name."""
-    split, sequences = (settings.get(params, f"protocol.extra.{name}") for name in ("split", "sequences"))
-    classes = settings.get(params, "dataset.classes")
-    places = settings.get(params, f"splits.{split}.dataset.classes")
-    numbers = tuple(classes.index(place) if place in classes else -1 for place in places)
-    chosen = settings.get(params, "protocol.integration_frames")
-    return tuple(Part(f"{split}/{sequence}", numbers, **chosen) for sequence in sequences)
 
 
 def _numbers(classes: Sequence[str], counted: Sequence[str] | None) -> tuple[int, ...]:

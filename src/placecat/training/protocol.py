@@ -1,13 +1,12 @@
 """Protocols 5-5-1 and 4-5-1 (thesis 4.5) for any number of homes: the training homes and the tested one."""
 
-import difflib
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, did_you_mean
 
 SCHEMES = ("5-5-1", "4-5-1")
 ALL = "all"
@@ -19,28 +18,14 @@ NOT_TESTED = "not among protocol.test_homes"
 class Fold:
     """A test home and its training homes.
 
-    Attributes
-    ----------
-    scheme
-        "5-5-1": cues and integration train on different frames of all other homes. "4-5-1": one of the other
-        homes trains only the integration, not the cues.
-    without
-        Homes that no trained component has seen, the tested home first; empty if no home is held out.
-    cue_homes
-        Homes that codebooks, scalings and cue classifiers train on.
-    integration_homes
-        Homes that the integration and the smoothing train on.
+    No trained component has seen the homes `without`, the tested home first; empty if no home is held out.
+    Codebooks, scalings and cue classifiers train on `cue_homes`, the integration and the smoothing on
+    `integration_homes`.
     """
 
-    scheme: str
     without: tuple[str, ...]
     cue_homes: tuple[str, ...]
     integration_homes: tuple[str, ...]
-
-    @property
-    def test(self) -> str:
-        """The tested home; "" if there is none."""
-        return self.without[0] if self.without else ""
 
     @property
     def left_out(self) -> tuple[str, ...]:
@@ -62,76 +47,48 @@ def training_set(left_out: Sequence[str]) -> str:
 def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tuple[str, ...]:
     """Return the homes to test on, in the order of `homes`; training sets do not depend on the choice.
 
-    `wanted` is ``all`` or a list of names. Raises PlacecatError for an empty list or an unknown home.
+    `wanted` is ``all``, or one or more names. Raises PlacecatError for an unknown home.
     """
     if wanted == ALL:
         return tuple(homes)
-    names = [wanted] if isinstance(wanted, str) else [str(name) for name in wanted]
-    if not names:
-        raise PlacecatError("protocol.test_homes is empty: name homes to test on, or all")
+    names = [wanted] if isinstance(wanted, str) else wanted
     for name in names:
         if name not in homes:
-            near = difflib.get_close_matches(name, homes, n=1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
             raise PlacecatError(
-                f"protocol.test_homes: there is no home {name!r} in dataset.homes{hint} "
+                f"protocol.test_homes: there is no home {name!r} in dataset.homes{did_you_mean(name, homes)} "
                 f"(there are: {', '.join(homes)}; or all)"
             )
     return tuple(home for home in homes if home in names)
 
 
-def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) -> list[Fold]:
-    """Make one fold per tested home.
-
-    In 4-5-1 the home after the test home (cyclically) does not train the cues, so each home is left out once.
-    The thesis does not say which home it left out.
-
-    Parameters
-    ----------
-    homes
-        Ordered names; at least 3 for 5-5-1 and 4 for 4-5-1.
-    scheme
-        "5-5-1" or "4-5-1"; the names are the thesis's, for any number of homes.
-    tested
-        As in :func:`tested_homes`. A home's fold does not depend on it.
-
-    Raises
-    ------
-    PlacecatError
-        If the scheme or a tested home is unknown, or there are too few homes for the scheme.
-    """
-    _check(homes, scheme, 1)
-    wanted = tested_homes(homes, tested)
-    return [fold_without(homes, scheme, [home]) for home in homes if home in wanted]
-
-
 def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ()) -> Fold:
-    """Make a fold that trains on all homes except `without`, to test on those or on other footage.
+    """Make a fold that trains on all `homes` except `without`, to test on those or on other footage.
 
-    In 4-5-1 the next home (cyclically) after the first of `without` does not train the cues; if `without` is
-    empty, the first home does not.
-
-    Parameters
-    ----------
-    homes, scheme
-        As in :func:`folds`.
-    without
-        Names of homes, the tested home first; may be empty.
-
-    Raises
-    ------
-    PlacecatError
-        If the scheme or a home is unknown, or there are too few homes for the scheme.
+    `without` has the tested home first, and may be empty. The schemes have the thesis's names for any number
+    of homes. In "5-5-1", cues and integration train on different frames of all other homes. In "4-5-1", the
+    next home (cyclically) after the first of `without` trains only the integration, not the cues; if
+    `without` is empty, this is the first home. (The thesis does not say which home it left out.) Raises
+    PlacecatError if the scheme or a home is unknown, or if there are too few homes for the scheme.
     """
     for home in without:
         if home not in homes:
             raise PlacecatError(f"there is no home {home!r} to leave out: use one of {', '.join(homes)}")
-    _check(homes, scheme, len(without))
-    start = homes.index(without[0]) if without else 0
-    in_turn = [home for home in (*homes[start:], *homes[:start]) if home not in without]
+    if scheme not in SCHEMES:
+        raise PlacecatError(f"scheme {scheme!r} is unknown: use one of {', '.join(SCHEMES)}")
+    needed = least_homes(scheme) - 1 + max(1, len(without))
+    if len(homes) < needed:
+        leaving = f" to leave {len(without)} out" if len(without) > 1 else ""
+        raise PlacecatError(
+            f"scheme {scheme} needs at least {needed} homes{leaving}, but dataset.homes has {len(homes)}: "
+            "add homes or drop the scheme"
+        )
     others = tuple(home for home in homes if home not in without)
-    kept = in_turn[0] if scheme == "4-5-1" else None
-    return Fold(scheme, tuple(without), tuple(home for home in others if home != kept), others)
+    cue_homes = others
+    if scheme == "4-5-1":
+        start = homes.index(without[0]) if without else 0
+        kept = next(home for home in (*homes[start:], *homes[:start]) if home not in without)
+        cue_homes = tuple(home for home in others if home != kept)
+    return Fold(tuple(without), cue_homes, others)
 
 
 def least_homes(scheme: str) -> int:
@@ -140,37 +97,12 @@ def least_homes(scheme: str) -> int:
     return 3 if scheme == "5-5-1" else 4
 
 
-def _check(homes: Sequence[str], scheme: str, left_out: int) -> None:
-    """Refuse an unknown scheme, or too few homes for it."""
-    if scheme not in SCHEMES:
-        raise PlacecatError(f"scheme {scheme!r} is unknown: use one of {', '.join(SCHEMES)}")
-    needed = least_homes(scheme) - 1 + max(1, left_out)
-    if len(homes) < needed:
-        leaving = f" to leave {left_out} out" if left_out > 1 else ""
-        raise PlacecatError(
-            f"scheme {scheme} needs at least {needed} homes{leaving}, but dataset.homes has {len(homes)}: "
-            "add homes or drop the scheme"
-        )
-    if len(set(homes)) != len(homes):
-        raise PlacecatError("dataset.homes names a home twice: every name must be unique")
-
-
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:
-    """Select labelled training frames of one home: every `step`-th frame from `offset` on.
+    """Return the (n,) ascending indices of every `step`-th frame from `offset` on that has a label.
 
-    The step counts all frames; unlabelled ones are dropped afterwards. So selections with the same step and
-    different offsets never share a frame (thesis 4.2 and 4.5).
-
-    Parameters
-    ----------
-    labels
-        (frames,) class indices, -1 for unlabelled.
-    offset, step
-        ``0 <= offset < step``, else PlacecatError.
-
-    Returns
-    -------
-    (n,) ascending frame indices.
+    `labels` are (frames,) class indices, -1 for unlabelled. The step counts all frames; unlabelled ones are
+    dropped afterwards. So selections with the same step and different offsets never share a frame (thesis 4.2
+    and 4.5). Raises PlacecatError unless ``0 <= offset < step``.
     """
     if not 0 <= offset < step:
         raise PlacecatError(

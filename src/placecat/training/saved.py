@@ -11,21 +11,14 @@ from placecat import paths
 from placecat.errors import PlacecatError
 from placecat.fusion import integrate
 from placecat.training import fold_file
-from placecat.training.integration import smooth
+from placecat.training.integration import apply_smoothing, fit_smoothing
 from placecat.training.plan import Part, Plan
 
 
 class CueResults:
-    """The stage `cues`' results for a system's cues, one test home and one seed.
+    """The stage `cues`' results for a system's cues, the test home `test` and one seed.
 
-    Parameters
-    ----------
-    system
-        Settings of the system.
-    test
-        The test home.
-    seed
-        One of ``protocol.seeds``; None if no cue has clusters.
+    `system` holds the system's settings; `seed` is one of ``protocol.seeds``, or None if no cue has clusters.
     """
 
     def __init__(self, system: Mapping[str, Any], test: str, seed: int | None) -> None:
@@ -57,30 +50,24 @@ class CueResults:
                 of_cue[part.home] = proba[part.chosen()[0]] if is_extra else proba
         return found
 
-    def held_out(self, plan: Plan) -> list[dict[str, NDArray[np.float64]]]:
-        """For each cue, map each training home to its frames' distributions from cues that never saw it."""
-        ends = np.cumsum([len(part.chosen()[0]) for part in plan.cues])
-        return [
-            dict(zip((part.home for part in plan.cues), np.split(proba, ends[:-1]), strict=True))
-            for proba in self.arrays("cross_validated")
-        ]
-
     def training(
         self, plan: Plan, parts: Sequence[Part], method: str
     ) -> list[dict[str, NDArray[np.float64]]]:
-        """For each cue, return the distributions that an integration method trains on, see `fused_parts`."""
-        if integrate.learns_from_held_out(method):
-            return self.held_out(plan)
-        return self.outputs(plan, parts)
+        """Like `outputs`, but for an integration method and its training parts, see `fused_parts`.
+
+        If the method learns from held-out frames, the distributions are from cues that never saw the part.
+        """
+        if not integrate.learns_from_held_out(method):
+            return self.outputs(plan, parts)
+        ends = np.cumsum([len(part.chosen()[0]) for part in plan.cues])
+        homes = [part.home for part in plan.cues]
+        return [
+            dict(zip(homes, np.split(proba, ends[:-1]), strict=True))
+            for proba in self.arrays("cross_validated")
+        ]
 
     def temperatures(self) -> list[float]:
-        """Read each cue's temperature.
-
-        Raises
-        ------
-        PlacecatError
-            If a cue was not cross-validated.
-        """
+        """Read each cue's temperature; raise PlacecatError if a cue was not cross-validated."""
         found = []
         for cue, place in self._places.items():
             facts = fold_file.read_facts(place)
@@ -106,4 +93,4 @@ def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str,
     proba, held_out, truth = (
         fold_file.read(source, name) for name in ("test", "cross_validated", "cross_validated_truth")
     )
-    return smooth(plan.test, proba, plan.integration, held_out, truth, model)
+    return apply_smoothing(fit_smoothing(plan.integration, held_out, truth, model), plan.test, proba)

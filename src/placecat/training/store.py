@@ -61,8 +61,7 @@ def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64])
     """Return the frames of `rows` that have a descriptor, in time order; region variants lack some frames."""
     if "variant" not in descriptor:
         return rows
-    there: NDArray[np.int64] = np.intersect1d(rows, _described(folder_of(home, descriptor)))
-    return there
+    return np.intersect1d(rows, _described(folder_of(home, descriptor)))
 
 
 def folder_of(home: str, descriptor: Mapping[str, Any]) -> Path:
@@ -83,21 +82,17 @@ def _described(folder: Path) -> NDArray[np.int64]:
 
 
 def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
-    """Return the positions of frames in a variant's arrays."""
     there = _described(folder)
     if frames is None or not np.isin(frames, there).all():
         raise PlacecatError(
             f"{folder} has only the frames of region_variants.frames: use variants of regions in trials only"
         )
-    rows: NDArray[np.int64] = np.searchsorted(there, frames)
-    return rows
+    return np.searchsorted(there, frames)
 
 
-def read_training(
-    homes: tuple[str, ...], descriptor: Mapping[str, Any], selection: Mapping[str, NDArray[np.int64]]
-) -> Descriptors:
-    """Read a descriptor for the selected frames of several homes, in the order of `homes`."""
-    parts = [read_descriptors(home, descriptor, selection[home]) for home in homes]
+def read_training(descriptor: Mapping[str, Any], selection: Mapping[str, NDArray[np.int64]]) -> Descriptors:
+    """Read a descriptor for the selected frames of several homes, in the order of `selection`."""
+    parts = [read_descriptors(home, descriptor, rows) for home, rows in selection.items()]
     x = np.concatenate([part.x for part in parts])
     if parts[0].counts is None:
         return Descriptors(x)

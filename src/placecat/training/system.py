@@ -12,35 +12,26 @@ from numpy.typing import NDArray
 from placecat import settings
 from placecat.compute import parallel
 from placecat.fusion import integrate, smoothing
-from placecat.sequences import listing
 from placecat.training import cue as of_cue
 from placecat.training.cue import Cue, TrainedCue
 from placecat.training.integration import (
     Probabilities,
+    apply_smoothing,
+    fit_smoothing,
     fuse,
     fused_parts,
     smoothing_settings,
-    training_walks,
 )
 from placecat.training.plan import Part, Plan
 
 
 @dataclass(frozen=True)
 class System:
-    """The settings of a system.
+    """The settings of a system, and its cues by name, in order.
 
-    Attributes
-    ----------
-    cues
-        The cues by name, in order.
-    integrator
-        ``method`` and ``classifier``, as in :func:`placecat.fusion.integrate.fit`.
-    tempered
-        Whether the cues' distributions are tempered first.
-    extra
-        Whether the integration also trains on the plan's additional sequences.
-    smoothing
-        As in :func:`placecat.fusion.smoothing.fit`.
+    `integrator` has ``method`` and ``classifier``, as in :func:`placecat.fusion.integrate.fit`; `smoothing`
+    is as in :func:`placecat.fusion.smoothing.fit`. `tempered` says whether the cues' distributions are
+    tempered first, and `extra` whether the integration also trains on the plan's additional sequences.
     """
 
     cues: Mapping[str, Cue]
@@ -69,15 +60,7 @@ class System:
 
 @dataclass(frozen=True)
 class Trained:
-    """A trained system.
-
-    Attributes
-    ----------
-    cues
-        The trained cues by name, in order.
-    integrator, smoothing
-        The models trained on the cues' distributions.
-    """
+    """A trained system: its cues by name, in order, and the models trained on their distributions."""
 
     cues: Mapping[str, TrainedCue]
     integrator: integrate.Integrator
@@ -91,14 +74,7 @@ class Trained:
         """
         by_cue = {name: cue.predict(home) for name, cue in self.cues.items()}
         fused = self.integrator.predict_proba(np.stack(list(by_cue.values()), axis=1))
-        smoothed = smoothing.apply(
-            self.smoothing,
-            fused,
-            listing.sequence_slices(home),
-            frame_rate=listing.frame_rate(home),
-            times=listing.uneven_times(home),
-        )
-        return by_cue | {"integration": fused} | smoothed
+        return by_cue | {"integration": fused} | apply_smoothing(self.smoothing, home, fused)
 
 
 def train(plan: Plan, system: System, seed: int) -> Trained:
@@ -120,15 +96,7 @@ def train(plan: Plan, system: System, seed: int) -> Trained:
         temperatures=[temperature for *_, temperature in done] if system.tempered else None,
     )
     assert fused.cross_validated is not None
-    walks, frame_rates = training_walks(plan.integration)
-    model = smoothing.fit(
-        walks,
-        fused.cross_validated,
-        fused.truth,
-        len(plan.classes),
-        training_frame_rates=frame_rates,
-        **system.smoothing,
-    )
+    model = fit_smoothing(plan.integration, fused.cross_validated, fused.truth, system.smoothing)
     cues = dict(zip(system.cues, (cue for cue, *_ in done), strict=True))
     return Trained(cues, fused.integrator, model)
 

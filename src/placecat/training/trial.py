@@ -31,26 +31,19 @@ def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
     Parameters are as in :func:`predict`.
     """
     truth, predictions = predict(plan, cues, seed)
+    count = len(plan.classes)
     return [
-        (found if isinstance(found, str) else _count(truth, found, len(plan.classes)), facts)
+        (found if isinstance(found, str) else confusion_matrix(truth, found.argmax(axis=1), count), facts)
         for found, facts in predictions
     ]
 
 
 def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[np.int16], list[Prediction]]:
-    """Train cues that share a descriptor and clusters; predict the tested sequence.
+    """Train cues that share a descriptor and codebook settings; predict the plan's only tested sequence.
 
-    Returns the true classes of the scored frames, and each cue's distributions on them.
-
-    Parameters
-    ----------
-    plan
-        Plan with one tested sequence. Its labelled frames are scored; with a region variant, only described
-        ones.
-    cues
-        Cues with the same descriptor and the same codebook settings.
-    seed
-        One of ``protocol.seeds``; None without clusters.
+    Returns the true classes of the scored frames, and each cue's distributions on them. The sequence's
+    labelled frames are scored; with a region variant, only described ones. `seed` is one of
+    ``protocol.seeds``, or None without clusters.
     """
     descriptor = cues[0].descriptor
     frames = read_frames(plan.cues, descriptor)
@@ -77,7 +70,3 @@ def _predict(
         return model.predict_proba(test), model.facts
     except NotComputable as error:
         return str(error), {}
-
-
-def _count(truth: NDArray[np.int16], proba: NDArray[np.float64], n_classes: int) -> NDArray[np.int64]:
-    return confusion_matrix(truth, proba.argmax(axis=1), n_classes)
