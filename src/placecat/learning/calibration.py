@@ -15,7 +15,7 @@ from placecat.errors import PlacecatError
 from placecat.learning.boosting import Task
 from placecat.learning.memory import bytes_of, remembered
 from placecat.learning.platt import apply_sigmoid, fit_sigmoid
-from placecat.learning.two_class import TwoClassBase
+from placecat.learning.two_class import TwoClass
 
 logger = logging.getLogger(__name__)
 
@@ -56,12 +56,6 @@ class Calibration:
     folds: int = 5
     own: bool = False
     balanced: bool = False
-
-    def __post_init__(self) -> None:
-        if self.kind not in CALIBRATIONS:
-            raise PlacecatError(f"unknown calibration {self.kind!r}; choose one of {', '.join(CALIBRATIONS)}")
-        if self.folds < 2:
-            raise PlacecatError(f"folds = {self.folds}; cross-validation needs 2 or more")
 
 
 @dataclass(frozen=True)
@@ -154,7 +148,7 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
 
 
 def fit_problems(
-    base: TwoClassBase,
+    base: TwoClass,
     shared: Any,
     problems: Sequence[Problem],
     folds: Sequence[Fold],
@@ -203,7 +197,7 @@ def fit_problems(
     return fitted
 
 
-def _fit_all(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
+def _fit_all(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
     """Fit a machine for each task; inside `remembering`, equal tasks on the same samples are fitted once."""
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
@@ -217,7 +211,7 @@ def _fit_all(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int
     return [machines[key] for key in keys]
 
 
-def _fit_missing(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
+def _fit_missing(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
     if hasattr(base, "fit_together"):
         return base.fit_together(shared, tasks) if tasks else []
     fits = (delayed(clone(base).fit_rows)(shared, *task) for task in tasks)
@@ -240,7 +234,7 @@ def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
 
 
 def _calibrate(
-    base: TwoClassBase,
+    base: TwoClass,
     problem: Problem,
     tests: Sequence[NDArray[np.intp]],
     values: Sequence[NDArray[np.float64]],
@@ -265,7 +259,7 @@ def _calibrate(
 
 
 def _sigmoid(
-    base: TwoClassBase,
+    base: TwoClass,
     decided: NDArray[np.float64],
     positive: NDArray[np.bool_],
     member: NDArray[np.bool_],

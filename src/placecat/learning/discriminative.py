@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from placecat.errors import PlacecatError
 from placecat.learning.contingency import value_counts
 
 
@@ -18,12 +17,12 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     y
         (frames,) classes.
     keep
-        Share of codewords to mark; raises PlacecatError outside (0, 1]. At least one codeword is marked.
-        Lower numbers win ties.
+        Share of codewords to mark, in (0, 1]. At least one codeword is marked. Lower numbers win ties.
 
     Returns
     -------
-    (N,) bool, true for the codewords whose presence has the greatest mutual information with the class.
+    (N,) bool, true for the codewords whose presence has the greatest mutual information with the class, from
+    relative frequencies.
 
     Examples
     --------
@@ -31,21 +30,13 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     >>> discriminative_codewords(active, [0, 0, 1, 1], keep=0.34).tolist()
     [False, True, False]
     """
-    if not 0.0 < keep <= 1.0:
-        raise PlacecatError(f"keep is {keep}: give the share of codewords to keep, above 0 and at most 1")
-    information = _information(active, np.asarray(y))
+    classes, labels = np.unique(np.asarray(y), return_inverse=True)
+    joint = value_counts(active, labels, len(classes), 2) / len(labels)
+    independent = joint.sum(axis=0) * joint.sum(axis=2, keepdims=True)
+    ratio = np.divide(joint, independent, out=np.ones_like(joint), where=joint > 0)
+    information = (joint * np.log(ratio)).sum(axis=(0, 2))
     kept = np.zeros(len(information), bool)
     number = max(1, round(keep * len(information)))
     # Round, so that the last bits of the sums do not decide.
     kept[np.argsort(-information.round(12), kind="stable")[:number]] = True
     return kept
-
-
-def _information(active: NDArray[np.uint8], y: NDArray[np.generic]) -> NDArray[np.float64]:
-    """Compute mutual information (N,) of codeword presence and class from relative frequencies, in nats."""
-    classes, labels = np.unique(y, return_inverse=True)
-    joint = value_counts(active, labels, len(classes), 2) / len(labels)
-    independent = joint.sum(axis=0) * joint.sum(axis=2, keepdims=True)
-    ratio = np.divide(joint, independent, out=np.ones_like(joint), where=joint > 0)
-    terms: NDArray[np.float64] = joint * np.log(ratio)
-    return terms.sum(axis=(0, 2))

@@ -105,15 +105,18 @@ def smooth(
         ``hmm`` and ``delayed``, each (frames, n_classes).
     """
     walks, frame_rates = training_walks(parts)
-    return smoothing.smooth(
+    model = smoothing.fit(
+        walks,
+        training_proba,
+        training_truth,
+        proba.shape[1],
+        training_frame_rates=frame_rates,
+        **options,
+    )
+    return smoothing.apply(
+        model,
         proba,
         listing.sequence_slices(home),
         frame_rate=listing.frame_rate(home),
         times=listing.uneven_times(home),
-        training_sequences=walks,
-        training_frame_rates=frame_rates,
-        training_proba=training_proba,
-        training_truth=training_truth,
-        n_classes=proba.shape[1],
-        **options,
     )

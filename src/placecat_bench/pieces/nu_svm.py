@@ -18,14 +18,13 @@ the ``NuSVC`` of scikit-learn-intelex, which receives float32.
 """
 
 from collections.abc import Callable, Iterator
-from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.learning.calibration import SAMPLES, make_folds
-from placecat.learning.kernels import rbf_cross, rbf_gram
+from placecat.learning.kernels import rbf_gram
 from placecat.learning.nu_svm import NuSVM
 from placecat.learning.one_against_all import OneAgainstAll
 from placecat.learning.scaling import KernelScaling
@@ -77,10 +76,6 @@ def _beside(
 ) -> Iterator[Entry]:
     models = Latest(ours=lambda: ours(known, train), theirs=lambda: fit(known, train))
 
-    @cache
-    def gram() -> NDArray[Any]:
-        return rbf_gram(known, BASE.gamma, BASE.gram_dtype)
-
     yield Comparison(
         PIECE,
         texts[0],
@@ -89,16 +84,8 @@ def _beside(
         lambda: models.call("theirs"),
         faster=faster[0],
         warm_up=False,
-        parts={
-            "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
-            "fits on it": lambda: ours(known, train, gram()),
-        },
+        parts={"Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype)},
     )
-    gram.cache_clear()
-
-    def machine() -> Any:
-        return models.result("ours").scorer_
-
     yield Comparison(
         PIECE,
         texts[1],
@@ -106,7 +93,6 @@ def _beside(
         lambda: models.result("ours").predict_proba(unknown),
         lambda: models.result("theirs")(unknown),
         faster=faster[1],
-        parts={"kernel values": lambda: rbf_cross(unknown, machine().support_vectors, machine().gamma)},
     )
 
     def largest_difference() -> float:
@@ -117,10 +103,9 @@ def _beside(
     yield Limit(PIECE, texts[1], quantity, largest_difference, at_most=at_most, peer=peer)
 
 
-def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = None) -> OneAgainstAll:
+def ours(X: NDArray[np.float32], frames: Frames) -> OneAgainstAll:
     """Fit our scheme, which leaves out random parts of the frames in turn."""
-    model = OneAgainstAll(BASE, combination="certainty")
-    return model.fit(X, frames.place, gram=gram)
+    return OneAgainstAll(BASE, combination="certainty").fit(X, frames.place)
 
 
 def theirs(X: NDArray[np.float32], frames: Frames) -> Predict:
