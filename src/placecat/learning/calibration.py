@@ -60,45 +60,29 @@ class Calibration:
 
 @dataclass(frozen=True)
 class Problem:
-    """A two-class problem on the samples.
+    """A two-class problem on n samples."""
 
-    Attributes
-    ----------
-    name
-        Name in messages.
-    positive
-        (n,) bool.
-    member
-        (n,) bool: marks the samples for training and calibration.
-    """
-
+    #: Name in messages.
     name: str
+    #: (n,)
     positive: NDArray[np.bool_]
+    #: (n,) marks the samples for training and calibration.
     member: NDArray[np.bool_]
 
 
 @dataclass
 class FittedProblem:
-    """Fitted machines for one two-class problem, and their outputs for held-out samples.
+    """Fitted machines for one two-class problem, and their outputs for held-out samples."""
 
-    Attributes
-    ----------
-    machines
-        Fitted bases whose probabilities are averaged: one for all members, or one per home left out.
-    sigmoids
-        (machines, 2): A <= 0 and B in p = 1 / (1 + exp(A d + B)).
-    outputs
-        (n,) held-out p(o|x).
-    nu
-        nu of each held-out part's machine; NaN if the base has no nu.
-    flat
-        Number of flat sigmoids, where decision values were uninformative or reversed.
-    """
-
+    #: Fitted bases whose probabilities are averaged: one for all members, or one per home left out.
     machines: list[Any]
+    #: (machines, 2): A <= 0 and B in p = 1 / (1 + exp(A d + B)).
     sigmoids: NDArray[np.float64]
+    #: (n,) held-out p(o|x).
     outputs: NDArray[np.float64]
+    #: nu of each held-out part's machine; NaN if the base has no nu.
     nu: NDArray[np.float64]
+    #: Number of flat sigmoids, where decision values were uninformative or reversed.
     flat: int
 
 
@@ -166,17 +150,16 @@ def fit_problems(
     n = len(problems[0].positive)
     everything = np.arange(n)
     plans = [_plan(problem, folds, calibration) for problem in problems]
-    tasks: list[tuple[int, int]] = [(k, -1) for k in range(len(problems))]
-    tasks += [(k, f) for k, (own_folds, _) in enumerate(plans) for f in range(len(own_folds))]
 
-    def part(k: int, f: int) -> tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]:
-        problem, own_folds = problems[k], plans[k][0]
-        train = everything if f < 0 else own_folds[f][0]
+    def task(problem: Problem, train: NDArray[np.intp], where: str = "") -> Task:
         train = train[problem.member[train]]
-        where = problem.name if f < 0 else f"{problem.name} in fold {f + 1} of {len(own_folds)}"
-        return problem.positive, None if len(train) == n else train, where
+        return problem.positive, None if len(train) == n else train, problem.name + where
 
-    machines_of_all = iter(_fit_all(base, shared, [part(k, f) for k, f in tasks], n_jobs))
+    tasks = [task(problem, everything) for problem in problems]
+    for problem, (own_folds, _) in zip(problems, plans, strict=True):
+        for number, (train, _) in enumerate(own_folds, start=1):
+            tasks.append(task(problem, train, f" in fold {number} of {len(own_folds)}"))
+    machines_of_all = iter(_fit_all(base, shared, tasks, n_jobs))
     whole = [next(machines_of_all) for _ in problems]
     fitted = []
     for problem, machine, (own_folds, own_calibration) in zip(problems, whole, plans, strict=True):

@@ -22,22 +22,14 @@ from placecat.ranges import Count, PositiveShare
 class StumpEnsembles:
     """K boosted sums of stumps, F_k(x) = sum_t (high[k, t] if x[feature] > threshold else low[k, t]).
 
-    Attributes
-    ----------
-    feature
-        (K, T) int64.
-    threshold
-        (K, T) float32.
-    low, high
-        (K, T) float64.
-    width
-        D, the number of features.
+    All arrays are (K, T).
     """
 
     feature: NDArray[np.int64]
     threshold: NDArray[np.float32]
     low: NDArray[np.float64]
     high: NDArray[np.float64]
+    #: D, the number of features.
     width: int
 
     def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:

@@ -103,23 +103,15 @@ def rbf_gram(
 
 @dataclass(frozen=True)
 class KernelExpansion:
-    """K functions sum_s coef[s, k] exp(-gamma ||x - v_s||^2) + intercept[k] over shared vectors.
+    """K functions sum_s coef[s, k] exp(-gamma ||x - v_s||^2) + intercept[k] over shared vectors."""
 
-    Attributes
-    ----------
-    support_vectors
-        (S, D) float32, the union of the K functions' vectors. S may be 0.
-    coef
-        (S, K) float64.
-    intercept
-        (K,) float64.
-    gamma
-        See `rbf_gram`.
-    """
-
+    #: (S, D), the union of the K functions' vectors. S may be 0.
     support_vectors: NDArray[np.float32]
+    #: (S, K)
     coef: NDArray[np.float64]
+    #: (K,)
     intercept: NDArray[np.float64]
+    #: See `rbf_gram`.
     gamma: float
 
     #: Attributes that prediction does not need; stored systems omit them.
