@@ -169,6 +169,12 @@ def test_nothing_labelled_has_no_numbers():
     assert diagram.weight.tolist() == [0, 0, 0] and np.isnan(calibration_error(diagram))
 
 
+@pytest.mark.parametrize("bins", [0, -1, 2.5, True, "10"])
+def test_impossible_bins_are_refused(bins):
+    with pytest.raises(PlacecatError, match=r"probabilities\.bins must be a whole number of at least 1, not"):
+        reliability([0], np.array([[1.0]]), bins=bins)
+
+
 @pytest.mark.parametrize("smallest", [0.0, -1.0, 1.0, float("nan"), "1e-15"])
 def test_impossible_smallest_probabilities_are_refused(smallest):
     with pytest.raises(PlacecatError, match=r"probabilities\.smallest must be a number in \(0, 1\)"):

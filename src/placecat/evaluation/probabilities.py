@@ -60,13 +60,16 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
     `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
     The decision is the most probable class (the first in a tie), and its probability is the confidence.
-    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin.
+    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin. Raises PlacecatError unless `bins` is an
+    integer of at least 1.
 
     References
     ----------
     C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017.
     They weigh all frames the same.
     """
+    if isinstance(bins, bool) or not isinstance(bins, int) or bins < 1:
+        raise PlacecatError(f"probabilities.bins must be a whole number of at least 1, not {bins!r}")
     truth, proba = np.asarray(truth, dtype=np.int64), np.asarray(proba, dtype=np.float64)
     confidence, right = proba.max(axis=1), proba.argmax(axis=1) == truth
     edges = np.linspace(0.0, 1.0, bins + 1)
