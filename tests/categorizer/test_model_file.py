@@ -237,7 +237,7 @@ def test_a_file_that_may_not_be_read_gives_one_message(file, monkeypatch):
 def test_a_model_is_tried_before_use(file):
     """Parts that are each valid, but made for other frames."""
     rewrite(file, "system.json", change_part("cues", 1, "descriptor", "y_pos", value=False))
-    with pytest.raises(PlacecatError, match=r"model\.placecat is damaged.*dimensions"):
+    with pytest.raises(PlacecatError, match=r"model\.placecat is damaged.*features, but"):
         Categorizer.load(file)
 
 

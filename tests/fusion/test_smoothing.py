@@ -9,7 +9,7 @@ from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
 from placecat.fusion.hmm import ForwardFilter, emission_matrix, likelihoods, transition_matrix
-from placecat.fusion.smoothing import Smoother, SmoothingModel, fit, smooth
+from placecat.fusion.smoothing import Smoother, SmoothingModel, apply, fit
 
 SETTINGS = {
     "n_classes": 2,
@@ -33,6 +33,10 @@ def made():
         "training_proba": cv,
         "training_truth": training[0],
     }
+
+
+def smooth(proba, sequences, *, frame_rate, times=None, **training):
+    return apply(fit(**training), proba, sequences, frame_rate=frame_rate, times=times)
 
 
 def test_each_sequence_restarts_the_filter():

@@ -143,10 +143,3 @@ def test_class_missing_from_a_folds_training_part(caplog):
         proba = model.predict_proba(X)
         np.testing.assert_allclose(proba.sum(axis=1), 1.0)
         assert (model.predict(X) == y).mean() > 0.8
-
-
-def test_settings_are_checked():
-    with pytest.raises(PlacecatError, match="unknown calibration 'pooled'; choose one of samples"):
-        Calibration("pooled")
-    with pytest.raises(PlacecatError, match="folds = 1"):
-        Calibration(folds=1)

@@ -5,13 +5,7 @@ import pytest
 from scipy.sparse.csgraph import minimum_spanning_tree
 from sklearn.metrics import mutual_info_score
 
-from placecat.learning.contingency import (
-    count_into,
-    maximum_spanning_tree,
-    mutual_information,
-    run_lengths,
-    value_counts,
-)
+from placecat.learning.contingency import maximum_spanning_tree, mutual_information, value_counts
 
 
 def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> np.ndarray:
@@ -83,16 +77,3 @@ def test_spanning_tree_ties():
     chain = np.array([[0.0, 1, 1], [1, 0, 1], [1, 1, 0]])
     assert maximum_spanning_tree(chain, 0).tolist() == [-1, 0, 0]
     assert maximum_spanning_tree(np.zeros((1, 1)), 0).tolist() == [-1]
-
-
-def test_run_lengths():
-    values, lengths = run_lengths(np.array([2, 2, 5, 7, 7, 7]))
-    assert values.tolist() == [2, 5, 7]
-    assert lengths.tolist() == [2, 1, 3]
-
-
-def test_counting_into_an_array_overwrites_it():
-    cells = np.array([3, 0, 3, 3])
-    counts = np.full(5, 7, np.int32)
-    count_into(counts, cells)
-    np.testing.assert_array_equal(counts, np.bincount(cells, minlength=5))

@@ -140,9 +140,9 @@ def test_constant_features_give_the_base_rate():
 @pytest.mark.parametrize(
     ("model", "message"),
     [
-        (GentleAdaBoost(0), "n_rounds = 0"),
-        (GentleAdaBoost(max_bins=1), "max_bins = 1; give 2 to 65536"),
-        (GentleAdaBoost(weight_trim=0.0), "weight_trim = 0.0 is outside"),
+        (GentleAdaBoost(0), "n_rounds=0: it must be greater than or equal to 1"),
+        (GentleAdaBoost(max_bins=1), "max_bins=1: it must be greater than or equal to 2"),
+        (GentleAdaBoost(weight_trim=0.0), "weight_trim=0.0: it must be greater than 0"),
     ],
 )
 def test_messages(model, message):

@@ -268,7 +268,7 @@ def test_wrong_data():
     with pytest.raises(ValueError, match="NaN"):
         HierarchicalKMeans().fit([[np.nan, 0.0]])
     tree = grown(np.arange(40.0).reshape(20, 2), max_clusters=16)
-    with pytest.raises(PlacecatError, match="3 dimensions, the codebook was trained on 2"):
+    with pytest.raises(PlacecatError, match="X has 3 features, but HierarchicalKMeans is expecting 2"):
         tree.assign(np.zeros((1, 3)), 16)
 
 

@@ -84,7 +84,7 @@ def test_largest_feasible_nu_gives_a_finite_machine(n_positive, seed):
 @pytest.mark.parametrize("policy", ["lower", "refuse"])
 def test_nu_outside_its_range_is_refused(nu, policy):
     X, y = blobs()
-    with pytest.raises(PlacecatError, match=r"outside \(0, 1\]"):
+    with pytest.raises(PlacecatError, match=f"^nu={nu}: it must be"):
         NuSVM(nu=nu, nu_policy=policy).fit(X, y)
 
 
@@ -92,10 +92,8 @@ def test_other_messages():
     X, y = blobs()
     with pytest.raises(PlacecatError, match="2 classes are needed, the labels hold 1 class"):
         NuSVM().fit(X, np.ones(len(X)))
-    with pytest.raises(PlacecatError, match="unknown nu_policy 'raise'"):
+    with pytest.raises(PlacecatError, match="nu_policy=raise: it must be 'lower' or 'refuse'"):
         NuSVM(nu_policy="raise").fit(X, y)
-    with pytest.raises(PlacecatError, match="gram has shape"):
-        NuSVM().prepare(X, gram=np.eye(3))
     with pytest.raises(PlacecatError, match="X has 1 features, but NuSVM is expecting 3"):
         NuSVM().fit(X, y).predict([[1.0]])
 

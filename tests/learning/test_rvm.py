@@ -78,7 +78,7 @@ def test_rank_one_steps_have_the_stated_gain():
     basis = _basis(gram, active)
     alpha = np.array([0.5, 2.0])
     mode = _laplace_mode(basis, target, alpha, np.zeros(2))
-    surrogate = _Surrogate.around(gram, basis, mode, active, np.array([1, 10, 20, 30]))
+    surrogate = _Surrogate(gram, basis, mode, active, np.array([1, 10, 20, 30]))
     new_active, new_alpha, weights, gain = surrogate.ascend(alpha, 50)
     z = mode.weights @ basis + mode.error / mode.curvature
 
@@ -154,8 +154,11 @@ def test_labels_without_structure_leave_a_small_model():
 
 def test_messages():
     X, y = ring(20)
-    with pytest.raises(PlacecatError, match="must all be above 0"):
+    with pytest.raises(PlacecatError, match=r"tol=0\.0: it must be greater than 0"):
         RVM(tol=0.0).fit(X, y)
+    with pytest.raises(PlacecatError, match=r"max_iter=2\.5: it must be a valid integer"):
+        RVM(max_iter=2.5).fit(X, y)
+    RVM(gamma=np.float32(2.0), max_iter=np.int64(5)).fit(X, y)
     with pytest.raises(PlacecatError, match="needs samples of both classes"):
         RVM().fit_rows(rbf_gram(X, 1.0), np.zeros(20, bool))
 

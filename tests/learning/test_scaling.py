@@ -49,7 +49,7 @@ def test_clone(kind):
 
 
 def test_messages():
-    with pytest.raises(PlacecatError, match="unknown scaling 'log'; choose one of none, minmax"):
+    with pytest.raises(PlacecatError, match="kind=log: it must be 'none', 'minmax'"):
         KernelScaling("log").fit(X)
     with pytest.raises(PlacecatError, match="X has 2 features, but KernelScaling is expecting 4"):
         KernelScaling().fit(X).transform([[1.0, 2.0]])

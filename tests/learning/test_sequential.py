@@ -133,5 +133,5 @@ def test_two_classes_need_one_node():
 @pytest.mark.parametrize("name", ["order", "training", "decision", "output"])
 def test_messages(name):
     X, y, _ = homes(30)
-    with pytest.raises(PlacecatError, match=f"unknown {name} 'x'; choose one of"):
+    with pytest.raises(PlacecatError, match=f"{name}=x: it must be '"):
         Sequential(BASE, **{name: "x"}).fit(X, y)

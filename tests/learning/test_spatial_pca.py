@@ -45,7 +45,10 @@ def test_plain_reduction_by_a_factor(factor, width):
         (SpatialPCA(cells=5), "12 dimensions cannot be divided into 5 cells"),
         (SpatialPCA(cells=3, components=5), "PCA to 5 components is impossible for cells of 4"),
         (SpatialPCA(cells=3, components=2, factor=2.0), "give either `components` or `factor`"),
-        (SpatialPCA(cells=1, components=None, factor=0.5), "PCA factor 0.5 does not reduce"),
+        (
+            SpatialPCA(cells=1, components=None, factor=0.5),
+            "factor=0.5: it must be greater than or equal to 1",
+        ),
     ],
 )
 def test_messages(pca, message):

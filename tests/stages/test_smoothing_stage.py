@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from made_features import HOMES, PARAMS, ran_once
 
-from placecat.fusion.smoothing import smooth
+from placecat.fusion.smoothing import apply, fit
 from placecat.sequences import listing
 from placecat.training import fold_file, protocol
 from placecat.training.cue import Cue
@@ -20,6 +20,10 @@ MODEL = {name: value for name, value in PARAMS["smoothing"].items() if name not 
 def project(tmp_path_factory):
     """A copy of the project after all stages, whose frame rates the tests change."""
     return shutil.copytree(ran_once(tmp_path_factory), tmp_path_factory.mktemp("project") / "copy")
+
+
+def smooth(proba, frame_rate, **training):
+    return apply(fit(**training), proba, [slice(0, 50), slice(50, 90)], frame_rate=frame_rate)
 
 
 def smoothed(rates):
@@ -44,7 +48,6 @@ def test_frame_rates_come_from_the_homes(project, monkeypatch):
     walks = [listing.read_labels(home)[part] for home in HOMES[1:] for part in (slice(0, 50), slice(50, 90))]
     expected = smooth(
         fold_file.read(place, "test"),
-        [slice(0, 50), slice(50, 90)],
         frame_rate=25.0,
         training_sequences=walks,
         training_frame_rates=[5.0, 5.0, 10.0, 10.0, 5.0, 5.0],
@@ -90,7 +93,6 @@ def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monk
     others = len(truth) - len(protocol.select_frames(listing.read_labels(last), **frames))
     expected = smooth(
         unseen[last],
-        [slice(0, 50), slice(50, 90)],
         frame_rate=5.0,
         training_sequences=[
             listing.read_labels(h)[p] for h in HOMES[1:3] for p in (slice(0, 50), slice(50, 90))

@@ -137,8 +137,6 @@ def _check_classifier(classifier: Mapping[str, Any]) -> bool:
     options = {name: value for name, value in classifier.items() if name != "model"}
     settings.refuse_unknown(options, valid, f"classifier {_name(classifier)}")
     base = _base(classifier)
-    if hasattr(base, "check_parameters"):
-        base.check_parameters()
     if "scheme" in valid:
         estimators.build(classifier["scheme"], "classifier.scheme", base=base)
         KernelScaling(kind=classifier["scaling"]).fit(np.eye(2, dtype=np.float32))

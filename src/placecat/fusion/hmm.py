@@ -91,17 +91,12 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
 class ForwardFilter:
     """Filter one sequence forwards, frame by frame: equation (13). Frame t uses only frames up to t.
 
-    `transition` is (n_classes, n_classes), from one frame to the next at its frame rate; rows sum to 1.
-    `initial` is the (n_classes,) distribution of the first place, uniform by default (not given in the
-    thesis).
+    `transition` is (n_classes, n_classes), from one frame to the next at its frame rate; rows sum to 1. The
+    distribution of the first place is uniform (not given in the thesis).
     """
 
-    def __init__(self, transition: Float, *, initial: Float | None = None) -> None:
-        n_classes = len(transition)
+    def __init__(self, transition: Float) -> None:
         self._transitions = TransitionPower(transition)
-        self._initial: Float = (
-            np.full(n_classes, 1.0 / n_classes) if initial is None else np.asarray(initial, dtype=np.float64)
-        )
         self._filtered: Float | None = None
 
     def step(self, likelihood: Float, *, steps: float = 1.0, weight: float = 1.0) -> Float:
@@ -112,7 +107,10 @@ class ForwardFilter:
         `weight`, the likelihood's exponent, is the number of frames that this frame counts as, 0 or more.
         With `steps` and `weight` 1, this is exactly equation (13).
         """
-        predicted = self._initial if self._filtered is None else self._filtered @ self._transitions(steps)
+        if self._filtered is None:
+            predicted = np.full(len(likelihood), 1.0 / len(likelihood))
+        else:
+            predicted = self._filtered @ self._transitions(steps)
         if weight != 1.0:
             # The factor keeps high powers above 0.
             likelihood = (likelihood / likelihood.max()) ** weight

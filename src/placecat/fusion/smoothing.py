@@ -3,7 +3,6 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -114,18 +113,6 @@ def fit(
         float(delay_seconds),
         max(training_frame_rates),
     )
-
-
-def smooth(
-    proba: NDArray[np.float64],
-    sequences: Sequence[slice],
-    *,
-    frame_rate: float,
-    times: NDArray[np.float64] | None = None,
-    **training: Any,
-) -> dict[str, NDArray[np.float64]]:
-    """Smooth one home using statistics from its training homes: :func:`fit` on `training`, then `apply`."""
-    return apply(fit(**training), proba, sequences, frame_rate=frame_rate, times=times)
 
 
 def apply(

@@ -10,18 +10,10 @@ _BLOCK = 1 << 26
 
 
 def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
-    """Mark the rows of padded arrays that hold a region.
+    """Mark the rows of padded arrays that hold a region: (frames, max_regions) bool.
 
-    Parameters
-    ----------
-    counts : array-like of shape (frames,), integers in [0, max_regions]
-        Number of regions in each frame; they fill the first rows. Raises PlacecatError for a count out of
-        range.
-    max_regions : int
-
-    Returns
-    -------
-    ndarray of shape (frames, max_regions), bool
+    `counts` holds each frame's number of regions, (frames,) integers; they fill the first rows. Raises
+    PlacecatError for a count outside [0, max_regions].
 
     Examples
     --------
@@ -42,24 +34,10 @@ def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
 def activations(codewords: NDArray[np.integer], n_clusters: int, counts: ArrayLike) -> NDArray[np.uint8]:
     """Mark the clusters that each frame's regions activate: q_k of thesis section 3.3.2.
 
-    Parameters
-    ----------
-    codewords : ndarray of shape (frames, max_regions), integers
-        Entries beyond the frame's count are ignored.
-    n_clusters : int
-        N, the number of codewords.
-    counts : array-like of shape (frames,), integers
-        Number of regions in each frame.
-
-    Returns
-    -------
-    ndarray of shape (frames, N), uint8
-        1 where at least one region of the frame has the codeword, else 0.
-
-    Raises
-    ------
-    PlacecatError
-        If the shapes do not match, or a codeword is out of range.
+    `codewords` holds (frames, max_regions) integers, of which the first are used: as many as the frame's
+    number of regions in `counts`, (frames,) integers. Returns (frames, n_clusters) uint8, 1 where at least
+    one region of the frame has the codeword. Raises PlacecatError if the shapes do not match, or a codeword
+    is out of range.
 
     Examples
     --------

@@ -21,14 +21,9 @@ class Boosting:
     A machine's bits do not depend on the other machines, and its first stumps do not depend on the number of
     rounds.
 
-    Parameters
-    ----------
-    binned
-        The n samples.
-    tasks
-        Two-class problems. Raises PlacecatError if a problem's training samples all have the same class.
-    weight_trim
-        See :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`.
+    `binned` are the n samples, `tasks` the two-class problems. Raises PlacecatError if a problem's training
+    samples all have the same class. `weight_trim` is as in
+    :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`.
     """
 
     def __init__(self, binned: BinnedFeatures, tasks: Sequence[Task], weight_trim: float) -> None:

@@ -15,7 +15,7 @@ from placecat.errors import PlacecatError
 from placecat.learning.boosting import Task
 from placecat.learning.memory import bytes_of, remembered
 from placecat.learning.platt import apply_sigmoid, fit_sigmoid
-from placecat.learning.two_class import TwoClassBase
+from placecat.learning.two_class import TwoClass
 
 logger = logging.getLogger(__name__)
 
@@ -57,54 +57,32 @@ class Calibration:
     own: bool = False
     balanced: bool = False
 
-    def __post_init__(self) -> None:
-        if self.kind not in CALIBRATIONS:
-            raise PlacecatError(f"unknown calibration {self.kind!r}; choose one of {', '.join(CALIBRATIONS)}")
-        if self.folds < 2:
-            raise PlacecatError(f"folds = {self.folds}; cross-validation needs 2 or more")
-
 
 @dataclass(frozen=True)
 class Problem:
-    """A two-class problem on the samples.
+    """A two-class problem on n samples."""
 
-    Attributes
-    ----------
-    name
-        Name in messages.
-    positive
-        (n,) bool.
-    member
-        (n,) bool: marks the samples for training and calibration.
-    """
-
+    #: Name in messages.
     name: str
+    #: (n,)
     positive: NDArray[np.bool_]
+    #: (n,) marks the samples for training and calibration.
     member: NDArray[np.bool_]
 
 
 @dataclass
 class FittedProblem:
-    """Fitted machines for one two-class problem, and their outputs for held-out samples.
+    """Fitted machines for one two-class problem, and their outputs for held-out samples."""
 
-    Attributes
-    ----------
-    machines
-        Fitted bases whose probabilities are averaged: one for all members, or one per home left out.
-    sigmoids
-        (machines, 2): A <= 0 and B in p = 1 / (1 + exp(A d + B)).
-    outputs
-        (n,) held-out p(o|x).
-    nu
-        nu of each held-out part's machine; NaN if the base has no nu.
-    flat
-        Number of flat sigmoids, where decision values were uninformative or reversed.
-    """
-
+    #: Fitted bases whose probabilities are averaged: one for all members, or one per home left out.
     machines: list[Any]
+    #: (machines, 2): A <= 0 and B in p = 1 / (1 + exp(A d + B)).
     sigmoids: NDArray[np.float64]
+    #: (n,) held-out p(o|x).
     outputs: NDArray[np.float64]
+    #: nu of each held-out part's machine; NaN if the base has no nu.
     nu: NDArray[np.float64]
+    #: Number of flat sigmoids, where decision values were uninformative or reversed.
     flat: int
 
 
@@ -154,7 +132,7 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
 
 
 def fit_problems(
-    base: TwoClassBase,
+    base: TwoClass,
     shared: Any,
     problems: Sequence[Problem],
     folds: Sequence[Fold],
@@ -172,17 +150,16 @@ def fit_problems(
     n = len(problems[0].positive)
     everything = np.arange(n)
     plans = [_plan(problem, folds, calibration) for problem in problems]
-    tasks: list[tuple[int, int]] = [(k, -1) for k in range(len(problems))]
-    tasks += [(k, f) for k, (own_folds, _) in enumerate(plans) for f in range(len(own_folds))]
 
-    def part(k: int, f: int) -> tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]:
-        problem, own_folds = problems[k], plans[k][0]
-        train = everything if f < 0 else own_folds[f][0]
+    def task(problem: Problem, train: NDArray[np.intp], where: str = "") -> Task:
         train = train[problem.member[train]]
-        where = problem.name if f < 0 else f"{problem.name} in fold {f + 1} of {len(own_folds)}"
-        return problem.positive, None if len(train) == n else train, where
+        return problem.positive, None if len(train) == n else train, problem.name + where
 
-    machines_of_all = iter(_fit_all(base, shared, [part(k, f) for k, f in tasks], n_jobs))
+    tasks = [task(problem, everything) for problem in problems]
+    for problem, (own_folds, _) in zip(problems, plans, strict=True):
+        for number, (train, _) in enumerate(own_folds, start=1):
+            tasks.append(task(problem, train, f" in fold {number} of {len(own_folds)}"))
+    machines_of_all = iter(_fit_all(base, shared, tasks, n_jobs))
     whole = [next(machines_of_all) for _ in problems]
     fitted = []
     for problem, machine, (own_folds, own_calibration) in zip(problems, whole, plans, strict=True):
@@ -203,7 +180,7 @@ def fit_problems(
     return fitted
 
 
-def _fit_all(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
+def _fit_all(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
     """Fit a machine for each task; inside `remembering`, equal tasks on the same samples are fitted once."""
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
@@ -217,7 +194,7 @@ def _fit_all(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int
     return [machines[key] for key in keys]
 
 
-def _fit_missing(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
+def _fit_missing(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
     if hasattr(base, "fit_together"):
         return base.fit_together(shared, tasks) if tasks else []
     fits = (delayed(clone(base).fit_rows)(shared, *task) for task in tasks)
@@ -240,7 +217,7 @@ def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
 
 
 def _calibrate(
-    base: TwoClassBase,
+    base: TwoClass,
     problem: Problem,
     tests: Sequence[NDArray[np.intp]],
     values: Sequence[NDArray[np.float64]],
@@ -265,7 +242,7 @@ def _calibrate(
 
 
 def _sigmoid(
-    base: TwoClassBase,
+    base: TwoClass,
     decided: NDArray[np.float64],
     positive: NDArray[np.bool_],
     member: NDArray[np.bool_],

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-# Up to this many cells per sample, bincount fills a pair's table; beyond it, sorting is used.
-CELLS_PER_SAMPLE = 16
+# Up to this many cells per sample, a pair's table is filled; beyond it, sorting is used.
+_CELLS_PER_SAMPLE = 16
 # float32 represents every whole number up to this one.
 _EXACT_FLOAT32 = 1 << 24
 
@@ -12,17 +12,9 @@ _EXACT_FLOAT32 = 1 << 24
 def value_counts(
     codes: NDArray[np.integer], labels: NDArray[np.integer], n_classes: int, n_values: int
 ) -> NDArray[np.int64]:
-    """Count each variable's values in each class.
+    """Count each variable's values in each class: (n_classes, V, n_values) int64.
 
-    Parameters
-    ----------
-    codes : ndarray of shape (n, V), integers in [0, n_values)
-    labels : ndarray of shape (n,), integers in [0, n_classes)
-    n_classes, n_values : int
-
-    Returns
-    -------
-    ndarray of shape (n_classes, V, n_values), int64
+    `codes` holds (n, V) integers in [0, n_values), and `labels` (n,) integers in [0, n_classes).
 
     Examples
     --------
@@ -32,8 +24,9 @@ def value_counts(
     n_variables = codes.shape[1]
     if n_values == 2:
         sizes = np.bincount(labels, minlength=n_classes)
-        members = labels == np.arange(n_classes)[:, None]
-        ones = _exact_product(members, codes)
+        dtype = _exact_dtype(len(codes))
+        members = (labels == np.arange(n_classes)[:, None]).astype(dtype)
+        ones = (members @ codes.astype(dtype)).astype(np.int64)
         return np.stack([sizes[:, None] - ones, ones], axis=2)
     counts = np.empty((n_classes, n_variables, n_values), np.int64)
     for variable in range(n_variables):
@@ -46,18 +39,11 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
     """Compute the mutual information of every pair of variables from relative frequencies.
 
     If n_ab are a pair's counts, n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. One
-    matrix product counts all binary pairs, and bincount counts larger tables. Tables with far more cells than
-    samples are counted by sorting, so memory does not grow with the square of `n_values`.
+    matrix product counts all binary pairs, and larger tables are filled cell by cell. Tables with far more
+    cells than samples are counted by sorting, so memory does not grow with the square of `n_values`.
 
-    Parameters
-    ----------
-    codes : ndarray of shape (n, V), integers in [0, n_values), n >= 1
-    n_values : int
-
-    Returns
-    -------
-    ndarray of shape (V, V), float64
-        In nats; symmetric, non-negative, and 0 on the diagonal.
+    `codes` holds (n, V) integers in [0, n_values), n >= 1. Returns (V, V) float64 in nats; symmetric,
+    non-negative, and 0 on the diagonal.
 
     Examples
     --------
@@ -67,20 +53,17 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
     if n_values == 2:
         return binary_information(both_ones(codes), len(codes))
     weighted_log = _weighted_logs(len(codes))
-    return _information(*_wide_sums(codes, n_values, weighted_log), weighted_log)
+    columns = np.ascontiguousarray(codes.T, dtype=np.int64)
+    sum_joint = _joint_by_tables if n_values**2 <= _CELLS_PER_SAMPLE * len(codes) else _joint_by_sorting
+    joint = sum_joint(columns, n_values, weighted_log)
+    marginal = np.array([weighted_log[np.bincount(column)].sum() for column in columns])
+    return _information(joint + joint.T, marginal, weighted_log)
 
 
 def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
-    """Count, for each pair of variables, the samples where both are 1.
+    """Count, for each pair of variables, the samples where both are 1: (V, V) int64.
 
-    Parameters
-    ----------
-    codes : ndarray of shape (n, V), 0 or 1
-
-    Returns
-    -------
-    ndarray of shape (V, V), int64
-        The diagonal holds each variable's number of ones.
+    `codes` holds (n, V) zeros and ones. The diagonal of the result holds each variable's number of ones.
 
     Examples
     --------
@@ -124,19 +107,8 @@ def _information(
 def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np.int32]:
     """Find the spanning tree of greatest total weight (Prim's algorithm), directed away from a root.
 
-    If weights are equal, the lowest variable joins first, under the parent that joined first.
-
-    Parameters
-    ----------
-    weights : ndarray of shape (V, V), float64
-        Symmetric.
-    root : int
-        In [0, V).
-
-    Returns
-    -------
-    ndarray of shape (V,), int32
-        Each variable's parent; -1 for the root.
+    `weights` is (V, V), symmetric; `root` is in [0, V). If weights are equal, the lowest variable joins
+    first, under the parent that joined first. Returns each variable's parent, (V,) int32; -1 for the root.
 
     Examples
     --------
@@ -159,19 +131,6 @@ def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np
     return parents
 
 
-def _wide_sums(
-    codes: NDArray[np.integer], n_values: int, weighted_log: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Sum m log m over each pair's cells and over each variable's values."""
-    columns = np.ascontiguousarray(codes.T, dtype=np.int64)
-    if n_values * n_values <= CELLS_PER_SAMPLE * len(codes):
-        joint = _joint_by_tables(columns, n_values, weighted_log)
-    else:
-        joint = _joint_by_sorting(columns, n_values, weighted_log)
-    marginal = np.array([weighted_log[np.bincount(column)].sum() for column in columns])
-    return joint + joint.T, marginal
-
-
 def _joint_by_tables(
     columns: NDArray[np.int64], n_values: int, weighted_log: NDArray[np.float64]
 ) -> NDArray[np.float64]:
@@ -181,7 +140,9 @@ def _joint_by_tables(
     cells = np.empty(n, np.int64)
     for first, rows in enumerate(columns * n_values):
         for second in range(first + 1, n_variables):
-            count_into(counts, np.add(rows, columns[second], out=cells))
+            # bincount would allocate each table, which takes several times as long as counting.
+            counts.fill(0)
+            np.add.at(counts, np.add(rows, columns[second], out=cells), np.int32(1))
             # m log m is 0 for counts of 0 and 1.
             joint[first, second] = weighted_log[counts[counts > 1]].sum()
     return joint
@@ -204,40 +165,6 @@ def _joint_by_sorting(
     return joint
 
 
-def count_into(counts: NDArray[np.int32], cells: NDArray[np.int64]) -> None:
-    """Count cells like ``np.bincount``, but into an existing array.
-
-    Allocating an array per table would take several times as long as the counting, since the system clears
-    new memory.
-
-    Parameters
-    ----------
-    counts : ndarray of shape (n_cells,), int32
-        Overwritten.
-    cells : ndarray of shape (n,), int64 in [0, n_cells)
-
-    Examples
-    --------
-    >>> counts = np.empty(3, np.int32)
-    >>> count_into(counts, np.array([2, 0, 2]))
-    >>> counts.tolist()
-    [1, 0, 2]
-    """
-    counts.fill(0)
-    np.add.at(counts, cells, np.int32(1))
-
-
-def run_lengths(values: NDArray[np.integer]) -> tuple[NDArray[np.integer], NDArray[np.int64]]:
-    """Return the distinct values of a sorted, non-empty array, and the number of times each occurs."""
-    starts = np.flatnonzero(np.r_[True, values[1:] != values[:-1]])
-    return values[starts], np.diff(starts, append=len(values))
-
-
-def _exact_product(left: NDArray[np.generic], right: NDArray[np.generic]) -> NDArray[np.int64]:
-    """Multiply matrices of zeros and ones exactly, whatever the order of summation."""
-    dtype = _exact_dtype(left.shape[1])
-    return (left.astype(dtype) @ right.astype(dtype)).astype(np.int64)
-
-
 def _exact_dtype(n: int) -> type[np.floating]:
+    """Return the dtype in which products of n zeros and ones are exact, whatever the order of summation."""
     return np.float32 if n < _EXACT_FLOAT32 else np.float64

@@ -7,17 +7,14 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.learning.contingency import (
-    CELLS_PER_SAMPLE,
     binary_information,
     both_ones,
-    count_into,
     maximum_spanning_tree,
     mutual_information,
-    run_lengths,
     value_counts,
 )
 from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
-from placecat.ranges import Index, OneOf, Positive
+from placecat.ranges import Index, OneOf, Positive, Two
 
 # Largest table of pair counts stored in full (32 MB); larger tables store only the pairs that occur.
 _DENSE_CELLS = 1 << 22
@@ -35,27 +32,17 @@ class DependencyTree(DiscreteBayes):
 
     Parameters
     ----------
-    alpha : float
-        Added to every (parent value, value) count (Laplace smoothing), above 0. The thesis does not give
-        this.
-    n_values : int, optional
-        Number of values per variable: the number of clusters, or 2 for activations. Default: the largest
-        training code plus 1, at least 2.
-    prior : {"uniform", "frequency"}
-        p(l_i) in equation (10); see `NaiveBayes`.
-    root : int
+    alpha, n_values, prior
+        See `DiscreteBayes`. The counts are those of each (parent value, value).
+    root
         The variable r. Without smoothing, it would make no difference. The thesis does not give it.
 
     Attributes
     ----------
-    classes_ : ndarray of shape (n_classes,)
-    class_count_ : ndarray of shape (n_classes,), int64
-    class_log_prior_ : ndarray of shape (n_classes,), float64
-    parents_ : ndarray of shape (n_classes, V), int32
-        Each variable's parent in each class's tree; -1 for the root.
-    n_values_ : int
-    n_features_in_ : int
-        V.
+    parents_
+        (n_classes, V) int32, each variable's parent in each class's tree; -1 for the root.
+    classes_, class_count_, class_log_prior_, n_values_, n_features_in_
+        See `DiscreteBayes`.
 
     References
     ----------
@@ -76,7 +63,7 @@ class DependencyTree(DiscreteBayes):
     def __init__(
         self,
         alpha: Positive = 1.0,
-        n_values: int | None = None,
+        n_values: Two | None = None,
         prior: Annotated[str, OneOf(PRIORS)] = "uniform",
         root: Index = 0,
     ) -> None:
@@ -86,7 +73,7 @@ class DependencyTree(DiscreteBayes):
         self.root = root
 
     def _fit_model(self, codes: NDArray[np.integer], labels: NDArray[np.intp]) -> None:
-        if not 0 <= self.root < self.n_features_in_:
+        if self.root >= self.n_features_in_:
             raise PlacecatError(f"root={self.root} is not a variable: use 0 to {self.n_features_in_ - 1}")
         n_classes, n_values = len(self.classes_), self.n_values_
         self._is_dense = n_classes * self.n_features_in_ * n_values**2 <= _DENSE_CELLS
@@ -126,25 +113,15 @@ class DependencyTree(DiscreteBayes):
 
     def _fit_pairs(self, members: list[NDArray[np.integer]]) -> None:
         """Store log(count + alpha) for each (variable, parent value, value), in full or sparsely."""
-        table = self.n_values_**2
-        n_cells = self.n_features_in_ * table
+        n_cells = self.n_features_in_ * self.n_values_**2
         for label, part in enumerate(members):
             pairs = self._pairs(part, label)[0]
-            log_counts = np.log(np.arange(len(part) + 1) + self.alpha)
-            if self._is_dense and n_cells <= pairs.size:
-                self._pair_logs.append(log_counts[np.bincount(pairs.ravel(), minlength=n_cells)])
-                continue
-            if self._is_dense and table <= CELLS_PER_SAMPLE * len(part):
-                self._pair_logs.append(_log_tables(pairs, table, log_counts))
-                continue
-            keys, counts = run_lengths(np.sort(pairs.ravel()))
             if self._is_dense:
-                logs = np.full(n_cells, log_counts[0])
-                logs[keys] = log_counts[counts]
-                self._pair_logs.append(logs)
+                counts = np.bincount(pairs.ravel(), minlength=n_cells)
             else:
+                keys, counts = np.unique(pairs, return_counts=True)
                 self._pair_keys.append(keys)
-                self._pair_logs.append(log_counts[counts])
+            self._pair_logs.append(np.log(np.arange(len(part) + 1) + self.alpha)[counts])
 
     def _pairs(
         self, codes: NDArray[np.integer], label: int
@@ -175,16 +152,3 @@ class DependencyTree(DiscreteBayes):
                 logs = self._log_pairs(pairs, label) - log_parents[parent_cells]
                 result[start : start + rows, label] = logs.sum(axis=1)
         return result
-
-
-def _log_tables(
-    pairs: NDArray[np.integer], table: int, log_counts: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Look up log(count + alpha) for all cells, one variable's count table at a time."""
-    n_variables = pairs.shape[1]
-    logs = np.empty((n_variables, table))
-    counts = np.empty(table, np.int32)
-    for variable, row in enumerate(logs):
-        count_into(counts, pairs[:, variable].astype(np.int64) - variable * table)
-        np.take(log_counts, counts, out=row, mode="clip")
-    return logs.ravel()

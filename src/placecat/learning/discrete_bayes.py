@@ -10,7 +10,8 @@ from sklearn.base import BaseEstimator, ClassifierMixin
 from sklearn.utils.validation import check_array, check_is_fitted
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import check_labels, check_width
+from placecat.learning.checks import check_labels, check_width
+from placecat.schema.signatures import check_parameters
 
 PRIORS = ("uniform", "frequency")
 
@@ -19,6 +20,31 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     """Bayes' rule (thesis equation 10) over a model of p(c_1 = q_1, ..., c_V = q_V | l_i).
 
     Subclasses implement `_fit_model` and `_log_likelihood`.
+
+    Parameters
+    ----------
+    alpha
+        Added to every count (Laplace smoothing), above 0: at 0, a value never seen in a class would veto the
+        class. The thesis does not give this.
+    n_values
+        Number of values per variable: the number of clusters, or 2 for activations. Default: the largest
+        training code plus 1, at least 2.
+    prior
+        p(l_i) in equation (10), ``uniform`` or ``frequency``. The thesis does not give this; ``uniform``
+        matches its KNN (3.3.1.1) and its accuracy measure, the mean over classes.
+
+    Attributes
+    ----------
+    classes_
+        (n_classes,) labels, sorted.
+    class_count_
+        (n_classes,) int64.
+    class_log_prior_
+        (n_classes,) float64.
+    n_values_
+        The number of values in use.
+    n_features_in_
+        V.
     """
 
     alpha: float
@@ -41,26 +67,11 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Estimate the model from codes and their classes.
 
-        Parameters
-        ----------
-        X : array-like of shape (n, V), integers in [0, n_values)
-            Codewords of V cells, or activations (0 or 1) of V clusters.
-        y : array-like of shape (n,)
-            Classes: strings or whole numbers.
-
-        Raises
-        ------
-        PlacecatError
-            If a setting is invalid or a code is out of range.
+        `X` holds (n, V) integers in [0, n_values): codewords of V cells, or activations of V clusters. `y`
+        holds (n,) classes, strings or whole numbers. Raises PlacecatError if a setting is invalid or a code
+        is out of range.
         """
-        if not self.alpha > 0:
-            raise PlacecatError(
-                f"alpha={self.alpha}: use a number above 0, or a value never seen in a class vetoes the class"
-            )
-        if self.prior not in PRIORS:
-            raise PlacecatError(f"prior={self.prior!r} is unknown: use 'uniform' or 'frequency'")
-        if self.n_values is not None and self.n_values < 2:
-            raise PlacecatError(f"n_values={self.n_values}: a variable needs at least 2 values")
+        check_parameters(self)
         codes = self._read_codes(X)
         targets = check_labels(y, len(codes))
         self.n_features_in_ = codes.shape[1]

@@ -23,7 +23,8 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
 
     Returns
     -------
-    (N,) bool, true for the codewords whose presence has the greatest mutual information with the class.
+    (N,) bool, true for the codewords whose presence has the greatest mutual information with the class, from
+    relative frequencies.
 
     Examples
     --------
@@ -33,19 +34,13 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     """
     if not 0.0 < keep <= 1.0:
         raise PlacecatError(f"keep is {keep}: give the share of codewords to keep, above 0 and at most 1")
-    information = _information(active, np.asarray(y))
+    classes, labels = np.unique(np.asarray(y), return_inverse=True)
+    joint = value_counts(active, labels, len(classes), 2) / len(labels)
+    independent = joint.sum(axis=0) * joint.sum(axis=2, keepdims=True)
+    ratio = np.divide(joint, independent, out=np.ones_like(joint), where=joint > 0)
+    information = (joint * np.log(ratio)).sum(axis=(0, 2))
     kept = np.zeros(len(information), bool)
     number = max(1, round(keep * len(information)))
     # Round, so that the last bits of the sums do not decide.
     kept[np.argsort(-information.round(12), kind="stable")[:number]] = True
     return kept
-
-
-def _information(active: NDArray[np.uint8], y: NDArray[np.generic]) -> NDArray[np.float64]:
-    """Compute mutual information (N,) of codeword presence and class from relative frequencies, in nats."""
-    classes, labels = np.unique(y, return_inverse=True)
-    joint = value_counts(active, labels, len(classes), 2) / len(labels)
-    independent = joint.sum(axis=0) * joint.sum(axis=2, keepdims=True)
-    ratio = np.divide(joint, independent, out=np.ones_like(joint), where=joint > 0)
-    terms: NDArray[np.float64] = joint * np.log(ratio)
-    return terms.sum(axis=(0, 2))

@@ -1,17 +1,20 @@
 """Flat k-means, which thesis 4.2 compares with hierarchical clustering."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 import numpy as np
+from annotated_types import Interval, MinLen
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator
-from sklearn.utils.validation import check_array, check_is_fitted
+from sklearn.utils.validation import check_is_fitted
 from threadpoolctl import threadpool_limits
 
 from placecat.errors import NotComputable, PlacecatError
+from placecat.learning.checks import check_samples, check_width
 from placecat.learning.nearest import nearest_centers
 from placecat.ranges import Count
+from placecat.schema.signatures import check_parameters
 
 
 class FlatKMeans(BaseEstimator):
@@ -46,7 +49,12 @@ class FlatKMeans(BaseEstimator):
     True
     """
 
-    def __init__(self, numbers: Sequence[int] = (46,), max_iter: Count = 11, seed: int = 0) -> None:
+    def __init__(
+        self,
+        numbers: Annotated[Sequence[Count], MinLen(1)] = (46,),
+        max_iter: Count = 11,
+        seed: Annotated[int, Interval(ge=0)] = 0,
+    ) -> None:
         self.numbers = numbers
         self.max_iter = max_iter
         self.seed = seed
@@ -63,12 +71,8 @@ class FlatKMeans(BaseEstimator):
         """
         from sklearn.cluster import KMeans
 
-        if self.max_iter < 1 or not self.numbers or min(self.numbers) < 1:
-            raise PlacecatError(
-                f"flat k-means needs cluster numbers and max_iter of at least 1, not {list(self.numbers)} "
-                f"and {self.max_iter}"
-            )
-        points = check_array(X, dtype=np.float32, order="C", estimator=self)
+        check_parameters(self)
+        points = check_samples(X)
         self.n_features_in_ = points.shape[1]
         self.n_points_ = len(points)
         self.centers_: dict[int, NDArray[np.float32]] = {}
@@ -105,7 +109,8 @@ class FlatKMeans(BaseEstimator):
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
         """Find the nearest centre of each of the (n, D) points: (n,) int32 in [0, n_clusters)."""
-        points = check_array(X, dtype=np.float32, order="C", ensure_min_samples=0, estimator=self)
+        points = check_samples(X, least=0)
+        check_width(points, self)
         return nearest_centers(points, self.centers(n_clusters))[:, 0]
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:

@@ -10,12 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, ClassifierMixin, clone
 from sklearn.utils.validation import check_is_fitted
 
-from placecat.errors import PlacecatError
 from placecat.learning.boosting import Boosting, Task
-from placecat.learning.kernels import check_samples, check_width, encode_two_classes
+from placecat.learning.checks import check_samples, check_width
 from placecat.learning.memory import bytes_of, remembered
-from placecat.learning.platt import apply_sigmoid
 from placecat.learning.stumps import BinnedFeatures, Stump, bin_features
+from placecat.learning.two_class import TwoClass
 from placecat.ranges import Count, PositiveShare
 
 
@@ -23,40 +22,27 @@ from placecat.ranges import Count, PositiveShare
 class StumpEnsembles:
     """K boosted sums of stumps, F_k(x) = sum_t (high[k, t] if x[feature] > threshold else low[k, t]).
 
-    Attributes
-    ----------
-    feature
-        (K, T) int64.
-    threshold
-        (K, T) float32.
-    low, high
-        (K, T) float64.
-    width
-        D, the number of features.
+    All arrays are (K, T).
     """
 
     feature: NDArray[np.int64]
     threshold: NDArray[np.float32]
     low: NDArray[np.float64]
     high: NDArray[np.float64]
+    #: D, the number of features.
     width: int
 
-    def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Evaluate all K sums for finite X (n, D): (n, K) float64. Raises PlacecatError for other input."""
-        samples = check_samples(X)
-        if samples.shape[1] != self.width:
-            raise PlacecatError(
-                f"X has {samples.shape[1]} features; the classifier was fitted on {self.width}"
-            )
-        result = np.empty((len(samples), len(self.feature)))
+    def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
+        """Evaluate all K sums for X (n, D): (n, K) float64."""
+        result = np.empty((len(X), len(self.feature)))
         for k in range(len(self.feature)):
-            above = np.take(samples, self.feature[k], axis=1) > self.threshold[k]
+            above = np.take(X, self.feature[k], axis=1) > self.threshold[k]
             # Add stump by stump as `decide_rows` does; a sum along the axis may use another order.
             result[:, k] = np.cumsum(np.where(above, self.high[k], self.low[k]), axis=1)[:, -1]
         return result
 
 
-class GentleAdaBoost(ClassifierMixin, BaseEstimator):
+class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
     """Two-class Gentle AdaBoost with regression stumps (thesis 3.3.1.2 and 4.2, [20]).
 
     Each round finds the stump f with the lowest weighted squared error on the labels y = +-1, adds f to F and
@@ -75,12 +61,10 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
     Attributes
     ----------
-    classes_
-        The two labels, sorted; the second is the positive class. Set by `fit`.
+    classes_, n_features_in_
+        See `TwoClass`.
     feature_, threshold_, low_, high_
         (T,) each stump's feature and cut, and its values up to the cut and above it; T <= n_rounds.
-    n_features_in_
-        D.
 
     References
     ----------
@@ -94,8 +78,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     """
 
     #: Equation (8), e^F / (e^-F + e^F), as a sigmoid of F.
-    own_sigmoid: tuple[float, float] | None = (-2.0, 0.0)
-    prefers_own_sigmoid = True
+    own_sigmoid = (-2.0, 0.0)
 
     def __init__(
         self,
@@ -107,35 +90,8 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         self.max_bins = max_bins
         self.weight_trim = weight_trim
 
-    def check_parameters(self) -> None:
-        """Raise PlacecatError if a setting is invalid."""
-        if self.n_rounds < 1:
-            raise PlacecatError(f"n_rounds = {self.n_rounds}; boosting needs at least 1 weak classifier")
-        if not 2 <= self.max_bins <= 65536:
-            raise PlacecatError(f"max_bins = {self.max_bins}; give 2 to 65536")
-        if not 0 < self.weight_trim <= 1:
-            raise PlacecatError(f"weight_trim = {self.weight_trim} is outside (0, 1]; 1 turns trimming off")
-
-    def __sklearn_tags__(self) -> Any:
-        """Tell scikit-learn that there are two classes."""
-        tags = super().__sklearn_tags__()
-        tags.classifier_tags.multi_class = False
-        return tags
-
-    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
-        """Fit on real samples (n, D) and labels (n,) of exactly two classes.
-
-        Raises PlacecatError if there are not two classes, or a setting is invalid.
-        """
-        samples = check_samples(X)
-        self.classes_, positive = encode_two_classes(y, len(samples))
-        return self.fit_rows(self.prepare(samples), positive)
-
-    def prepare(
-        self, X: NDArray[np.float32], gram: object = None, n_jobs: int | None = None
-    ) -> BinnedFeatures:
-        """Bin the features without labels, once for all classes and folds. Ignores `gram` and `n_jobs`."""
-        self.check_parameters()
+    def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> BinnedFeatures:
+        """Bin the features without labels, once for all classes and folds. Ignores `n_jobs`."""
         return remembered("bins", (X, self.max_bins), lambda: bin_features(X, self.max_bins), latest=True)
 
     def fit_rows(
@@ -145,26 +101,12 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         rows: NDArray[np.intp] | None = None,
         context: str = "this class",
     ) -> Self:
-        """Fit on some of the samples in a shared binning.
-
-        Parameters
-        ----------
-        shared
-            The binned features of n samples, from `prepare`.
-        positive
-            (n,) bool. Raises PlacecatError if the rows have only one class.
-        rows
-            Indices of the training samples; all by default.
-        context
-            The problem's name in messages.
-        """
-        self.check_parameters()
+        """Fit on some of the samples in a shared binning; see `TwoClass.fit_rows`."""
         (stumps,) = Boosting(shared, [(positive, rows, context)], self.weight_trim).stumps(self.n_rounds)
         return self._set(stumps, shared)
 
     def fit_together(self, shared: BinnedFeatures, tasks: Sequence[Task]) -> list["GentleAdaBoost"]:
         """Fit one copy per problem, with the same results to the bit as `fit_rows`."""
-        self.check_parameters()
         contents = (
             content for positive, rows, _ in tasks for content in (positive.tobytes(), bytes_of(rows))
         )
@@ -214,13 +156,3 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         samples = check_samples(X)
         check_width(samples, self)
         return self.collect([self]).decisions(samples)[:, 0]
-
-    def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return certainties (n, 2) from equation (8)."""
-        positive = apply_sigmoid(self.decision_function(X), -2.0, 0.0)
-        return np.stack([1.0 - positive, positive], axis=1)
-
-    def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the labels (n,) of samples (n, D)."""
-        positive = self.decision_function(X) > 0
-        return self.classes_[positive.astype(int)]

@@ -2,18 +2,21 @@
 
 import heapq
 from collections.abc import Mapping, Sequence
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 import numpy as np
+from annotated_types import Interval
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator
-from sklearn.utils.validation import check_array, check_is_fitted
+from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import NotComputable, PlacecatError
+from placecat.learning.checks import check_samples, check_width
 from placecat.learning.kmeans_split import make_root, split_node
 from placecat.learning.nearest import nearest_centers
 from placecat.learning.single_thread import single_blas_thread
 from placecat.ranges import Count, Two
+from placecat.schema.signatures import check_parameters
 
 
 def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
@@ -30,8 +33,6 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
         ...
     placecat.errors.PlacecatError: a tree with branching 16 cannot be cut to n_clusters=100: use 91 or 106
     """
-    if branching < 2:
-        raise PlacecatError(f"branching={branching} is too small: a cluster splits into at least 2")
     step = branching - 1
     if n_clusters >= 1 and (n_clusters - 1) % step == 0:
         return
@@ -109,7 +110,11 @@ class HierarchicalKMeans(BaseEstimator):
     training_nodes_: NDArray[np.int32] | None = None
 
     def __init__(
-        self, branching: Two = 16, max_clusters: Count = 991, max_iter: Count = 11, seed: int = 0
+        self,
+        branching: Two = 16,
+        max_clusters: Count = 991,
+        max_iter: Count = 11,
+        seed: Annotated[int, Interval(ge=0)] = 0,
     ) -> None:
         self.branching = branching
         self.max_clusters = max_clusters
@@ -126,32 +131,17 @@ class HierarchicalKMeans(BaseEstimator):
 
         The result is the same to the byte for any number of threads. `y` is ignored.
 
-        Parameters
-        ----------
-        X : array-like of shape (n, D)
-            Finite descriptors, converted to float32.
-
-        Raises
-        ------
-        PlacecatError
-            If a setting is invalid.
-        ValueError
-            If X is empty or not finite.
+        `X` holds (n, D) finite descriptors, converted to float32. Raises PlacecatError if these or a setting
+        are invalid.
         """
-        self._check_settings()
-        points = check_array(X, dtype=np.float32, order="C", estimator=self)
+        check_parameters(self)
+        check_cluster_number(self.max_clusters, self.branching)
+        points = check_samples(X)
         self.n_features_in_ = points.shape[1]
         n_splits = (self.max_clusters - 1) // (self.branching - 1)
         with single_blas_thread():
             self._grow(points, n_splits)
         return self
-
-    def _check_settings(self) -> None:
-        check_cluster_number(self.max_clusters, self.branching)
-        if self.max_iter < 1:
-            raise PlacecatError(f"max_iter={self.max_iter}: a split needs at least 1 Lloyd iteration")
-        if self.seed < 0:
-            raise PlacecatError(f"seed={self.seed} is negative: use 0 or more")
 
     def _grow(self, points: NDArray[np.float32], n_splits: int) -> None:
         root = make_root(points)
@@ -198,25 +188,12 @@ class HierarchicalKMeans(BaseEstimator):
         All centres are compared (see `nearest_centers`); the lowest index wins ties. The thesis does not say
         whether it descends the tree instead.
 
-        Parameters
-        ----------
-        X : array-like of shape (n, D)
-            Finite descriptors; n may be 0. Raises PlacecatError if D differs from the training data.
-        n_clusters : int
-            See `centers`, which raises the same errors.
-
-        Returns
-        -------
-        ndarray of shape (n,), int32
-            Codewords in [0, n_clusters).
+        `X` holds (n, D) finite descriptors; n may be 0. Returns (n,) int32 in [0, n_clusters). Raises
+        PlacecatError like `centers`, and if D differs from the training data.
         """
         centers = self.centers(n_clusters)
-        points = check_array(X, dtype=np.float32, order="C", ensure_min_samples=0, estimator=self)
-        if points.shape[1] != self.n_features_in_:
-            raise PlacecatError(
-                f"descriptors have {points.shape[1]} dimensions, "
-                f"the codebook was trained on {self.n_features_in_}"
-            )
+        points = check_samples(X, least=0)
+        check_width(points, self)
         return nearest_centers(points, centers)[:, 0]
 
     def labels(self, n_clusters: int) -> NDArray[np.int32]:
@@ -258,11 +235,8 @@ class HierarchicalKMeans(BaseEstimator):
     def to_arrays(self) -> dict[str, NDArray[Any]]:
         """Return the tree as plain arrays for ``numpy.savez``, without the training points' nodes."""
         check_is_fitted(self)
-        return {
-            "branching": np.array(self.branching, np.int64),
-            "max_clusters": np.array(self.max_clusters, np.int64),
-            "max_iter": np.array(self.max_iter, np.int64),
-            "seed": np.array(self.seed, np.int64),
+        settings = {name: np.array(value, np.int64) for name, value in self.get_params().items()}
+        return settings | {
             "node_centers": self.node_centers_,
             "node_sizes": self.node_sizes_,
             "node_sse": self.node_sse_,

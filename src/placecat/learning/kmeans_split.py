@@ -26,11 +26,11 @@ class Node:
 
 def make_root(points: NDArray[np.float32]) -> Node:
     """Make the root node, which holds all (n, D) points."""
-    center = _sums(points, np.zeros(len(points), np.uint8), 1)[0] / len(points)
-    centred = points - center.astype(np.float32)
     # The centred points are relative to the rounded centre.
-    origin = center.astype(np.float32).astype(np.float64)
-    return Node((), np.arange(len(points), dtype=np.int32), centred, origin, _sum_of_squares(centred))
+    center = _mean(points).astype(np.float32)
+    centred = points - center
+    members = np.arange(len(points), dtype=np.int32)
+    return Node((), members, centred, center.astype(np.float64), _sum_of_squares(centred))
 
 
 def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generator) -> list[Node]:
@@ -47,15 +47,12 @@ def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generat
     points = np.take(points, order, axis=0)
     members = node.members[order]
     children = []
-    for number, end in enumerate(ends):
-        start = ends[number - 1] if number else 0
-        part = points[start:end]
-        shift = _sums(part, np.zeros(end - start, np.uint8), 1)[0] / (end - start)
-        shift32 = shift.astype(np.float32)
-        part -= shift32
-        children.append(
-            Node((*node.path, number), members[start:end], part, node.center + shift32, _sum_of_squares(part))
-        )
+    for number, (part, own) in enumerate(
+        zip(np.split(points, ends[:-1]), np.split(members, ends[:-1]), strict=True)
+    ):
+        shift = _mean(part).astype(np.float32)
+        part -= shift
+        children.append(Node((*node.path, number), own, part, node.center + shift, _sum_of_squares(part)))
     return children
 
 
@@ -69,23 +66,17 @@ def seed_clusters(
     n = len(points)
     norms = np.einsum("ij,ij->i", points, points)
     labels = np.zeros(n, np.uint16)
-    closest = np.empty(0, np.float32)
-    for number in range(n_clusters):
-        if number == 0:
-            seed = int(rng.integers(n))
-        else:
-            cumulated = np.cumsum(closest, dtype=np.float64)
-            if cumulated[-1] == 0:
-                return None
-            seed = int(np.searchsorted(cumulated, rng.random() * cumulated[-1], side="right"))
-            if seed == n:
-                seed = int(np.searchsorted(cumulated, cumulated[-1]))
+    closest = _squared_distances(points, norms, int(rng.integers(n)))
+    for number in range(1, n_clusters):
+        cumulated = np.cumsum(closest, dtype=np.float64)
+        if cumulated[-1] == 0:
+            return None
+        seed = int(np.searchsorted(cumulated, rng.random() * cumulated[-1], side="right"))
+        if seed == n:
+            seed = int(np.searchsorted(cumulated, cumulated[-1]))
         distances = _squared_distances(points, norms, seed)
-        if number == 0:
-            closest = distances
-        else:
-            labels[distances < closest] = number
-            np.minimum(closest, distances, out=closest)
+        labels[distances < closest] = number
+        np.minimum(closest, distances, out=closest)
     return labels
 
 
@@ -125,12 +116,9 @@ def lloyd(
     return labels
 
 
-def _blocks(points: NDArray[np.float32]) -> range:
-    return range(0, len(points), _block_rows(points))
-
-
-def _block_rows(points: NDArray[np.float32]) -> int:
-    return max(64, _BLOCK // points.shape[1])
+def _blocks(points: NDArray[np.float32]) -> list[slice]:
+    rows = max(64, _BLOCK // points.shape[1])
+    return [slice(start, start + rows) for start in range(0, len(points), rows)]
 
 
 def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArray[np.uint16]:
@@ -139,12 +127,11 @@ def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArra
     half_norms = (0.5 * np.einsum("ij,ij->i", centers, centers))[:, None].astype(np.float32)
     centers32 = centers.astype(np.float32)
     labels = np.empty(len(points), np.uint16)
-    rows = _block_rows(points)
-    for start in _blocks(points):
-        scores = centers32 @ points[start : start + rows].T
+    for block in _blocks(points):
+        scores = centers32 @ points[block].T
         scores -= half_norms
         # The argmax along the first axis, but twice as fast as scores.argmax(axis=0).
-        labels[start : start + rows] = (scores == scores.max(axis=0)).argmax(axis=0)
+        labels[block] = (scores == scores.max(axis=0)).argmax(axis=0)
     return labels
 
 
@@ -152,10 +139,14 @@ def _sums(points: NDArray[np.float32], labels: NDArray[np.integer], n_clusters: 
     """Sum each label's points, in float32 within a block and in float64 over blocks."""
     numbers = np.arange(n_clusters, dtype=labels.dtype)[:, None]
     sums = np.zeros((n_clusters, points.shape[1]))
-    rows = _block_rows(points)
-    for start in _blocks(points):
-        sums += (labels[start : start + rows] == numbers).astype(np.float32) @ points[start : start + rows]
+    for block in _blocks(points):
+        sums += (labels[block] == numbers).astype(np.float32) @ points[block]
     return sums
+
+
+def _mean(points: NDArray[np.float32]) -> NDArray[np.float64]:
+    mean: NDArray[np.float64] = _sums(points, np.zeros(len(points), np.uint8), 1)[0] / len(points)
+    return mean
 
 
 def fill_empty(points: NDArray[np.float32], labels: NDArray[np.uint16], centers: NDArray[np.float64]) -> None:

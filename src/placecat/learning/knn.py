@@ -6,14 +6,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import logsumexp
 from sklearn.base import BaseEstimator, ClassifierMixin
-from sklearn.utils.multiclass import check_classification_targets
-from sklearn.utils.validation import check_array, check_is_fitted, column_or_1d
+from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import PlacecatError
 from placecat.learning.activations import check_regions, frame_blocks
+from placecat.learning.checks import check_labels, check_samples, check_width
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 from placecat.learning.nearest import nearest_centers
 from placecat.ranges import Count, NonNegative, OneOf
+from placecat.schema.signatures import check_parameters
 
 CLASS_WEIGHTINGS = ("once", "per_region")
 # Number of floats per block of differences between points and their neighbours.
@@ -44,7 +45,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         "once" divides by f(l) once, like equations (2) and (4) and the text. "per_region" divides by f(l)^n,
         which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). They agree for single points and
         balanced classes. Otherwise "once" favours frequent classes, and more so the more regions a frame has.
-    codebook : HierarchicalKMeans, optional
+    codebook : HierarchicalKMeans or FlatKMeans, optional
         A fitted tree to cut. Default: a new tree, grown to `n_clusters` on the training points.
     seed : int
         Random seed of the new tree.
@@ -71,17 +72,16 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     """
 
     #: Attributes that prediction does not need; stored systems omit them.
-    TRAINING_ONLY = ("codebook", "_pair_distances")
-    codebook: HierarchicalKMeans | None = None
-    _pair_distances: NDArray[np.float64] | None = None
+    TRAINING_ONLY = ("codebook",)
+    codebook: Any = None
 
     def __init__(
         self,
-        n_clusters: int = 196,
+        n_clusters: Count = 196,
         n_neighbors: Count = 1,
         smoothing: NonNegative = 1.0,
         class_weighting: Annotated[str, OneOf(CLASS_WEIGHTINGS)] = "per_region",
-        codebook: HierarchicalKMeans | None = None,
+        codebook: Any = None,
         seed: int = 0,
     ) -> None:
         self.n_clusters = n_clusters
@@ -94,24 +94,14 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Count the classes of the training points in each cluster.
 
-        Parameters
-        ----------
-        X : array-like of shape (n, D)
-            Finite descriptors, one per sample.
-        y : array-like of shape (n,)
-            Classes: strings or whole numbers.
-
-        Raises
-        ------
-        PlacecatError
-            If a setting is invalid, or if `HierarchicalKMeans.centers` raises it.
+        `X` holds finite descriptors (n, D), and `y` (n,) classes, strings or whole numbers. Raises
+        PlacecatError if a setting is invalid, or if `HierarchicalKMeans.centers` raises it.
         """
-        self._check_settings()
-        points = check_array(X, dtype=np.float32, order="C", estimator=self)
-        targets = column_or_1d(y, warn=True)
-        check_classification_targets(targets)
-        if len(targets) != len(points):
-            raise PlacecatError(f"X has {len(points)} samples, y has {len(targets)}")
+        check_parameters(self)
+        if self.n_neighbors > self.n_clusters:
+            raise PlacecatError(f"n_neighbors={self.n_neighbors}: use 1 to n_clusters={self.n_clusters}")
+        points = check_samples(X)
+        targets = check_labels(y, len(points))
         codebook = self.codebook
         if codebook is None:
             codebook = HierarchicalKMeans(max_clusters=self.n_clusters, seed=self.seed).fit(points)
@@ -122,20 +112,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         self.frequencies_ = np.bincount(cells, minlength=self.n_clusters * n_classes).reshape(-1, n_classes)
         self.centers_ = codebook.centers(self.n_clusters).astype(np.float64)
         self.n_features_in_ = points.shape[1]
-        self._pair_distances = None
         return self
-
-    def _check_settings(self) -> None:
-        if not 1 <= self.n_neighbors <= self.n_clusters:
-            raise PlacecatError(
-                f"n_neighbors={self.n_neighbors}: use 1 to n_clusters={self.n_clusters} neighbours"
-            )
-        if not self.smoothing >= 0:
-            raise PlacecatError(f"smoothing={self.smoothing} is negative: use 0 or more")
-        if self.class_weighting not in CLASS_WEIGHTINGS:
-            raise PlacecatError(
-                f"class_weighting={self.class_weighting!r} is unknown: use 'once' or 'per_region'"
-            )
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
         """Return p(class | x) for single descriptors (n, D): (n, n_classes) float64; rows sum to 1."""
@@ -146,17 +123,10 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     def predict_proba_sets(self, X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.float64]:
         """Return p(class | x_1, ..., x_n) for each frame's set of descriptors.
 
-        Parameters
-        ----------
-        X : ndarray of shape (frames, max_regions, D)
-            Descriptors; rows beyond a frame's count are ignored.
-        counts : array-like of shape (frames,), integers in [0, max_regions]
-            Number of regions in each frame. Raises PlacecatError if the counts do not fit X.
-
-        Returns
-        -------
-        ndarray of shape (frames, n_classes), float64
-            Rows sum to 1; uniform for a frame without regions (the thesis assumes uniform priors).
+        `X` holds (frames, max_regions, D) descriptors; rows beyond a frame's number of regions in `counts`,
+        (frames,) integers, are ignored. Raises PlacecatError if the counts do not fit X. Returns
+        (frames, n_classes) float64; rows sum to 1, and are uniform for a frame without regions (the thesis
+        assumes uniform priors).
         """
         check_is_fitted(self)
         mask = check_regions(X, counts)
@@ -173,64 +143,9 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         best = self.predict_proba(X).argmax(axis=1)
         return self.classes_[best]
 
-    def update(self, x: ArrayLike, label: object) -> Self:
-        """Learn one more labelled point x (D,) at run time; `label` is one of `classes_`.
-
-        If the point is at least as close to its nearest centre as the two closest centres are to each other,
-        it joins that centre's cluster, and the centre moves to the cluster's mean. Otherwise the two closest
-        clusters merge and the point starts a new cluster. The number of clusters and the codebook do not
-        change. Only the distances to centres that moved are recomputed.
-
-        Raises PlacecatError if the class is unknown or D differs from the training data.
-        """
-        check_is_fitted(self)
-        point = self._read_points(np.asarray(x)[None])[0].astype(np.float64)
-        matches = np.flatnonzero(self.classes_ == label)
-        if len(matches) != 1:
-            raise PlacecatError(
-                f"class {label!r} was not trained: use one of {', '.join(map(str, self.classes_))}"
-            )
-        if self._pair_distances is None:
-            self._pair_distances = np.empty((len(self.centers_), len(self.centers_)))
-            for cluster in range(len(self.centers_)):
-                self._measure(cluster)
-        closest = np.unravel_index(self._pair_distances.argmin(), self._pair_distances.shape)
-        distances = np.linalg.norm(self.centers_ - point, axis=1)
-        nearest = int(distances.argmin())
-        if distances[nearest] <= self._pair_distances[closest]:
-            size = self.frequencies_[nearest].sum()
-            self.centers_[nearest] += (point - self.centers_[nearest]) / (size + 1)
-            self.frequencies_[nearest, matches[0]] += 1
-            self._measure(nearest)
-            return self
-        kept, freed = (int(cluster) for cluster in closest)
-        sizes = self.frequencies_[[kept, freed]].sum(axis=1)
-        # Two empty clusters have equal weight.
-        weights = sizes if sizes.any() else np.ones(2)
-        self.centers_[kept] = np.average(self.centers_[[kept, freed]], axis=0, weights=weights)
-        self.frequencies_[kept] += self.frequencies_[freed]
-        self.centers_[freed] = point
-        self.frequencies_[freed] = 0
-        self.frequencies_[freed, matches[0]] = 1
-        self._measure(kept)
-        self._measure(freed)
-        return self
-
-    def _measure(self, cluster: int) -> None:
-        """Update one centre's distances to all others; its distance to itself is infinite."""
-        assert self._pair_distances is not None
-        distances = np.linalg.norm(self.centers_ - self.centers_[cluster], axis=1)
-        distances[cluster] = np.inf
-        self._pair_distances[cluster] = distances
-        self._pair_distances[:, cluster] = distances
-
     def _read_points(self, X: ArrayLike) -> NDArray[np.float32]:
-        points = check_array(X, dtype=np.float32, order="C", ensure_min_samples=0, estimator=self)
-        if points.shape[1] != self.n_features_in_:
-            raise PlacecatError(
-                f"descriptors have {points.shape[1]} dimensions, "
-                f"the model was trained on {self.n_features_in_}"
-            )
+        points = check_samples(X, least=0)
+        check_width(points, self)
         return points
 
     def _log_frequencies(self, points: NDArray[np.float32]) -> NDArray[np.float64]:

@@ -1,5 +1,6 @@
 """Common base class of the multi-class schemes, with one two-class classifier p(o_k|x) per class."""
 
+from abc import abstractmethod
 from collections.abc import Callable, Sequence
 from typing import Any, Self
 
@@ -9,10 +10,12 @@ from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import PlacecatError
 from placecat.learning.calibration import Calibration, FittedProblem, Problem, fit_problems, make_folds
-from placecat.learning.kernels import check_labels, check_samples, check_width
+from placecat.learning.checks import check_labels, check_samples, check_width
+from placecat.learning.nu_svm import NuSVM
 from placecat.learning.platt import apply_sigmoid
 from placecat.learning.single_thread import single_blas_thread
-from placecat.learning.two_class import as_base, is_balanced, uses_own
+from placecat.learning.two_class import TwoClass, as_two_class
+from placecat.schema.signatures import check_parameters
 
 
 class MultiClass:
@@ -40,7 +43,6 @@ class MultiClass:
         X: ArrayLike,
         y: ArrayLike,
         groups: ArrayLike | None = None,
-        gram: NDArray[Any] | None = None,
         class_names: Sequence[str] | None = None,
     ) -> Self:
         """Fit the K classifiers and their combination.
@@ -53,8 +55,6 @@ class MultiClass:
             (n,) labels; every class occurs at least twice.
         groups
             (n,) the home of each sample, needed if the calibration holds out homes.
-        gram
-            (n, n) Gram matrix of X for the base's gamma, if several fits share it.
         class_names
             Name of each integer label, for messages only.
 
@@ -64,16 +64,16 @@ class MultiClass:
             If there are fewer than 2 classes, a class has only 1 sample, a setting is invalid, or nu is
             infeasible under the policy ``refuse``.
         """
-        base = as_base(self.base)
-        own, balanced = uses_own(self.sigmoid, base), is_balanced(self.sigmoid_weights)
-        calibration = Calibration(self.calibration, self.folds, own, balanced)
-        self._check_settings()
+        check_parameters(self)
+        base = as_two_class(NuSVM() if self.base is None else self.base)
+        balanced = self.sigmoid_weights == "balanced"
+        calibration = Calibration(self.calibration, self.folds, self._uses_own_sigmoid(base), balanced)
         samples, self.classes_, index, names = encode_classes(X, y, class_names)
         folds = make_folds(index, groups, calibration.kind, calibration.folds)
         everyone = np.ones(len(samples), dtype=bool)
         problems = [Problem(f"class {name!r}", index == k, everyone) for k, name in enumerate(names)]
         with single_blas_thread():
-            shared = base.prepare(samples, gram=gram, n_jobs=self.n_jobs)
+            shared = base.prepare(samples, self.n_jobs)
 
             def fit_some(some: Sequence[Problem]) -> list[FittedProblem]:
                 return fit_problems(base, shared, some, folds, calibration, self.n_jobs)
@@ -101,8 +101,31 @@ class MultiClass:
         starts = np.searchsorted(self.machine_class_, np.arange(len(self.classes_)))
         return np.add.reduceat(proba, starts, axis=1) / np.bincount(self.machine_class_)
 
-    def _check_settings(self) -> None:
-        """Raise PlacecatError if a setting of the combination is invalid."""
+    def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Return distributions (n, K) float64 over `classes_` for samples (n, D); rows sum to 1."""
+        return self.combine(self.outputs(X))
+
+    def predict(self, X: ArrayLike) -> NDArray[Any]:
+        """Return the class (n,) of samples (n, D) that `decide` picks."""
+        decided = self.decide(self.outputs(X))
+        return self.classes_[decided]
+
+    @abstractmethod
+    def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Combine outputs p(o_k|x) (n, K) into distributions (n, K)."""
+
+    def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Return the indices (n,) into `classes_` of the decisions from outputs p(o_k|x) (n, K)."""
+        return self.combine(outputs).argmax(axis=1)
+
+    def _uses_own_sigmoid(self, base: TwoClass) -> bool:
+        if self.sigmoid == "own" and base.own_sigmoid is None:
+            raise PlacecatError(
+                "sigmoid 'own' needs a base with probabilities; a nu-SVM has none, use 'platt'"
+            )
+        if self.sigmoid == "auto":
+            return base.own_sigmoid is not None and base.prefers_own_sigmoid
+        return self.sigmoid == "own"
 
     def _arrange(
         self,

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from placecat.learning.contingency import value_counts
 from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.learning.products import row_products
-from placecat.ranges import OneOf, Positive
+from placecat.ranges import OneOf, Positive, Two
 
 # Table look-ups per block.
 _BLOCK = 1 << 18
@@ -22,25 +22,15 @@ class NaiveBayes(DiscreteBayes):
 
     Parameters
     ----------
-    alpha : float
-        Added to every count (Laplace smoothing), above 0. The thesis does not give this.
-    n_values : int, optional
-        Number of values per variable: the number of clusters, or 2 for activations. Default: the largest
-        training code plus 1, at least 2.
-    prior : {"uniform", "frequency"}
-        p(l_i) in equation (10). The thesis does not give this; "uniform" matches its KNN (3.3.1.1) and its
-        accuracy measure, the mean over classes.
+    alpha, n_values, prior
+        See `DiscreteBayes`.
 
     Attributes
     ----------
-    classes_ : ndarray of shape (n_classes,)
-    class_count_ : ndarray of shape (n_classes,), int64
-    class_log_prior_ : ndarray of shape (n_classes,), float64
-    feature_log_prob_ : ndarray of shape (n_classes, V, n_values_), float64
-        log p(c_k = q | l_i).
-    n_values_ : int
-    n_features_in_ : int
-        V.
+    feature_log_prob_
+        (n_classes, V, n_values_) float64, log p(c_k = q | l_i).
+    classes_, class_count_, class_log_prior_, n_values_, n_features_in_
+        See `DiscreteBayes`.
 
     Examples
     --------
@@ -55,7 +45,7 @@ class NaiveBayes(DiscreteBayes):
     def __init__(
         self,
         alpha: Positive = 1.0,
-        n_values: int | None = None,
+        n_values: Two | None = None,
         prior: Annotated[str, OneOf(PRIORS)] = "uniform",
     ) -> None:
         self.alpha = alpha

@@ -16,18 +16,8 @@ def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: in
     All centres are compared in float32, after subtracting their mean. Distances that float32 cannot
     distinguish count as equal; the lowest index wins ties. A point's result does not depend on other points.
 
-    Parameters
-    ----------
-    X : array-like of shape (n, D), float32
-        Finite points.
-    centers : ndarray of shape (N, D)
-    n_neighbors : int
-        In [1, N].
-
-    Returns
-    -------
-    ndarray of shape (n, n_neighbors), int32
-        Indices into `centers`.
+    `X` holds finite points (n, D), `centers` is (N, D), and `n_neighbors` is in [1, N]. Returns
+    (n, n_neighbors) int32 indices into `centers`.
 
     Examples
     --------

@@ -62,14 +62,10 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
 
     Attributes
     ----------
-    classes_
-        The two labels, sorted; the second is the positive class. Set by `fit`.
     nu_
         The nu in use: the lower of `nu` and the largest feasible nu, doubled until there is a margin.
-    support_, dual_coef_, intercept_
+    classes_, support_, support_vectors_, dual_coef_, intercept_
         See `KernelMachine`.
-    support_vectors_
-        (s, D) float32. Set by `fit`.
 
     References
     ----------
@@ -82,8 +78,6 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ['a', 'b']
     """
 
-    #: Sigmoid that gives the base's own probability; None: a Platt sigmoid is fitted.
-    own_sigmoid: tuple[float, float] | None = None
     gram_dtype = np.float64
 
     def __init__(
@@ -100,13 +94,6 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         self.tol = tol
         self.cache_mb = cache_mb
 
-    def check_parameters(self) -> None:
-        """Raise PlacecatError if a setting is invalid whatever the data."""
-        if not 0 < self.nu <= 1:
-            raise PlacecatError(f"nu = {self.nu} is outside (0, 1]; the thesis uses 0.2")
-        if self.nu_policy not in POLICIES:
-            raise PlacecatError(f"unknown nu_policy {self.nu_policy!r}; choose 'lower' or 'refuse'")
-
     def fit_rows(
         self,
         shared: NDArray[np.float64],
@@ -114,14 +101,13 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         rows: NDArray[np.intp] | None = None,
         context: str = "this class",
     ) -> Self:
-        """Fit on some rows of a Gram matrix without copying it; see `KernelMachine.fit_rows`.
+        """Fit on some rows of a Gram matrix without copying it; see `TwoClass.fit_rows`.
 
         Also raises PlacecatError if, under the policy ``refuse``, nu is infeasible or leaves no margin.
         """
         import sklearn
         from sklearn.svm import NuSVC
 
-        self.check_parameters()
         chosen = np.arange(len(shared)) if rows is None else rows
         n_positive = int(np.count_nonzero(positive[chosen]))
         n_negative = len(chosen) - n_positive

@@ -3,10 +3,9 @@
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from sklearn.base import BaseEstimator, ClassifierMixin
 
-from placecat.errors import PlacecatError
 from placecat.learning.calibration import CALIBRATIONS
 from placecat.learning.multi_class import MultiClass
 from placecat.learning.products import sum_products
@@ -141,16 +140,6 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         uniform = np.full_like(joint, 1.0 / n_classes)
         self.posterior_ = np.divide(joint, p_output, out=uniform, where=p_output > 0)
 
-    def _check_settings(self) -> None:
-        if self.reliability not in RELIABILITIES:
-            raise PlacecatError(f"unknown reliability {self.reliability!r}; choose 'hard' or 'soft'")
-        if self.combination not in COMBINATIONS:
-            raise PlacecatError(f"unknown combination {self.combination!r}; choose 'parallel' or 'certainty'")
-        if self.prior not in PRIORS:
-            raise PlacecatError(f"unknown prior {self.prior!r}; choose 'training' or 'uniform'")
-        if not self.uncertainty >= 0 or not self.reliability_smoothing >= 0:
-            raise PlacecatError("uncertainty and reliability_smoothing must be 0 or more")
-
     def _reliability(self, index: NDArray[np.intp], outputs: NDArray[np.float64]) -> NDArray[np.float64]:
         outputs = self._exclude(outputs)
         if self.reliability == "hard":
@@ -183,12 +172,3 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         total = proba.sum(axis=1, keepdims=True)
         uniform = np.full_like(proba, 1.0 / proba.shape[1])
         return np.divide(proba, total, out=uniform, where=total > 0)
-
-    def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return distributions (n, K) float64 over `classes_` for samples (n, D); rows sum to 1."""
-        return self.combine(self.outputs(X))
-
-    def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the most probable class (n,) of samples (n, D)."""
-        decided = self.predict_proba(X).argmax(axis=1)
-        return self.classes_[decided]

@@ -6,14 +6,11 @@ from scipy.special import expit
 
 from placecat.errors import PlacecatError
 
+# Maximum number of Newton steps, and the gradient per sample, for standardised decisions, at which to stop.
+_STEPS, _TOLERANCE = 100, 1e-10
 
-def fit_sigmoid(
-    decisions: ArrayLike,
-    positive: ArrayLike,
-    balanced: bool = False,
-    tol: float = 1e-10,
-    max_iter: int = 100,
-) -> tuple[float, float]:
+
+def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = False) -> tuple[float, float]:
     """Fit p(positive | d) = 1 / (1 + exp(A d + B)), A <= 0, by maximum likelihood on smoothed targets.
 
     The targets are (n+ + 1) / (n+ + 2) and 1 / (n- + 2). Newton's method with step halving solves the convex
@@ -31,10 +28,6 @@ def fit_sigmoid(
         (n,) bool.
     balanced
         Give positives and negatives a total weight of n / 2 each, so p holds for equally frequent classes.
-    tol
-        Stop when the gradient per sample, in units of the standardised decisions, falls below this.
-    max_iter
-        Maximum number of Newton steps.
 
     Returns
     -------
@@ -79,11 +72,11 @@ def fit_sigmoid(
 
     slope, offset = flat
     value = loss(slope, offset)
-    for _ in range(max_iter):
+    for _ in range(_STEPS):
         p = expit(-(slope * z + offset))
         residual = weights * (target - p)
         g_slope, g_offset = float(residual @ z), float(residual.sum())
-        if max(abs(g_slope), abs(g_offset)) < tol * len(d):
+        if max(abs(g_slope), abs(g_offset)) < _TOLERANCE * len(d):
             break
         weight = weights * p * (1.0 - p)
         h11 = float(weight @ (z * z)) + 1e-12

@@ -1,17 +1,16 @@
 """Two-class relevance vector machine: fast marginal likelihood maximisation on a shared Gram matrix."""
 
 import logging
-from typing import Self
+from typing import NamedTuple, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve, solve_triangular
 from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
 from placecat.learning.kernel_machine import KernelMachine
-from placecat.learning.platt import apply_sigmoid
 from placecat.learning.single_thread import single_blas_thread
 from placecat.ranges import Count, Positive
 
@@ -45,16 +44,14 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
 
     Attributes
     ----------
-    classes_
-        The two labels, sorted; the second is the positive class. Set by `fit`.
     support_, dual_coef_, intercept_
         The relevance vectors' indices and weights, and the bias's weight (0 if it is not in the model).
     alpha_
         (s,) prior precisions of `dual_coef_`.
     evidence_
         Log marginal likelihood in the Laplace approximation.
-    support_vectors_
-        (s, D) float32. Set by `fit`.
+    classes_, support_vectors_
+        See `KernelMachine`.
 
     Notes
     -----
@@ -73,10 +70,9 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ([False, True], True)
     """
 
-    #: Sigmoid of the logistic likelihood; the setting ``auto`` uses it only if `prefers_own_sigmoid`.
-    own_sigmoid: tuple[float, float] | None = (-1.0, 0.0)
+    #: The logistic likelihood.
+    own_sigmoid = (-1.0, 0.0)
     prefers_own_sigmoid = False
-    gram_dtype = np.float32
 
     def __init__(
         self, gamma: Positive = 2.0, tol: Positive = 1e-5, max_iter: Count = 200, candidates: Count = 100
@@ -86,14 +82,6 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         self.max_iter = max_iter
         self.candidates = candidates
 
-    def check_parameters(self) -> None:
-        """Raise PlacecatError if a setting is invalid."""
-        if not self.tol > 0 or self.max_iter < 1 or self.candidates < 1:
-            raise PlacecatError(
-                f"RVM settings tol = {self.tol}, max_iter = {self.max_iter}, candidates = {self.candidates} "
-                "must all be above 0"
-            )
-
     def fit_rows(
         self,
         shared: NDArray[np.float32],
@@ -101,8 +89,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         rows: NDArray[np.intp] | None = None,
         context: str = "this class",
     ) -> Self:
-        """Fit on a copy of some rows of a Gram matrix; see `KernelMachine.fit_rows`."""
-        self.check_parameters()
+        """Fit on a copy of some rows of a Gram matrix; see `TwoClass.fit_rows`."""
         chosen = np.arange(len(shared)) if rows is None else rows
         target = positive[chosen].astype(np.float64)
         if target.min() == target.max():
@@ -131,7 +118,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         best = _laplace_mode(basis, target, np.ones(1), np.zeros(1))
         statistics = _Statistics(gram)
         promising = statistics.promising(basis, best, self.candidates, renew=True)
-        surrogate = _Surrogate.around(gram, basis, best, active, promising)
+        surrogate = _Surrogate(gram, basis, best, active, promising)
         steps = most = 2 * self.candidates
         small_rises = 0
         for _ in range(self.max_iter):
@@ -153,44 +140,26 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
             if statistics.current and (expected < tol or small_rises > 2):
                 break
             promising = statistics.promising(basis, best, self.candidates, renew=small_rises > 0)
-            surrogate = _Surrogate.around(gram, basis, best, active, promising)
+            surrogate = _Surrogate(gram, basis, best, active, promising)
         else:
             logger.warning("RVM of %s stopped after %d rounds before it converged", context, self.max_iter)
         self.evidence_ = best.evidence
         return active, best.weights, best.alpha
 
-    def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return the two classes' probabilities (n, 2) for samples (n, D)."""
-        positive = apply_sigmoid(self.decision_function(X), -1.0, 0.0)
-        return np.stack([1.0 - positive, positive], axis=1)
 
-
-class _Mode:
+class _Mode(NamedTuple):
     """Laplace approximation of the posterior over the model's weights."""
 
-    def __init__(
-        self,
-        weights: NDArray[np.float64],
-        alpha: NDArray[np.float64],
-        error: NDArray[np.float64],
-        curvature: NDArray[np.float64],
-        factor: NDArray[np.float64],
-        evidence: float,
-    ) -> None:
-        self.weights = weights
-        self.alpha = alpha
-        self.error = error  # (n,) target minus prediction
-        self.curvature = curvature  # (n,) p (1 - p)
-        self.factor = factor  # lower Cholesky factor of basis B basis' + diag(alpha)
-        self.evidence = evidence
-
-    @classmethod
-    def impossible(
-        cls, weights: NDArray[np.float64], alpha: NDArray[np.float64], error: NDArray[np.float64]
-    ) -> Self:
-        """Return a placeholder for a model whose functions are too similar; it is never kept."""
-        nothing = np.full((len(alpha), len(alpha)), np.nan)
-        return cls(weights, alpha, error, np.full(len(error), np.nan), nothing, -np.inf)
+    weights: NDArray[np.float64]
+    alpha: NDArray[np.float64]
+    # (n,) target minus prediction.
+    error: NDArray[np.float64]
+    # (n,) p (1 - p).
+    curvature: NDArray[np.float64]
+    # Lower Cholesky factor of basis B basis' + diag(alpha).
+    factor: NDArray[np.float64]
+    # -inf if the functions are too similar for a factor; such a mode is never kept.
+    evidence: float
 
 
 def _basis(gram: NDArray[np.float32], active: NDArray[np.intp]) -> NDArray[np.float64]:
@@ -231,7 +200,7 @@ def _laplace_mode(
             # The approximation is too inaccurate if functions are nearly identical.
             factor = _factor(basis, p * (1.0 - p), alpha)
             if factor is None:
-                return _Mode.impossible(weights, alpha, target - p)
+                return _Mode(weights, alpha, target - p, p, hessian, -np.inf)
         move = cho_solve(factor, gradient)
         if float(gradient @ move) < 1e-6:
             break
@@ -248,7 +217,7 @@ def _laplace_mode(
     curvature = p * (1.0 - p)
     factor = _factor(basis, curvature, alpha)
     if factor is None:
-        return _Mode.impossible(weights, alpha, target - p)
+        return _Mode(weights, alpha, target - p, p, hessian, -np.inf)
     lower = np.tril(factor[0])
     evidence = -value + 0.5 * float(np.log(alpha).sum()) - float(np.log(np.diag(lower)).sum())
     return _Mode(weights, alpha, target - p, curvature, lower, evidence)
@@ -316,55 +285,34 @@ class _Surrogate:
     R -= R_i R_i' d / (1 + d R_ii), Q -= R_i Q_i d / (1 + d R_ii), and the log evidence gains
     (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting differ only in d.
 
-    Attributes
-    ----------
-    pool
-        (u,) basis functions, the model's first.
-    r, q
-        (u, u) and (u,) float64.
+    The pool has (u,) basis functions, the model's first.
     """
 
-    def __init__(self, pool: NDArray[np.intp], r: NDArray[np.float64], q: NDArray[np.float64]) -> None:
-        self.pool = pool
-        self.r = r
-        self.q = q
-
-    @classmethod
-    def around(
-        cls,
+    def __init__(
+        self,
         gram: NDArray[np.float32],
         basis: NDArray[np.float64],
         mode: _Mode,
         active: NDArray[np.intp],
         promising: NDArray[np.intp],
-    ) -> Self:
-        """Choose the pool and set up R and Q."""
+    ) -> None:
         added = promising[~np.isin(promising, active)]
         phi = np.concatenate([basis, _basis(gram, added)])
         weighted = phi * np.sqrt(mode.curvature)
         r = weighted @ weighted.T
         explained = solve_triangular(mode.factor, r[: len(active)], lower=True)
         r -= explained.T @ explained
-        return cls(np.concatenate([active, added]), r, phi @ mode.error)
+        self.pool = np.concatenate([active, added])
+        self.r = r
+        self.q = phi @ mode.error
 
     def ascend(
         self, alpha: NDArray[np.float64], steps: int
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64], float]:
-        """Change one alpha after another, each time the one with the greatest gain.
+        """Change one alpha after another, each time the one with the greatest gain, at most `steps` times.
 
-        Parameters
-        ----------
-        alpha
-            (m,) precisions of the functions in the model.
-        steps
-            Maximum number of changes.
-
-        Returns
-        -------
-        active, alpha, weights
-            (m',) the new model's functions, their precisions, and their mean weights in the Gaussian problem.
-        gain
-            Sum of the gains, in nats.
+        `alpha` holds the (m,) precisions of the functions in the model. Returns the new model's (m',)
+        functions, precisions, and mean weights in the Gaussian problem, and the sum of the gains in nats.
         """
         # A step needs only R's diagonal and one column.
         q, r_diagonal = self.q.copy(), self.r.diagonal().copy()

@@ -7,10 +7,10 @@ from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.utils.validation import check_is_fitted
 
-from placecat.errors import PlacecatError
-from placecat.learning.kernels import check_samples, check_width
+from placecat.learning.checks import check_samples, check_width
 from placecat.learning.products import squared_lengths
 from placecat.ranges import OneOf, Positive
+from placecat.schema.signatures import check_parameters
 
 KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 
@@ -64,10 +64,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
 
         Raises PlacecatError if a setting or X is invalid.
         """
-        if self.kind not in KINDS:
-            raise PlacecatError(f"unknown scaling {self.kind!r}; choose one of {', '.join(KINDS)}")
-        if not 0 < self.gamma_scale < np.inf:
-            raise PlacecatError(f"gamma_scale = {self.gamma_scale}; squared distances need a factor above 0")
+        check_parameters(self)
         samples = check_samples(X)
         width = samples.shape[1]
         self.n_features_in_ = width

@@ -5,11 +5,10 @@ from dataclasses import replace
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
-from placecat.errors import PlacecatError
 from placecat.learning.calibration import CALIBRATIONS, FittedProblem, Problem
 from placecat.learning.multi_class import MultiClass
 from placecat.learning.two_class import SIGMOID_WEIGHTS, SIGMOIDS
@@ -127,16 +126,6 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
                 fitted[k] = fit
         return fitted
 
-    def _check_settings(self) -> None:
-        for name, value, known in (
-            ("order", self.order, ORDERS),
-            ("training", self.training, TRAINING),
-            ("decision", self.decision, DECISIONS),
-            ("output", self.output, OUTPUTS),
-        ):
-            if value not in known:
-                raise PlacecatError(f"unknown {name} {value!r}; choose one of {', '.join(known)}")
-
     def _threshold(self, sigmoids: NDArray[np.float64]) -> float:
         # For the sign: p at decision value 0. A flat sigmoid returns exactly this for every sample, so it
         # never says yes.
@@ -163,10 +152,6 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         proba[:, self.order_[-1]] = reached[:, -1]
         return proba
 
-    def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return the `output` (n, K) float64 over `classes_` for samples (n, D); rows sum to 1."""
-        return self.combine(self.outputs(X))
-
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
         """Return the indices (n,) into `classes_` that `decision` picks from outputs p(o_k|x) (n, K)."""
         if self.decision == "product":
@@ -175,8 +160,3 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         yes = (outputs > np.array([self._threshold(own) for own in of_class]))[:, self.order_]
         yes[:, -1] = True
         return self.order_[yes.argmax(axis=1)]
-
-    def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the class (n,) of samples (n, D), picked by `decision`."""
-        decided = self.decide(self.outputs(X))
-        return self.classes_[decided]

@@ -8,10 +8,11 @@ from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import NotComputable, PlacecatError
-from placecat.learning.kernels import check_samples, check_width
+from placecat.learning.checks import check_samples, check_width
 from placecat.learning.products import row_products
 from placecat.learning.single_thread import single_blas_thread
 from placecat.ranges import AtLeastOne, Count
+from placecat.schema.signatures import check_parameters
 
 
 class SpatialPCA(TransformerMixin, BaseEstimator):
@@ -71,15 +72,10 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     def _kept(self, width: int) -> int:
         if (self.components is None) == (self.factor is None):
             raise PlacecatError("give either `components` or `factor` of the PCA, and None for the other")
-        kept = self.components if self.components is not None else round(width / self._positive_factor())
+        kept = round(width / self.factor) if self.factor is not None else int(self.components or 0)
         if not 1 <= kept <= width:
             raise PlacecatError(f"PCA to {kept} components is impossible for cells of {width} dimensions")
-        return int(kept)
-
-    def _positive_factor(self) -> float:
-        if self.factor is None or not self.factor >= 1:
-            raise PlacecatError(f"PCA factor {self.factor} does not reduce; give a number of at least 1")
-        return self.factor
+        return kept
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
         """Learn one PCA per cell from real X (n, D). `y` is ignored.
@@ -87,9 +83,10 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         Raises PlacecatError if D is not divisible by `cells`, the number of components is invalid, or n does
         not exceed it.
         """
+        check_parameters(self)
         samples = check_samples(X)
         n, total = samples.shape
-        if self.cells < 1 or total % self.cells:
+        if total % self.cells:
             raise PlacecatError(f"{total} dimensions cannot be divided into {self.cells} cells")
         width = total // self.cells
         kept = self._kept(width)

@@ -15,25 +15,17 @@ _NARROW = 192
 
 @dataclass(frozen=True)
 class BinnedFeatures:
-    """Binned features, with sparse matrices that sum samples by bin.
+    """Binned features, with sparse matrices that sum samples by bin."""
 
-    Attributes
-    ----------
-    bins
-        (D, n) uint8 or uint16, each sample's bin in each feature: the number of thresholds below its value.
-    thresholds
-        D ascending float32 arrays of at most max_bins - 1 values; x > thresholds[d][b] means bin > b.
-    blocks
-        scipy CSR matrices of ones, one per `BLOCK_FEATURES` features. A matrix for B features has the shape
-        (width * B, n), starting with every feature's first bin. Its product with weights (n, m) contains all
-        weighted histograms of these features.
-    width
-        Number of bins per feature in `blocks`.
-    """
-
+    #: (D, n) uint8 or uint16, each sample's bin in each feature: the number of thresholds below its value.
     bins: NDArray[Any]
+    #: D ascending arrays of at most max_bins - 1 values; x > thresholds[d][b] means bin > b.
     thresholds: list[NDArray[np.float32]]
+    #: scipy CSR matrices of ones, one per `BLOCK_FEATURES` features. A matrix for B features has the shape
+    #: (width * B, n), starting with every feature's first bin. Its product with weights (n, m) contains all
+    #: weighted histograms of these features.
     blocks: list[Any]
+    #: Number of bins per feature in `blocks`.
     width: int
 
 
@@ -49,12 +41,7 @@ class Stump(NamedTuple):
 def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
     """Cut each feature at the midpoints between its distinct values, or at quantiles if there are too many.
 
-    Parameters
-    ----------
-    X
-        (n, D) float32.
-    max_bins
-        Maximum number of bins per feature, 2 to 65536.
+    `X` is (n, D); `max_bins` is the maximum number of bins per feature, 2 to 65536.
     """
     n, n_features = X.shape
     bins = np.empty((n_features, n), dtype=np.uint8 if max_bins <= 256 else np.uint16)
@@ -109,17 +96,8 @@ def best_stumps(
 ) -> list[Stump | None]:
     """Find the stump with the smallest weighted squared error for each of G weightings of the samples.
 
-    Parameters
-    ----------
-    binned
-        The binned features of n samples.
-    weight, signed
-        (n, G) C-contiguous: weights of at least 0, and weights times labels of -1 or 1.
-
-    Returns
-    -------
-    list of G
-        The best stumps; the first wins ties. None if no feature can be cut.
+    `weight` and `signed` are (n, G), C-contiguous: weights of at least 0, and weights times labels of -1 or
+    1. Returns the G best stumps, the first in a tie; None if no feature can be cut.
     """
     machines = range(weight.shape[1])
     highest = np.full(len(machines), -np.inf)

@@ -1,54 +1,114 @@
-"""Interface between two-class classifiers and multi-class schemes."""
+"""Two-class classifiers, whose preparation several fits share, and an adapter for those of scikit-learn."""
 
-from collections.abc import Sequence
-from typing import Any, Protocol, Self, cast
+from abc import abstractmethod
+from collections.abc import Callable, Sequence
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import clone
+from sklearn.utils.metaestimators import available_if
 
-from placecat.errors import PlacecatError
-from placecat.learning.kernels import check_samples
-from placecat.learning.nu_svm import NuSVM
+from placecat.learning.checks import check_samples, encode_two_classes
+from placecat.learning.platt import apply_sigmoid
+from placecat.schema.signatures import check_parameters
 
 SIGMOIDS = ("auto", "platt", "own")
 SIGMOID_WEIGHTS = ("none", "balanced")
 
 
-class TwoClassBase(Protocol):
-    """Base classifier whose preparation all classes and folds share."""
+class TwoClass:
+    """Base class of the two-class classifiers.
 
-    own_sigmoid: tuple[float, float] | None
+    Attributes
+    ----------
+    classes_
+        The two labels, sorted; the second is the positive class. Set by `fit`.
+    n_features_in_
+        D.
+    """
 
-    def get_params(self, deep: bool = True) -> dict[str, Any]:
-        """Return a mapping from each setting's name to its value."""
+    #: A and B of its own probability 1 / (1 + exp(A d + B)) for a decision value d; None: it has none.
+    own_sigmoid: tuple[float, float] | None = None
+    #: Whether the scheme's setting ``auto`` uses this sigmoid, if there is one.
+    prefers_own_sigmoid = True
+    classes_: NDArray[Any]
+    n_features_in_: int
+    get_params: Callable[..., dict[str, Any]]
 
-    def check_parameters(self) -> None:
-        """Raise PlacecatError if a setting is invalid."""
+    def __sklearn_tags__(self) -> Any:
+        """Tell scikit-learn that there are two classes."""
+        tags = super().__sklearn_tags__()  # type: ignore[misc]
+        tags.classifier_tags.multi_class = False
+        return tags
 
-    def prepare(
-        self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None
-    ) -> Any:
-        """Compute everything that depends only on the samples."""
+    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
+        """Fit on real samples (n, D) and labels (n,) of exactly two classes.
 
+        Raises PlacecatError if there are not two classes, or a setting is invalid.
+        """
+        check_parameters(self)
+        samples = check_samples(X)
+        self.classes_, positive = encode_two_classes(y, len(samples))
+        self.n_features_in_ = samples.shape[1]
+        return self.fit_rows(self.prepare(samples), positive, context=f"class {self.classes_[1]!s}")
+
+    @abstractmethod
+    def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> Any:
+        """Compute what depends only on the samples (n, D), in `n_jobs` threads, for all classes and folds."""
+
+    @abstractmethod
     def fit_rows(
         self,
         shared: Any,
         positive: NDArray[np.bool_],
         rows: NDArray[np.intp] | None = None,
-        context: str = "",
-    ) -> Any:
-        """Fit on some of the prepared samples."""
+        context: str = "this class",
+    ) -> Self:
+        """Fit on some of the prepared samples.
 
+        Raises PlacecatError if these have only one class.
+
+        Parameters
+        ----------
+        shared
+            The result of `prepare` for n samples.
+        positive
+            (n,) bool.
+        rows
+            Ascending indices of the training samples, all by default.
+        context
+            The problem's name in messages.
+        """
+
+    @abstractmethod
     def decide_rows(self, shared: Any, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Return decision values for some of the prepared samples."""
+        """Return decision values, (len(rows),), for some of the prepared samples."""
 
-    def collect(self, machines: Sequence[Any], X: NDArray[np.float32]) -> Any:
-        """Combine fitted machines into one object with a method `decisions`."""
+    @staticmethod
+    @abstractmethod
+    def collect(machines: Sequence[Any], X: NDArray[np.float32]) -> Any:
+        """Combine machines fitted on the same samples (n, D) into an object with the method `decisions`."""
+
+    @abstractmethod
+    def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Return decision values (n,) of samples (n, D), positive for ``classes_[1]``. Needs `fit`."""
+
+    @available_if(lambda self: self.own_sigmoid is not None)
+    def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Return the two classes' probabilities (n, 2) for samples (n, D), by `own_sigmoid`. Needs `fit`."""
+        assert self.own_sigmoid is not None
+        positive = apply_sigmoid(self.decision_function(X), *self.own_sigmoid)
+        return np.stack([1.0 - positive, positive], axis=1)
+
+    def predict(self, X: ArrayLike) -> NDArray[Any]:
+        """Return the labels (n,) of samples (n, D). Needs `fit`."""
+        positive = self.decision_function(X) > 0
+        return self.classes_[positive.astype(int)]
 
 
-class _GenericBase:
-    """Adapter that turns any scikit-learn two-class classifier into a base that shares nothing."""
+class _GenericBase(TwoClass):
+    """Adapter that turns any scikit-learn two-class classifier into one that shares nothing."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
@@ -57,18 +117,15 @@ class _GenericBase:
         return {"estimator": self.estimator}
 
     @property
-    def own_sigmoid(self) -> tuple[float, float] | None:
+    def own_sigmoid(self) -> tuple[float, float] | None:  # type: ignore[override]
         return None if hasattr(self.estimator, "decision_function") else (-1.0, 0.0)
 
-    def check_parameters(self) -> None:
-        pass
-
-    def prepare(self, X: NDArray[np.float32], gram: object = None, n_jobs: int | None = None) -> Any:
+    def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> NDArray[np.float32]:
         return X
 
     def fit_rows(
         self,
-        shared: Any,
+        shared: NDArray[np.float32],
         positive: NDArray[np.bool_],
         rows: NDArray[np.intp] | None = None,
         context: str = "",
@@ -77,14 +134,14 @@ class _GenericBase:
         self.fitted_ = clone(self.estimator).fit(shared[chosen], positive[chosen])
         return self
 
-    def decide(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
+    def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
         if hasattr(self.fitted_, "decision_function"):
             return np.asarray(self.fitted_.decision_function(X), dtype=np.float64)
         p = np.clip(self.fitted_.predict_proba(X)[:, 1], 1e-12, 1 - 1e-12)
         return np.log(p / (1 - p))
 
-    def decide_rows(self, shared: Any, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        return self.decide(shared[rows])
+    def decide_rows(self, shared: NDArray[np.float32], rows: NDArray[np.intp]) -> NDArray[np.float64]:
+        return self.decision_function(shared[rows])
 
     @staticmethod
     def collect(machines: Sequence["_GenericBase"], X: NDArray[np.float32]) -> "_GenericScorer":
@@ -95,32 +152,14 @@ class _GenericScorer:
     def __init__(self, machines: Sequence[_GenericBase]) -> None:
         self.machines = machines
 
-    def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
-        samples = check_samples(X)
-        return np.stack([machine.decide(samples) for machine in self.machines], axis=1)
+    def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
+        return np.stack([machine.decision_function(X) for machine in self.machines], axis=1)
 
 
-def as_base(base: Any) -> TwoClassBase:
-    """Return `base` if it shares its preparation, or else a scikit-learn classifier in an adapter."""
-    base = NuSVM() if base is None else base
-    adapted: Any = base if hasattr(base, "fit_rows") else _GenericBase(base)
-    adapted.check_parameters()
-    return cast(TwoClassBase, adapted)
-
-
-def uses_own(sigmoid: str, base: TwoClassBase) -> bool:
-    """Return whether to use the base's sigmoid instead of Platt's."""
-    if sigmoid not in SIGMOIDS:
-        raise PlacecatError(f"unknown sigmoid {sigmoid!r}; choose one of {', '.join(SIGMOIDS)}")
-    if sigmoid == "own" and base.own_sigmoid is None:
-        raise PlacecatError("sigmoid 'own' needs a base with probabilities; a nu-SVM has none, use 'platt'")
-    if sigmoid == "auto":
-        return base.own_sigmoid is not None and getattr(base, "prefers_own_sigmoid", True)
-    return sigmoid == "own"
-
-
-def is_balanced(sigmoid_weights: str) -> bool:
-    """Return whether `sigmoid_weights` is ``balanced``."""
-    if sigmoid_weights not in SIGMOID_WEIGHTS:
-        raise PlacecatError(f"unknown sigmoid_weights {sigmoid_weights!r}; choose 'none' or 'balanced'")
-    return sigmoid_weights == "balanced"
+def as_two_class(base: Any) -> TwoClass:
+    """Return a two-class classifier with valid settings, in an adapter if it shares no preparation."""
+    if not hasattr(base, "fit_rows"):
+        return _GenericBase(base)
+    check_parameters(base)
+    shared: TwoClass = base
+    return shared

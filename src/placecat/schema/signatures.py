@@ -95,6 +95,21 @@ def check_vision(section: str, options: Mapping[str, Any], where: str) -> None:
     _check(options, _of_section(section), where)
 
 
+def check_parameters(estimator: Any) -> None:
+    """Refuse an estimator's parameter that does not fit its annotation in ``__init__``."""
+    kind: Any = type(estimator)
+    for name, values in _annotated(kind).items():
+        value = getattr(estimator, name)
+        # Convert NumPy's numbers.
+        schema.check_value(value.item() if hasattr(value, "item") else value, values, name)
+
+
+@lru_cache
+def _annotated(kind: Any) -> dict[str, TypeAdapter[Any]]:
+    hints = get_type_hints(kind.__init__, include_extras=True)
+    return {name: schema.of_type(hint) for name, hint in hints.items() if name != "return"}
+
+
 def _check_classifier(options: Mapping[str, Any], where: str) -> None:
     own = dict(options)
     model = lookup.require(CUES, own.pop("model"), f"{where}.model", "fit")

@@ -18,14 +18,13 @@ the ``NuSVC`` of scikit-learn-intelex, which receives float32.
 """
 
 from collections.abc import Callable, Iterator
-from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.learning.calibration import SAMPLES, make_folds
-from placecat.learning.kernels import rbf_cross, rbf_gram
+from placecat.learning.kernels import rbf_gram
 from placecat.learning.nu_svm import NuSVM
 from placecat.learning.one_against_all import OneAgainstAll
 from placecat.learning.scaling import KernelScaling
@@ -77,16 +76,16 @@ def _beside(
 ) -> Iterator[Entry]:
     our, their = Latest(ours, known, train), Latest(fit, known, train)
 
-    @cache
-    def gram() -> NDArray[Any]:
-        return rbf_gram(known, BASE.gamma, BASE.gram_dtype)
-
-    parts = {
-        "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
-        "fits on it": lambda: ours(known, train, gram()),
-    }
-    yield Comparison(PIECE, texts[0], peer, our, their, faster=faster[0], warm_up=False, parts=parts)
-    gram.cache_clear()
+    yield Comparison(
+        PIECE,
+        texts[0],
+        peer,
+        our,
+        their,
+        faster=faster[0],
+        warm_up=False,
+        parts={"Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype)},
+    )
 
     def found() -> Any:
         return our.result().predict_proba(unknown)
@@ -94,12 +93,7 @@ def _beside(
     def expected() -> Any:
         return their.result()(unknown)
 
-    def kernel_values() -> Any:
-        machine = our.result().scorer_
-        return rbf_cross(unknown, machine.support_vectors, machine.gamma)
-
-    parts = {"kernel values": kernel_values}
-    yield Comparison(PIECE, texts[1], peer, found, expected, faster=faster[1], parts=parts)
+    yield Comparison(PIECE, texts[1], peer, found, expected, faster=faster[1])
 
     def largest_difference() -> float:
         return float(np.abs(found() - expected()).max())
@@ -108,9 +102,9 @@ def _beside(
     yield Limit(PIECE, texts[1], quantity, largest_difference, at_most=at_most, peer=peer)
 
 
-def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = None) -> OneAgainstAll:
+def ours(X: NDArray[np.float32], frames: Frames) -> OneAgainstAll:
     """Fit our scheme, which leaves out random parts of the frames in turn."""
-    return OneAgainstAll(BASE, combination="certainty").fit(X, frames.place, gram=gram)
+    return OneAgainstAll(BASE, combination="certainty").fit(X, frames.place)
 
 
 def theirs(X: NDArray[np.float32], frames: Frames) -> Predict:
