@@ -96,6 +96,9 @@ def test_a_codebook_is_cut_and_left_alone():
     before = codebook.centers(31)
     model = ModifiedKNN(31, codebook=codebook).fit(X, y)
     np.testing.assert_array_equal(model.centers_, before)
+    for point, label in zip(X[:20] + 9, y, strict=False):
+        model.update(point, label)
+    assert not np.array_equal(model.centers_, before)
     np.testing.assert_array_equal(codebook.centers(31), before)
 
 
@@ -140,6 +143,86 @@ def test_rows_sum_to_one_and_the_order_of_regions_does_not_matter(seed, n_neighb
     np.testing.assert_allclose(model.predict_proba_sets(sets[:, ::-1], [4] * 6), found, rtol=1e-9)
 
 
+def line_model() -> ModifiedKNN:
+    X = np.array([[0.0], [0.0], [2.0], [2.0], [2.0], [9.0]])
+    codebook = HierarchicalKMeans(branching=2, max_clusters=3).fit(X)
+    model = ModifiedKNN(3, codebook=codebook).fit(X, ["a", "a", "a", "b", "b", "b"])
+    order = model.centers_[:, 0].argsort()
+    model.centers_, model.frequencies_ = model.centers_[order], model.frequencies_[order]
+    return model
+
+
+def test_update_adds_a_close_point():
+    model = line_model().update([3.0], "a")
+    np.testing.assert_allclose(model.centers_[:, 0], [0, 2.25, 9])
+    assert model.frequencies_.tolist() == [[2, 0], [2, 2], [0, 1]]
+
+
+def test_update_at_the_limit_adds():
+    # 2 from its cluster, as far as the two closest clusters are from each other.
+    model = line_model().update([11.0], "b")
+    np.testing.assert_allclose(model.centers_[:, 0], [0, 2, 10])
+
+
+def test_update_merges_for_a_far_point():
+    model = line_model().update([12.0], "a")
+    np.testing.assert_allclose(model.centers_[:, 0], [6 / 5, 12, 9])
+    assert model.frequencies_.tolist() == [[3, 2], [1, 0], [0, 1]]
+
+
+def test_updates_against_recomputation():
+    X, y = training_data()
+    model = ModifiedKNN(16, n_neighbors=2).fit(X[:100], y[:100])
+    sizes = model.frequencies_.sum(axis=1)
+    # Each cluster as its mass, its weighted sum and its class counts.
+    clusters = [
+        [float(n), n * c, f.copy()] for n, c, f in zip(sizes, model.centers_, model.frequencies_, strict=True)
+    ]
+    rng = np.random.default_rng(2)
+    merged = 0
+    for step in range(200):
+        point = (X[100 + step] + rng.choice([0, 0, 6]) * rng.normal(size=4)).astype(np.float32)
+        model.update(point, y[100 + step])
+        label = NAMES.tolist().index(y[100 + step])
+        centers = np.array([total / mass for mass, total, _ in clusters])
+        between = np.linalg.norm(centers[:, None] - centers, axis=2)
+        np.fill_diagonal(between, np.inf)
+        to_point = np.linalg.norm(centers - point, axis=1)
+        if to_point.min() > between.min():
+            merged += 1
+            a, b = np.unravel_index(between.argmin(), between.shape)
+            clusters[a] = [first + second for first, second in zip(clusters[a], clusters[b], strict=True)]
+            clusters[b] = [1.0, point.astype(float), np.eye(3, dtype=int)[label]]
+        else:
+            near = clusters[to_point.argmin()]
+            near[0] += 1
+            near[1] = near[1] + point
+            near[2] = near[2] + np.eye(3, dtype=int)[label]
+        np.testing.assert_allclose(model.centers_, [t / m for m, t, _ in clusters], rtol=1e-9, atol=1e-9)
+        np.testing.assert_array_equal(model.frequencies_, [f for _, _, f in clusters])
+    assert 5 < merged < 195
+    assert model.frequencies_.sum() == 300
+    found = model._pair_distances
+    expected = np.linalg.norm(model.centers_[:, None] - model.centers_, axis=2)
+    np.fill_diagonal(expected, np.inf)
+    np.testing.assert_allclose(found, expected, rtol=1e-9)
+    np.testing.assert_allclose(model.predict_proba(X).sum(axis=1), 1)
+
+
+def test_update_of_a_single_cluster():
+    model = ModifiedKNN(1).fit([[0.0], [2.0]], ["a", "b"]).update([4.0], "b")
+    np.testing.assert_allclose(model.centers_, [[2.0]])
+    assert model.frequencies_.tolist() == [[1, 2]]
+
+
+def test_wrong_updates():
+    model = line_model()
+    with pytest.raises(PlacecatError, match="class 'c' was not trained: use one of a, b"):
+        model.update([0.0], "c")
+    with pytest.raises(PlacecatError, match="X has 2 features"):
+        model.update([0.0, 1.0], "a")
+
+
 @pytest.mark.parametrize(
     ("settings_", "message"),
     [
@@ -180,8 +263,9 @@ def test_conventions():
         "seed": 0,
     }
     assert repr(model) == "ModifiedKNN(n_clusters=46, smoothing=0.5)"
-    with pytest.raises(NotFittedError):
-        model.predict([[0.0]])
+    for call in (lambda: model.predict([[0.0]]), lambda: model.update([0.0], "a")):
+        with pytest.raises(NotFittedError):
+            call()
     X, y = training_data()
     assert model.fit(X, y) is model
     assert model.classes_.tolist() == NAMES.tolist()

@@ -72,8 +72,9 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     """
 
     #: Attributes that prediction does not need; stored systems omit them.
-    TRAINING_ONLY = ("codebook",)
+    TRAINING_ONLY = ("codebook", "_pair_distances")
     codebook: Any = None
+    _pair_distances: NDArray[np.float64] | None = None
 
     def __init__(
         self,
@@ -112,6 +113,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         self.frequencies_ = np.bincount(cells, minlength=self.n_clusters * n_classes).reshape(-1, n_classes)
         self.centers_ = codebook.centers(self.n_clusters).astype(np.float64)
         self.n_features_in_ = points.shape[1]
+        self._pair_distances = None
         return self
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
@@ -142,6 +144,57 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         """Return the most probable class (n,) of each descriptor."""
         best = self.predict_proba(X).argmax(axis=1)
         return self.classes_[best]
+
+    def update(self, x: ArrayLike, label: object) -> Self:
+        """Learn one more labelled point x (D,) at run time; `label` is one of `classes_`.
+
+        If the point is at least as close to its nearest centre as the two closest centres are to each other,
+        it joins that centre's cluster, and the centre moves to the cluster's mean. Otherwise the two closest
+        clusters merge and the point starts a new cluster. The number of clusters and the codebook do not
+        change. Only the distances to centres that moved are recomputed.
+
+        Raises PlacecatError if the class is unknown or D differs from the training data.
+        """
+        check_is_fitted(self)
+        point = self._read_points(np.asarray(x)[None])[0].astype(np.float64)
+        matches = np.flatnonzero(self.classes_ == label)
+        if len(matches) != 1:
+            raise PlacecatError(
+                f"class {label!r} was not trained: use one of {', '.join(map(str, self.classes_))}"
+            )
+        if self._pair_distances is None:
+            self._pair_distances = np.empty((len(self.centers_), len(self.centers_)))
+            for cluster in range(len(self.centers_)):
+                self._measure(cluster)
+        closest = np.unravel_index(self._pair_distances.argmin(), self._pair_distances.shape)
+        distances = np.linalg.norm(self.centers_ - point, axis=1)
+        nearest = int(distances.argmin())
+        if distances[nearest] <= self._pair_distances[closest]:
+            size = self.frequencies_[nearest].sum()
+            self.centers_[nearest] += (point - self.centers_[nearest]) / (size + 1)
+            self.frequencies_[nearest, matches[0]] += 1
+            self._measure(nearest)
+            return self
+        kept, freed = (int(cluster) for cluster in closest)
+        sizes = self.frequencies_[[kept, freed]].sum(axis=1)
+        # Two empty clusters have equal weight.
+        weights = sizes if sizes.any() else np.ones(2)
+        self.centers_[kept] = np.average(self.centers_[[kept, freed]], axis=0, weights=weights)
+        self.frequencies_[kept] += self.frequencies_[freed]
+        self.centers_[freed] = point
+        self.frequencies_[freed] = 0
+        self.frequencies_[freed, matches[0]] = 1
+        self._measure(kept)
+        self._measure(freed)
+        return self
+
+    def _measure(self, cluster: int) -> None:
+        """Update one centre's distances to all others; its distance to itself is infinite."""
+        assert self._pair_distances is not None
+        distances = np.linalg.norm(self.centers_ - self.centers_[cluster], axis=1)
+        distances[cluster] = np.inf
+        self._pair_distances[cluster] = distances
+        self._pair_distances[:, cluster] = distances
 
     def _read_points(self, X: ArrayLike) -> NDArray[np.float32]:
         points = check_samples(X, least=0)
