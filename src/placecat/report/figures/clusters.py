@@ -13,9 +13,7 @@ from placecat import seeds, settings
 from placecat.drawing.palette import place_colors, place_title
 from placecat.errors import PlacecatError, SettingError
 from placecat.ranges import Count, Index
-from placecat.report.figures.panels import Sheet, frame_in
-from placecat.report.figures.shares import place_legend, share_bar
-from placecat.report.figures.training import training_regions
+from placecat.report.figures.panels import Sheet, frame_in, place_legend, share_bar
 from placecat.report.run import Run, home_of
 from placecat.vision.regions import radius
 
@@ -129,7 +127,7 @@ def _largest(run: Run, cue: str, test_home: str) -> list[Cluster]:
     name, number = chosen["codebook"], chosen["classifier"].get("clusters")
     if name is None or number is None:
         raise SettingError(f"figures.clusters.cue {cue!r} has no codebook: use one on salient regions")
-    train = training_regions(run, name, test_home)
+    train = run.training_regions(name, test_home)
     tree = run.codebook(name, run.fold(test_home).training_set).trees[0]
     words, centers = tree.assign(train.x, number), tree.centers(number)
     sizes = np.bincount(words, minlength=number)

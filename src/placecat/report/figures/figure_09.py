@@ -18,10 +18,8 @@ from placecat.errors import PlacecatError, SettingError
 from placecat.learning.knn import ModifiedKNN
 from placecat.learning.nearest import nearest_centers
 from placecat.ranges import Count, Index
-from placecat.report.figures.panels import Sheet, draw_regions, show_frame
-from placecat.report.figures.shares import place_legend, share_rows
-from placecat.report.figures.training import TrainingRegions, training_regions
-from placecat.report.run import Run, home_of
+from placecat.report.figures.panels import Sheet, draw_regions, place_legend, share_rows, show_frame
+from placecat.report.run import Run, TrainingRegions, home_of
 from placecat.vision.regions import radius
 
 TITLE = (
@@ -67,7 +65,7 @@ def draw(
 ) -> Figure:
     """Draw the figure; settings in ``figures.figure_09``."""
     test = home_of(run, home)
-    train = training_regions(run, codebook, test)
+    train = run.training_regions(codebook, test)
     tree = run.codebook(codebook, run.fold(test).training_set).trees[0]
     # Use equation (2) as printed, like the thesis's figure.
     model = ModifiedKNN(n_clusters=clusters, codebook=tree, class_weighting="once")
@@ -87,7 +85,7 @@ def draw(
     view = sheet.panel(left, 0.04, RIGHT, height)
     show_frame(view, picture)
     found = run.regions(test, query.index)[:regions]
-    draw_regions(view, found, picture.shape[1], ["black"] * len(found), linewidth=1.2)
+    draw_regions(view, found, picture.shape[1], ["black"] * len(found))
     middle = np.array([picture.shape[1], picture.shape[0]]) / 2
     for number, (x, y, scale, _) in enumerate(found.tolist(), 1):
         # Next to the circle, towards the middle, since the border cuts some circles.
