@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from placecat.report.shading import STEPS, legend, shade
+from placecat.report.grid import STEPS, legend, shade
 
 
 @pytest.mark.parametrize(

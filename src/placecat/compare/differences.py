@@ -27,16 +27,10 @@ class Grade(Enum):
 class TableDifference:
     """The differences in one table, e.g. ``table_26``.
 
-    Attributes
-    ----------
-    cells
-        Number of compared cells: cells with an old or a new number.
-    differing
-        Number of compared cells whose number or spread over seeds differs.
-    largest, where
-        The largest difference in points, and the labels of its cell; 0 and "" if no number differs.
-    appeared, disappeared
-        Number of cells with only a new number, and with only an old one.
+    `cells` is the number of compared cells, which have an old or a new number; `differing` of these have
+    another number or spread over seeds. `largest` is the largest difference in points and `where` the labels
+    of its cell; 0 and "" if no number differs. `appeared` and `disappeared` are the numbers of cells with
+    only a new and only an old number.
     """
 
     name: str
@@ -161,11 +155,9 @@ def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
 def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
     new, old = cells["measured_now"], cells["measured_kept"]
     is_new, is_old = new.notna(), old.notna()
-    same = [
-        (cells[f"{kind}_now"] == cells[f"{kind}_kept"])
-        | (cells[f"{kind}_now"].isna() & cells[f"{kind}_kept"].isna())
-        for kind in ("measured", "spread")
-    ]
+    spreads = cells["spread_now"], cells["spread_kept"]
+    # NaN, for a missing number, differs from itself.
+    differs = [(one != other) & (one.notna() | other.notna()) for one, other in ((new, old), spreads)]
     # Both numbers have two decimals, but their floating-point difference has more.
     distance = (new - old).abs().round(2).dropna()
     largest = float(distance.max()) if len(distance) else 0.0
@@ -173,7 +165,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
     return TableDifference(
         name,
         cells=int((is_new | is_old).sum()),
-        differing=int((~(same[0] & same[1])).sum()),
+        differing=int((differs[0] | differs[1]).sum()),
         largest=largest,
         where=where,
         appeared=int((is_new & ~is_old).sum()),
@@ -189,10 +181,10 @@ def turned(now: pd.DataFrame | None, kept: pd.DataFrame | None) -> tuple[Turned,
     )
     found = []
     for finding in dict.fromkeys([*new, *old]):
-        verdicts = [side[finding]["verdict"] if finding in side else NONE for side in (old, new)]
-        if verdicts[0] != verdicts[1]:
+        was, now_is = (side[finding]["verdict"] if finding in side else NONE for side in (old, new))
+        if was != now_is:
             claim = (new.get(finding) or old[finding]).get("claim", "")
-            found.append(Turned(finding, *verdicts, claim))
+            found.append(Turned(finding, was, now_is, claim))
     return tuple(found)
 
 
@@ -214,7 +206,7 @@ def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Seq
     if grade is not Grade.NOT_COMPARED:
         lines += _about_tables(comparison, tolerance, kept)
     if comparison.findings:
-        lines += _about_findings(comparison)
+        lines.append(_about_findings(comparison))
     if settings and (comparison.differing or comparison.turned):
         lines.append(f"Settings differ: {_some(settings, _SETTINGS)}. Expect differences.")
     elif grade is Grade.BEYOND:
@@ -236,12 +228,10 @@ def _about_tables(comparison: Comparison, tolerance: float, kept: str) -> list[s
             f"; largest difference {worst.largest:.2f} points in {worst.label} ({worst.where}), "
             f"{side} the tolerance of {tolerance:g} points (reproducibility.tolerance)"
         )
-    for count, what in (
-        (sum(table.appeared for table in comparison.tables), "gained a number"),
-        (sum(table.disappeared for table in comparison.tables), "lost a number"),
-    ):
-        if count:
-            text += f"; {count} {what}"
+    if gained := sum(table.appeared for table in comparison.tables):
+        text += f"; {gained} gained a number"
+    if lost := sum(table.disappeared for table in comparison.tables):
+        text += f"; {lost} lost a number"
     changed = sorted((one for one in comparison.tables if one.differing), key=lambda one: -one.largest)
     lines = [f"{text}."]
     for one in changed[:_TABLES]:
@@ -252,11 +242,11 @@ def _about_tables(comparison: Comparison, tolerance: float, kept: str) -> list[s
     return lines
 
 
-def _about_findings(comparison: Comparison) -> list[str]:
+def _about_findings(comparison: Comparison) -> str:
     same = comparison.findings - len(comparison.turned)
     text = f"Findings: {same} of {comparison.findings} verdicts equal the old ones"
     changes = [f"finding {one.finding} was {one.kept!r} and is now {one.now!r}" for one in comparison.turned]
-    return [f"{text}{'; ' if changes else ''}{_some(changes, _VERDICTS, '; ')}."]
+    return f"{text}{'; ' if changes else ''}{_some(changes, _VERDICTS, '; ')}."
 
 
 def _some(names: Sequence[str], limit: int, separator: str = ", ") -> str:

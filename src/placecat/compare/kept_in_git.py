@@ -27,8 +27,8 @@ class Kept:
     """The content of a run for comparison, with every table value as text.
 
     `tables` maps each name, e.g. ``table_26``, to a filled table; ``in_text`` holds the numbers in the
-    thesis's text. `findings` has the columns number and verdict, among others. `settings` is the content of
-    params.yaml. `findings` and `settings` are None if missing.
+    thesis's text. `findings` has the columns number and verdict, among others, and `settings` is the content
+    of params.yaml; both are None if missing.
     """
 
     tables: dict[str, pd.DataFrame]

@@ -1,5 +1,6 @@
 """Arrange filled tables as grids for display, with numbers as text and notes as footnotes."""
 
+import itertools
 from collections import Counter
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -12,7 +13,8 @@ from placecat.thesis.notes import Kind, Notes
 from placecat.thesis.number import home_label
 from placecat.thesis.tables import comparable, in_percent
 
-NOT_AVAILABLE = "n/a"
+# Points at which a difference has a darker shade. Our choice: smaller differences may be due to the seed.
+STEPS = (2.0, 5.0, 10.0, 20.0)
 NUMBERS = ("measured", "published", "spread", "seeds")
 
 
@@ -20,18 +22,10 @@ NUMBERS = ("measured", "published", "spread", "seeds")
 class Cell:
     """One cell of a table.
 
-    Attributes
-    ----------
-    measured, published
-        Percent with two decimals, "" if missing; `published` is "n/a" if the thesis says so.
-    difference
-        Measured minus published in points; None unless both exist.
-    spread
-        Largest minus smallest value over the seeds, in points; None if nothing is random.
-    seeds
-        Number of seeds, 0 if nothing is random.
-    mark, published_mark
-        Letters of the footnotes on each of the two numbers, "" for none.
+    `measured` and `published` are percentages with two decimals, "" if missing; `published` is "n/a" if the
+    thesis says so. `difference` is measured minus published in points, None unless both exist. `spread` is
+    the largest minus the smallest value over the seeds in points, None if nothing is random; then the number
+    of `seeds` is 0. `mark` and `published_mark` are the letters of the footnotes on each of the two numbers.
     """
 
     measured: str = ""
@@ -63,11 +57,6 @@ class Group:
     name: str
     rows: tuple[Row, ...]
 
-    @property
-    def has_published(self) -> bool:
-        """Whether any row has a published number."""
-        return any(row.has_published for row in self.rows)
-
 
 @dataclass(frozen=True)
 class Footnote:
@@ -82,14 +71,8 @@ class Footnote:
 class Grid:
     """A table arranged for display.
 
-    Attributes
-    ----------
-    columns
-        Column names in order, with the average last.
-    groups
-        Groups of rows, in the table's order.
-    footnotes
-        Reasons for empty cells and notes on single cells, in the order of their letters.
+    The average is the last of the `columns`; the `groups` of rows are in the table's order. The `footnotes`,
+    in the order of their letters, are reasons for empty cells and notes on single cells.
     """
 
     columns: tuple[str, ...]
@@ -98,8 +81,8 @@ class Grid:
 
     @property
     def has_published(self) -> bool:
-        """Whether any group has a published number."""
-        return any(group.has_published for group in self.groups)
+        """Whether any cell has a published number."""
+        return any(row.has_published for group in self.groups for row in group.rows)
 
 
 def make_grid(table: pd.DataFrame) -> Grid:
@@ -110,22 +93,13 @@ def make_grid(table: pd.DataFrame) -> Grid:
         (record["group"], record["row"], record["column"]): _cell(record, footnotes)
         for record in table.to_dict("records")
     }
-    groups = [
-        Group(
-            group,
-            tuple(
-                Row(name, tuple(cells.get((group, name, column), Cell()) for column in columns))
-                for name in names
-            ),
-        )
-        for group, names in rows.items()
-    ]
+    groups = []
+    for group, names in rows.items():
+        of_row = [[cells.get((group, name, column), Cell()) for column in columns] for name in names]
+        groups.append(Group(group, tuple(map(Row, names, map(tuple, of_row)))))
     marked = enumerate(footnotes.items())
-    return Grid(
-        tuple(columns),
-        tuple(groups),
-        tuple(Footnote(_letters(number), text, cells) for number, (text, cells) in marked),
-    )
+    notes = tuple(Footnote(_letters(number), text, count) for number, (text, count) in marked)
+    return Grid(tuple(columns), tuple(groups), notes)
 
 
 def shown_table(
@@ -214,9 +188,31 @@ def _letters(number: int) -> str:
 def _cell(record: Mapping[Hashable, Any], footnotes: Counter[str]) -> Cell:
     notes: Notes = record["notes"]
     cell = make_cell(record)
+    is_not_available = any(note.kind is Kind.NOT_AVAILABLE for note in notes)
     return replace(
         cell,
-        published=NOT_AVAILABLE if any(note.kind is Kind.NOT_AVAILABLE for note in notes) else cell.published,
+        published="n/a" if is_not_available else cell.published,
         mark=_mark(notes, Kind.MEASURED, footnotes),
         published_mark=_mark(notes, Kind.PUBLISHED, footnotes),
     )
+
+
+def shade(difference: float | None) -> str:
+    """Return the name of a cell's shade for measured minus published in points; None means no comparison.
+
+    The name is "above-1" to "above-4" or "below-1" to "below-4", higher for larger differences, or "" for a
+    small or missing difference.
+    """
+    if difference is None:
+        return ""
+    level = sum(abs(difference) >= step for step in STEPS)
+    return f"{'above' if difference > 0 else 'below'}-{level}" if level else ""
+
+
+def legend() -> list[tuple[str, str]]:
+    """List (shade, meaning) for every shade, from far below to far above."""
+    bounds = [f"{low:g} to {high:g}" for low, high in itertools.pairwise(STEPS)]
+    bounds.append(f"{STEPS[-1]:g} or more")
+    below = [(f"below-{level}", f"{text} below") for level, text in enumerate(bounds, start=1)]
+    above = [(f"above-{level}", f"{text} above") for level, text in enumerate(bounds, start=1)]
+    return [*reversed(below), ("", f"within {STEPS[0]:g}"), *above]

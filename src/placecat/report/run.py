@@ -33,20 +33,9 @@ KEPT_FRAMES = 8
 class TrainingRegions:
     """Salient regions of training frames.
 
-    Attributes
-    ----------
-    x
-        (n, D) float32 descriptors.
-    labels
-        (n,) class of each region's frame.
-    homes
-        Names of the homes.
-    home
-        (n,) index of each region's home in `homes`.
-    frame
-        (n,) index of each region's frame in the home.
-    number
-        (n,) rank of each region in its frame, 0 for the most salient.
+    `x` are (n, D) float32 descriptors, and `labels` the (n,) classes of the regions' frames. `home`, `frame`
+    and `number` are (n,): the index of each region's home in `homes`, the index of its frame in the home, and
+    its rank in the frame, 0 for the most salient.
     """
 
     x: NDArray[np.float32]
@@ -60,14 +49,8 @@ class TrainingRegions:
 class Run:
     """A finished run, read from the project's folder; only this class opens files for figures.
 
-    Missing data, e.g. a result that was not computed, raises PlacecatError.
-
-    Attributes
-    ----------
-    params
-        The composed settings.
-    homes, classes
-        Names of the main data set's homes and places, in order.
+    `params` are the composed settings; `homes` and `classes` name the main data set's homes and places, in
+    order. Missing data, e.g. a result that was not computed, raises PlacecatError.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:

@@ -54,10 +54,8 @@ def draw_intensity(run: Run) -> Figure:
         for r, size in enumerate(radii):
             for column, scale in enumerate(maps.scales):
                 left = margin + column * (small_width + gap)
-                show_map(
-                    sheet.panel(left, top + r * (small + gap), small_width, small),
-                    maps.intensity_contrast[scale][r, number],
-                )
+                panel = sheet.panel(left, top + r * (small + gap), small_width, small)
+                show_map(panel, maps.intensity_contrast[scale][r, number])
             side = 2 * size + 1
             sheet.text(margin - 0.1, top + r * (small + gap) + small / 2, f"{side} × {side}", rotation=90)
         centre = top + (block - gap) / 2
@@ -71,12 +69,8 @@ def draw_intensity(run: Run) -> Figure:
         sheet.arrow((sums + large_width + 0.05, centre), (last - 0.05, middle), weight_text(weight))
     for column, scale in enumerate(maps.scales):
         rows, columns = maps.grey[scale].shape
-        sheet.text(
-            margin + column * (small_width + gap) + small_width / 2,
-            above - 0.17,
-            f"scale {scale}\n{columns} × {rows}",
-            linespacing=1.1,
-        )
+        x = margin + column * (small_width + gap) + small_width / 2
+        sheet.text(x, above - 0.17, f"scale {scale}\n{columns} × {rows}", linespacing=1.1)
     show_map(sheet.panel(last, middle - large / 2, large_width, large), fused.conspicuity["intensity"])
     sheet.text(last + large_width / 2, middle - large / 2 - 0.09, "conspicuity map I")
     return sheet.figure
@@ -107,11 +101,8 @@ def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]
         start = x + width + 0.05 if side == 0 else x - 0.05
         end = middle - 0.05 if side == 0 else middle + width + 0.05
         toward = -1 if row == 0 else 1
-        sheet.arrow(
-            (start, top + height / 2),
-            (end, centre + toward * height / 4),
-            weight_text(float(weights[number])),
-        )
+        target = (end, centre + toward * height / 4)
+        sheet.arrow((start, top + height / 2), target, weight_text(float(weights[number])))
     show_map(sheet.panel(middle, centre - height / 2, width, height), fused.conspicuity[channel])
     sheet.text(middle + width / 2, centre - height / 2 - 0.09, f"conspicuity map {symbol}")
     return sheet.figure
@@ -136,11 +127,8 @@ def draw_saliency(run: Run) -> Figure:
         sheet.text(left + small_width / 2, head - 0.09, NAMES[channel])
         sheet.text(left + small_width / 2, head + small + 0.09, f"0 to {plane.max():.2f}")
         target = total / 2 + (number - (count - 1) / 2) * large_width / (count + 1)
-        sheet.arrow(
-            (left + small_width / 2, head + small + foot + 0.02),
-            (target, bottom - head - 0.02),
-            weight_text(fused.weights[channel]),
-        )
+        start = (left + small_width / 2, head + small + foot + 0.02)
+        sheet.arrow(start, (target, bottom - head - 0.02), weight_text(fused.weights[channel]))
     show_map(sheet.panel((total - large_width) / 2, bottom, large_width, large), fused.saliency)
     sheet.text(total / 2, bottom - 0.09, "S saliency map")
     sheet.text(total / 2, bottom + large + 0.09, f"0 to {fused.saliency.max():.2f}")

@@ -26,20 +26,9 @@ COLUMNS, PATCH, GAP, LEFT = 10, 0.62, 0.07, 0.06
 class Cluster:
     """One cluster of salient regions.
 
-    Attributes
-    ----------
-    total
-        Number of regions in all clusters.
-    shares
-        (classes,) share of each place among the cluster's regions.
-    labels
-        (n,) place of each region's frame.
-    distance
-        (n,) distance of each region from the cluster's centre.
-    home, frame
-        (n,) home and frame of each region.
-    patches
-        (n, PIXELS, PIXELS, 3) uint8 BGR: the squares around the regions.
+    `total` is the number of regions in all clusters, and `shares` are the (classes,) shares of the places in
+    this one. The others are per region: the place of its frame, its `distance` from the cluster's centre, its
+    home and frame, and its `patches`, the squares around the regions, (n, PIXELS, PIXELS, 3) uint8 BGR.
     """
 
     total: int

@@ -75,16 +75,9 @@ def most_smoothed(
     """Find the window in which smoothing removes the most changes of the decision; the first one in a tie.
 
     Returns the number of changes before minus the number after, and the window. A change counts only between
-    two labelled frames without a cut between them.
-
-    Parameters
-    ----------
-    before, after
-        (n, classes) distributions of the same frames; a decision is the most probable place.
-    truth
-        (n,) class indices, -1 for unlabelled.
-    sequences, frames
-        Stretches without a cut, and the length of a window within them; a shorter stretch is one window.
+    two labelled frames without a cut between them. `before` and `after` are (n, classes) distributions of the
+    same frames; `truth` has (n,) class indices, -1 for unlabelled. `sequences` are stretches without a cut,
+    and `frames` is the length of a window within them; a shorter stretch is one window.
     """
     removed = changes(before, truth) - changes(after, truth)
     best: tuple[int, slice] | None = None

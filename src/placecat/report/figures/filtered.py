@@ -36,13 +36,8 @@ def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
     for number, one in enumerate(found):
         top = number * row + 0.28
         truth = place_title(run.classes[one.place])
-        sheet.text(
-            0.06,
-            top - 0.12,
-            f"({chr(ord('a') + number)}) {truth}: {place_title(one.home)}, frame {one.frame + 1}",
-            ha="left",
-            fontsize=8,
-        )
+        where = f"({chr(ord('a') + number)}) {truth}: {place_title(one.home)}, frame {one.frame + 1}"
+        sheet.text(0.06, top - 0.12, where, ha="left", fontsize=8)
         show_frame(sheet.panel(0.06, top, width, height), run.frame(one.home, one.frame))
         axes = sheet.panel(0.06 + width + labels, top, bars, height)
         probas = {cue: run.proba(result, one.home)[one.frame] for cue, result in cues.items()}
@@ -74,9 +69,8 @@ def failures(run: Run, results: list[str], least: float) -> list[Failure]:
         able = np.flatnonzero(wrong & (pooled == place))
         if able.size:
             row = able[certainty[able].argmax()]
-            best.append(
-                Failure(homes[home_of_row[row]], int(index_of_row[row]), place, float(certainty[row]))
-            )
+            frame = int(index_of_row[row])
+            best.append(Failure(homes[home_of_row[row]], frame, place, float(certainty[row])))
     return sorted(best, key=lambda one: -one.certainty)
 
 

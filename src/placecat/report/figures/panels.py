@@ -74,19 +74,9 @@ class Sheet:
 
     def arrow(self, start: tuple[float, float], end: tuple[float, float], text: str = "") -> None:
         """Draw a small arrow between two points (x, y), with a text at its middle."""
-        self.figure.add_artist(
-            FancyArrowPatch(
-                self._at(*start),
-                self._at(*end),
-                transform=self.figure.transFigure,
-                arrowstyle="-|>",
-                mutation_scale=8,
-                color=palette.MUTED,
-                linewidth=0.9,
-                shrinkA=0,
-                shrinkB=0,
-            )
-        )
+        arrow = FancyArrowPatch(self._at(*start), self._at(*end), arrowstyle="-|>", shrinkA=0, shrinkB=0)
+        arrow.set(transform=self.figure.transFigure, mutation_scale=8, color=palette.MUTED, linewidth=0.9)
+        self.figure.add_artist(arrow)
         if text:
             clear = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
             self.text((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, text, bbox=clear)
@@ -120,9 +110,8 @@ def share_bar(
         axes.barh(y, share, height, left, color=color, edgecolor="white", linewidth=0.6)
         if share >= LEAST_WRITTEN:
             ink = "white" if np.dot(to_rgb(color), (0.299, 0.587, 0.114)) < 0.55 else palette.INK
-            axes.text(
-                left + share / 2, y, f"{100 * share:.0f}", color=ink, fontsize=7, ha="center", va="center"
-            )
+            text = f"{100 * share:.0f}"
+            axes.text(left + share / 2, y, text, color=ink, fontsize=7, ha="center", va="center")
         left += share
 
 
@@ -144,17 +133,9 @@ def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]
     """Draw the legend of the places' colours; `at` is its left centre in fractions of the figure."""
     handles = [Patch(color=color) for color in palette.place_colors(classes).values()]
     titles = [palette.place_title(place) for place in classes]
-    figure.legend(
-        handles,
-        titles,
-        loc="center left",
-        bbox_to_anchor=at,
-        handlelength=1.0,
-        handleheight=0.8,
-        columnspacing=1.0,
-        borderaxespad=0,
-        ncols=min(len(handles), LEGEND_COLUMNS),
-    )
+    where: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": at, "borderaxespad": 0}
+    where |= {"handlelength": 1.0, "handleheight": 0.8, "columnspacing": 1.0}
+    figure.legend(handles, titles, ncols=min(len(handles), LEGEND_COLUMNS), **where)
 
 
 def stretches(places: NDArray[np.integer]) -> list[slice]:

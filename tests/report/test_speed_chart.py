@@ -3,7 +3,7 @@ import numpy as np
 
 import made_report
 from placecat.drawing.style import png_of
-from placecat.report.charts.speed import MISSED, speed_chart
+from placecat.report.benchmarks import MISSED, speed_chart
 
 
 def test_bars_are_the_ratios_and_marks_the_targets():
