@@ -174,11 +174,8 @@ def read_figures(side: str) -> Figures:
 
 def _read_figures(read: Callable[[str], bytes], remedy: str, refused: tuple[type[Exception], ...]) -> Figures:
     try:
-        drawn = [
-            one
-            for one in json.loads(read((paths.FIGURES / "figures.json").as_posix()))
-            if one["file"] is not None
-        ]
+        listed = json.loads(read((paths.FIGURES / "figures.json").as_posix()))
+        drawn = [one for one in listed if one["file"] is not None]
         pictures = {one["name"]: read((paths.FIGURES / one["file"]).as_posix()) for one in drawn}
     except refused:
         return Figures(missing=remedy)

@@ -1,7 +1,6 @@
 """Arrange filled tables as grids for display, with numbers as text and notes as footnotes."""
 
 import itertools
-from collections import Counter
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -59,25 +58,16 @@ class Group:
 
 
 @dataclass(frozen=True)
-class Footnote:
-    """A footnote's letter, its text, and the number of cells that it marks."""
-
-    mark: str
-    text: str
-    cells: int
-
-
-@dataclass(frozen=True)
 class Grid:
     """A table arranged for display.
 
     The average is the last of the `columns`; the `groups` of rows are in the table's order. The `footnotes`,
-    in the order of their letters, are reasons for empty cells and notes on single cells.
+    by their letters in order, are reasons for empty cells and notes on single cells.
     """
 
     columns: tuple[str, ...]
     groups: tuple[Group, ...]
-    footnotes: tuple[Footnote, ...]
+    footnotes: Mapping[str, str]
 
     @property
     def has_published(self) -> bool:
@@ -88,7 +78,7 @@ class Grid:
 def make_grid(table: pd.DataFrame) -> Grid:
     """Arrange a filled table (:func:`placecat.thesis.tables.fill_table`); missing cells are empty."""
     rows, columns = layout(table)
-    footnotes: Counter[str] = Counter()
+    footnotes: list[str] = []
     cells = {
         (record["group"], record["row"], record["column"]): _cell(record, footnotes)
         for record in table.to_dict("records")
@@ -97,9 +87,8 @@ def make_grid(table: pd.DataFrame) -> Grid:
     for group, names in rows.items():
         of_row = [[cells.get((group, name, column), Cell()) for column in columns] for name in names]
         groups.append(Group(group, tuple(map(Row, names, map(tuple, of_row)))))
-    marked = enumerate(footnotes.items())
-    notes = tuple(Footnote(_letters(number), text, count) for number, (text, count) in marked)
-    return Grid(tuple(columns), tuple(groups), notes)
+    by_letter = {_letters(number): text for number, text in enumerate(footnotes)}
+    return Grid(tuple(columns), tuple(groups), by_letter)
 
 
 def shown_table(
@@ -171,12 +160,11 @@ def seeds_sentence(table: pd.DataFrame) -> str:
     )
 
 
-def _mark(notes: Notes, kind: Kind, footnotes: Counter[str]) -> str:
-    """Return the letters of all notes of one kind, e.g. "a,c", and count the notes in `footnotes`."""
+def _mark(notes: Notes, kind: Kind, footnotes: list[str]) -> str:
+    """Return the letters of all notes of one kind, e.g. "a,c", and add new notes to `footnotes`."""
     texts = [note.text for note in notes if note.kind is kind]
-    footnotes.update(texts)
-    order = list(footnotes)
-    return ",".join(_letters(order.index(text)) for text in texts)
+    footnotes += [text for text in dict.fromkeys(texts) if text not in footnotes]
+    return ",".join(_letters(footnotes.index(text)) for text in texts)
 
 
 def _letters(number: int) -> str:
@@ -185,7 +173,7 @@ def _letters(number: int) -> str:
     return (_letters(rest - 1) if rest else "") + chr(ord("a") + last)
 
 
-def _cell(record: Mapping[Hashable, Any], footnotes: Counter[str]) -> Cell:
+def _cell(record: Mapping[Hashable, Any], footnotes: list[str]) -> Cell:
     notes: Notes = record["notes"]
     cell = make_cell(record)
     is_not_available = any(note.kind is Kind.NOT_AVAILABLE for note in notes)

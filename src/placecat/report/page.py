@@ -18,6 +18,8 @@ from placecat.thesis.notes import joined
 
 # CSS pixels per figure pixel; figures of 200 pixels per inch then appear at 125 %.
 _FIGURE_SCALE = 0.6
+# Parts of a report that the template gets unchanged.
+_UNCHANGED = ("dataset", "frames", "data_version", "replication", "times", "speed", "scale")
 
 
 @dataclass(frozen=True)
@@ -95,14 +97,13 @@ def page_html(report: Report) -> str:
         page_templates()
         .get_template("page.html.j2")
         .render(
-            **{name: getattr(report, name) for name in ("dataset", "frames", "data_version", "times")},
+            **{name: getattr(report, name) for name in _UNCHANGED},
             best=None if table_26 is None else best_system(table_26),
             headlines=[] if table_26 is None else headlines(table_26),
             wu=WU,
             verdicts=count_verdicts(report.findings),
             findings=_records(report.findings),
             readings=readings_of(report.findings),
-            replication=report.replication,
             replicated={one["number"]: one for one in replicated if one["replicated"]},
             interval_limit=_interval_limit(report.findings),
             comparisons=_plain(comparisons),
@@ -116,8 +117,6 @@ def page_html(report: Report) -> str:
             in_text_seeds=seeds_sentence(in_text),
             legend=legend(),
             settings=_blocks(report.settings),
-            speed=report.speed,
-            scale=report.scale,
             explanations=_json(report.explanations),
             time_rows=[] if report.times is None else _records(report.times["stages"]),
         )

@@ -84,12 +84,9 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
     """
     axis = _averaged(cells)
     if axis is None:
-        named = cells.assign(
-            section=[
-                ", ".join(filter(None, names)) for names in zip(cells["group"], cells["row"], strict=True)
-            ],
-            label=cells["column"],
-        )
+        names = zip(cells["group"], cells["row"], strict=True)
+        sections = [", ".join(filter(None, name)) for name in names]
+        named = cells.assign(section=sections, label=cells["column"])
     else:
         named = cells.assign(section=cells["group"], label=cells["column" if axis == "row" else "row"])
     bars = []
