@@ -68,7 +68,7 @@ def folder(tmp_path, monkeypatch):
 
 
 def test_an_unchanged_run_is_equal(folder):
-    assert kept_in_git.compare() == (
+    assert kept_in_git.compare("HEAD") == (
         [
             "Tables: 6 of 6 cells equal the old ones (git HEAD).",
             "Findings: 2 of 2 verdicts equal the old ones.",
@@ -79,7 +79,7 @@ def test_an_unchanged_run_is_equal(folder):
 
 def test_a_change_within_the_tolerance_is_as_kept(folder):
     write_tables(29.7, 40.0)
-    lines, is_as_kept = kept_in_git.compare()
+    lines, is_as_kept = kept_in_git.compare("HEAD")
     assert is_as_kept
     assert lines[0].startswith(
         "Tables: 5 of 6 cells equal the old ones (git HEAD); largest difference 1.50 points in Table 1 "
@@ -93,7 +93,7 @@ def test_a_change_within_the_tolerance_is_as_kept(folder):
 def test_the_tolerance_is_a_setting(folder):
     write_tables(29.7, 40.0)
     write_settings(reproducibility={"tolerance": 1.4})
-    lines, is_as_kept = kept_in_git.compare()
+    lines, is_as_kept = kept_in_git.compare("HEAD")
     assert not is_as_kept
     assert "beyond the tolerance of 1.4 points" in lines[0]
     assert "Settings differ" not in " ".join(lines)
@@ -102,14 +102,14 @@ def test_the_tolerance_is_a_setting(folder):
 def test_other_settings_explain_any_change(folder):
     write_tables(29.7, 10.0)
     write_settings(cues={"gist": {"nu": 0.1, "gamma": 2.0}}, compute={"kind": "dask"})
-    lines, is_as_kept = kept_in_git.compare()
+    lines, is_as_kept = kept_in_git.compare("HEAD")
     assert is_as_kept
     assert lines[-1] == "Settings differ: cues.gist.nu. Expect differences."
 
 
 def test_a_table_more_or_less_is_not_as_kept(folder):
     (paths.TABLES / "table_01.csv").unlink()
-    lines, is_as_kept = kept_in_git.compare()
+    lines, is_as_kept = kept_in_git.compare("HEAD")
     assert not is_as_kept
     assert "; 2 lost a number." in lines[0]
 
@@ -117,7 +117,7 @@ def test_a_table_more_or_less_is_not_as_kept(folder):
 def test_an_older_revision_is_compared_by_its_tables(folder):
     write_tables(35.0, 40.0)
     commit(folder)
-    assert kept_in_git.compare()[0][0] == "Tables: 6 of 6 cells equal the old ones (git HEAD)."
+    assert kept_in_git.compare("HEAD")[0][0] == "Tables: 6 of 6 cells equal the old ones (git HEAD)."
     lines, is_as_kept = kept_in_git.compare("HEAD~1")
     assert not is_as_kept
     assert "largest difference 3.80 points in Table 1" in lines[0]
@@ -127,7 +127,7 @@ def test_an_older_revision_is_compared_by_its_tables(folder):
 def test_tables_of_other_data_are_not_compared(folder):
     write_tables(80.0, 90.0)
     write_settings(dataset={"title": "my homes; second floor"})
-    assert kept_in_git.compare() == (
+    assert kept_in_git.compare("HEAD") == (
         [
             "Tables are not compared: the old ones (git HEAD) were measured on made homes, the new "
             "ones on my homes; second floor.",
@@ -148,25 +148,25 @@ def test_a_repository_without_tables_says_so(folder):
     shutil.rmtree(paths.TABLES)
     commit(folder)
     with pytest.raises(PlacecatError, match="git HEAD has no tables in reports/tables: commit them"):
-        kept_in_git.read_revision()
+        kept_in_git.read_revision("HEAD")
 
 
 def test_a_folder_without_tables_has_a_remedy(folder):
     shutil.rmtree(paths.TABLES)
     with pytest.raises(PlacecatError, match="reports/tables has no tables: run `placecat repro`"):
-        kept_in_git.compare()
+        kept_in_git.compare("HEAD")
 
 
 def test_outside_a_repository_it_says_so(folder):
     shutil.rmtree(Path("../.git"))
     with pytest.raises(PlacecatError, match="this folder is not in a git repository"):
-        kept_in_git.compare()
+        kept_in_git.compare("HEAD")
 
 
 def test_without_git_it_says_so(folder, monkeypatch):
     monkeypatch.setenv("PATH", "")
     with pytest.raises(PlacecatError, match="git is not installed"):
-        kept_in_git.compare()
+        kept_in_git.compare("HEAD")
 
 
 def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
@@ -175,13 +175,13 @@ def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
         definition = paths.TABLE_DEFINITIONS / f"table_{number:02d}.yaml"
         files.write_text(definition, f"number: {number}\n{needs}")
     commit(folder)
-    said, _ = kept_in_git.compare()
+    said, _ = kept_in_git.compare("HEAD")
     assert said[0] == "Tables: 4 of 4 cells equal the old ones (git HEAD)."
     (paths.TABLES / "table_02.csv").unlink()
-    assert kept_in_git.compare() == (said, True)
+    assert kept_in_git.compare("HEAD") == (said, True)
     write_tables(31.2, 45.0)
     write_settings(cues=SETTINGS["cues"] | {"embedding": {}})
-    said, _ = kept_in_git.compare()
+    said, _ = kept_in_git.compare("HEAD")
     assert said[0].startswith("Tables: 4 of 6 cells equal")
     assert "  Table 2: 1 of 2 cells differ, by at most 5.00 points" in said
 

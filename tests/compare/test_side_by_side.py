@@ -10,8 +10,7 @@ import pytest
 import made_report
 from browser import evaluate, needs_chromium
 from placecat import files, paths
-from placecat.compare.figures import Figures, read_figures
-from placecat.compare.kept_in_git import Kept
+from placecat.compare.kept_in_git import Figures, Kept, read_figures
 from placecat.compare.page import page_html, write
 from project import run
 

@@ -16,7 +16,7 @@ from placecat.mlflow_log import store, tables
 from placecat.mlflow_log.content import figures_run, table_run
 from placecat.mlflow_log.tables import RowRun, TableRun, log_tables
 from placecat.provenance.made import made
-from placecat.report.charts.bars import bars_of
+from placecat.report.charts.accuracy import bars_of
 from placecat.results.confusion import shares
 from placecat.thesis.decisions import decisions_of
 from placecat.thesis.records import trials_of

@@ -1,9 +1,21 @@
 import numpy as np
 import pandas as pd
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from made_report import CLASSES, HOMES, addition, cells
-from placecat.report.grid import NUMBERS, homes_sentence, make_cell, make_grid, number_text, seeds_sentence
+from placecat.report.grid import (
+    NUMBERS,
+    STEPS,
+    homes_sentence,
+    legend,
+    make_cell,
+    make_grid,
+    number_text,
+    seeds_sentence,
+    shade,
+)
 from placecat.thesis.notes import Kind, Note
 
 COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "notes"]
@@ -34,7 +46,7 @@ def test_every_cell_of_a_table_is_at_its_place():
         assert (one.measured, one.published) == (f"{cell.measured:.2f}", f"{cell.published:.2f}")
         assert one.difference == pytest.approx(cell.measured - cell.published, abs=0.006)
         assert (one.spread, one.seeds) == (cell.spread, 2)
-    assert grid.footnotes == ()
+    assert grid.footnotes == {}
 
 
 def test_additional_cells_precede_the_average():
@@ -66,11 +78,7 @@ def test_notes_become_footnotes_on_the_number_that_they_are_about():
         ("", "b", "y", 1.0, 2.0, np.nan, 0, (title, other, of_one)),
     )
     grid = make_grid(table)
-    assert [(one.mark, one.text, one.cells) for one in grid.footnotes] == [
-        ("a", "no such home", 2),
-        ("b", contradiction.text, 1),
-        ("c", of_one.text, 1),
-    ]
+    assert grid.footnotes == {"a": "no such home", "b": contradiction.text, "c": of_one.text}
     (first, second), (third, fourth) = (row.cells for row in grid.groups[0].rows)
     assert (first.mark, first.published_mark, first.difference) == ("a", "", None)
     assert (second.mark, second.published_mark) == ("", "b")
@@ -81,7 +89,7 @@ def test_notes_become_footnotes_on_the_number_that_they_are_about():
 def test_an_addition_has_nothing_published():
     grid = make_grid(addition().cells)
     assert not grid.has_published
-    assert not grid.groups[0].has_published
+    assert not any(row.has_published for row in grid.groups[0].rows)
     assert make_grid(cells(5)).has_published
 
 
@@ -117,3 +125,37 @@ def test_homes_are_named_where_they_are_not_called_so():
     assert homes_sentence(table, HOMES) == ""
     assert homes_sentence(cells(30), ["north_1"]) == ""
     assert homes_sentence(cells(6), CLASSES[:1]) == "Home 1 is bedroom."
+
+
+@pytest.mark.parametrize(
+    "difference, expected",
+    [
+        (None, ""),
+        (0.0, ""),
+        (1.99, ""),
+        (-1.99, ""),
+        (2.0, "above-1"),
+        (-4.99, "below-1"),
+        (5.0, "above-2"),
+        (-10.0, "below-3"),
+        (19.99, "above-3"),
+        (80.0, "above-4"),
+        (-80.0, "below-4"),
+    ],
+)
+def test_shades(difference, expected):
+    assert shade(difference) == expected
+
+
+@given(st.floats(-100, 100))
+def test_shades_are_symmetric(difference):
+    assert shade(-difference) == shade(difference).replace("above", "x").replace("below", "above").replace(
+        "x", "below"
+    )
+
+
+def test_the_legend_names_every_shade_once_in_order():
+    names = [name for name, _ in legend()]
+    middles = [*(-point - 0.5 for point in reversed(STEPS)), 0.0, *(point + 0.5 for point in STEPS)]
+    assert names == [shade(middle) for middle in middles]
+    assert [text for _, text in legend()][:2] == ["20 or more below", "10 to 20 below"]

@@ -1,9 +1,10 @@
-"""Compare the tables of this folder, another folder or a git revision."""
+"""Read the results in this folder, another folder or a git revision, and compare them."""
 
 import io
+import json
 import subprocess
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -11,13 +12,11 @@ import pandas as pd
 import yaml
 
 from placecat import paths, settings
+from placecat.compare import differences
 from placecat.errors import PlacecatError
-from placecat.report import kept as differences
-from placecat.report.kept_text import sentences
 from placecat.thesis import definitions
 from placecat.thesis.tables import dataset_of, tables_of
 
-HEAD = "HEAD"
 FOLDERS = (paths.TABLES, paths.OPTIONAL_TABLES)
 # Settings that no table depends on.
 _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
@@ -28,8 +27,8 @@ class Kept:
     """The content of a run for comparison, with every table value as text.
 
     `tables` maps each name, e.g. ``table_26``, to a filled table; ``in_text`` holds the numbers in the
-    thesis's text. `findings` has the columns number and verdict, among others. `settings` is the content of
-    params.yaml. `findings` and `settings` are None if missing.
+    thesis's text. `findings` has the columns number and verdict, among others, and `settings` is the content
+    of params.yaml; both are None if missing.
     """
 
     tables: dict[str, pd.DataFrame]
@@ -37,7 +36,16 @@ class Kept:
     settings: dict[str, Any] | None
 
 
-def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
+@dataclass(frozen=True)
+class Figures:
+    """One side's PNGs and captions by figure name; without figures, `missing` is a reason and a remedy."""
+
+    pictures: dict[str, bytes] = field(default_factory=dict)
+    captions: dict[str, str] = field(default_factory=dict)
+    missing: str = ""
+
+
+def compare(old: str, new: str = "") -> tuple[list[str], bool]:
     """Compare the tables of two sides, named as for :func:`read`.
 
     Returns the report's lines, and False if a number differs by more than ``reproducibility.tolerance``
@@ -54,7 +62,7 @@ def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
     )
     comparison = differences.compare(tables_now, tables_kept, now.findings, kept.findings)
     changed = changed_settings(now.settings, kept.settings)
-    lines = sentences(comparison, tolerance, name_of(old), list(changed))
+    lines = differences.sentences(comparison, tolerance, name_of(old), list(changed))
     return lines, bool(changed) or comparison.grade(tolerance) is not differences.Grade.BEYOND
 
 
@@ -84,8 +92,8 @@ def _title(definition: Mapping[str, Any], params: dict[str, Any] | None) -> str:
 
 
 def is_folder(side: str) -> bool:
-    """Return whether a side is a folder with ``reports/tables``; otherwise, it is a git revision."""
-    return (Path(side) / paths.TABLES).is_dir()
+    """Return whether a side is a folder with ``reports/tables``, or ""; otherwise, it is a git revision."""
+    return not side or (Path(side) / paths.TABLES).is_dir()
 
 
 def name_of(side: str) -> str:
@@ -96,12 +104,10 @@ def name_of(side: str) -> str:
 
 
 def read(side: str) -> Kept:
-    """Read a project folder ("" for this one) or git revision; see `read_folder` and `read_revision`."""
-    return read_folder(Path(side)) if not side or is_folder(side) else read_revision(side)
-
-
-def read_folder(root: Path = Path()) -> Kept:
-    """Read the results of a project folder's last run; PlacecatError if there are no tables."""
+    """Read a project folder ("" for this one) or git revision; PlacecatError if it has no tables."""
+    if not is_folder(side):
+        return read_revision(side)
+    root = Path(side)
     tables = [path for folder in FOLDERS for path in sorted((root / folder).glob("*.csv"))]
     others = (root / path for path in (paths.IN_TEXT, paths.FINDINGS, paths.PARAMS))
     there = [path for path in (*tables, *others) if path.is_file()]
@@ -109,7 +115,7 @@ def read_folder(root: Path = Path()) -> Kept:
     return _parse(content, f"{root / paths.TABLES} has no tables: run `placecat repro` to make them")
 
 
-def read_revision(revision: str = HEAD) -> Kept:
+def read_revision(revision: str) -> Kept:
     """Read the results in a git revision, e.g. ``HEAD~1`` or a tag; PlacecatError if they are missing."""
     commit = commit_of(revision)
     wanted = [path.as_posix() for path in (*FOLDERS, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
@@ -142,6 +148,38 @@ def _git(*arguments: str, message: str = "git failed") -> str:
         said = " ".join(done.stderr.decode("utf-8", errors="replace").split())
         raise PlacecatError(f"{message} ({said})" if said else message)
     return done.stdout.decode("utf-8")
+
+
+def read_figures(side: str) -> Figures:
+    """Read one side's figures (see :func:`read`); those of a git revision are in DVC."""
+    if is_folder(side):
+        remedy = f"there are no figures in {Path(side) / paths.FIGURES}: run `dvc repro figures` there"
+        return _read_figures(lambda name: (Path(side) / name).read_bytes(), remedy, (OSError,))
+    # Imported only here, since the import takes a second.
+    from dvc.api import DVCFileSystem
+    from dvc.exceptions import DvcException
+
+    commit = commit_of(side)
+    remedy = (
+        f"DVC has no figures of git {side}: run `dvc fetch --all-commits {paths.FIGURES}` if a "
+        f"remote has them, or else `placecat repro` on {side} in a clone, and compare with that folder"
+    )
+    refused = (OSError, DvcException)
+    try:
+        system = DVCFileSystem(".", rev=commit)
+    except refused:
+        return Figures(missing=remedy)
+    return _read_figures(system.read_bytes, remedy, refused)
+
+
+def _read_figures(read: Callable[[str], bytes], remedy: str, refused: tuple[type[Exception], ...]) -> Figures:
+    try:
+        listed = json.loads(read((paths.FIGURES / "figures.json").as_posix()))
+        drawn = [one for one in listed if one["file"] is not None]
+        pictures = {one["name"]: read((paths.FIGURES / one["file"]).as_posix()) for one in drawn}
+    except refused:
+        return Figures(missing=remedy)
+    return Figures(pictures, {one["name"]: one["title"] for one in drawn})
 
 
 def _parse(content: dict[str, str], if_empty: str) -> Kept:

@@ -10,10 +10,9 @@ from jinja2 import ChoiceLoader, PackageLoader
 
 from placecat import files
 from placecat.compare import kept_in_git
-from placecat.compare.figures import Figures, read_figures
-from placecat.compare.kept_in_git import Kept
+from placecat.compare.differences import turned
+from placecat.compare.kept_in_git import Figures, Kept
 from placecat.errors import PlacecatError
-from placecat.report.kept import NONE
 from placecat.report.page import page_templates, shown_picture
 from placecat.thesis.tables import label, tables_of
 
@@ -28,7 +27,7 @@ def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
     :func:`placecat.compare.kept_in_git.compare`.
     """
     files.check_file(target)
-    drawn = [read_figures(side) for side in (old, new)]
+    drawn = [kept_in_git.read_figures(side) for side in (old, new)]
     kept = [kept_in_git.read(side) for side in (old, new)]
     names = [_name(side) for side in (old, new)]
     files.write_text(target, page_html(names, kept, drawn, lines))
@@ -36,8 +35,8 @@ def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
 
 
 def _name(side: str) -> dict[str, str]:
-    is_folder = not side or kept_in_git.is_folder(side)
-    return {"name": kept_in_git.name_of(side), "about": "" if is_folder else kept_in_git.about(side)}
+    about = "" if kept_in_git.is_folder(side) else kept_in_git.about(side)
+    return {"name": kept_in_git.name_of(side), "about": about}
 
 
 def page_html(
@@ -65,7 +64,7 @@ def page_html(
             ],
             lines=lines,
             settings=kept_in_git.changed_settings(new.settings, old.settings, _NOT_SHOWN),
-            verdicts=_verdicts(old.findings, new.findings),
+            verdicts=turned(new.findings, old.findings),
             tables=[
                 {"anchor": name.replace("_", "-"), "title": titles.get(name, name.replace("_", " ")), **table}
                 for name, table in of_tables.items()
@@ -131,22 +130,6 @@ def _cell(old: str, new: str) -> dict[str, Any]:
         # Numbers that are not percentages may differ by less.
         shown = [old, new]
     return {"old": shown[0], "new": shown[1], "changed": before != now, "difference": difference}
-
-
-def _verdicts(old: pd.DataFrame | None, new: pd.DataFrame | None) -> list[dict[str, str]]:
-    """List the findings with a changed verdict."""
-    rows = [
-        {} if one is None else {record["number"]: record for record in one.to_dict("records")}
-        for one in (old, new)
-    ]
-    found = []
-    for number in dict.fromkeys([*rows[1], *rows[0]]):
-        before, now = (side.get(number, {}) for side in rows)
-        verdicts = [side.get("verdict", NONE) for side in (before, now)]
-        if verdicts[0] != verdicts[1]:
-            claim = (now or before).get("claim", "")
-            found.append({"number": number, "claim": claim, "old": verdicts[0], "new": verdicts[1]})
-    return found
 
 
 def _figures(old: Figures, new: Figures) -> list[dict[str, Any]]:

@@ -12,6 +12,8 @@ from placecat.drawing.palette import written
 _FONT = "DejaVu Sans"
 # Depth below the baseline and line height, as fractions of the font size.
 _DESCENT, _LINE = 0.28, 1.3
+# Dots per inch at which a point is a pixel.
+_DPI = 72
 
 
 def line_height(size: int) -> int:
@@ -29,17 +31,14 @@ def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
     if not text:
         return np.zeros((line_height(size), 0), np.float32)
     properties = FontProperties(family=_FONT, size=size, weight="bold" if bold else "normal")
-    width = int(np.ceil(_renderer(1, 1).get_text_width_height_descent(text, properties, False)[0])) + 2
+    width = (
+        int(np.ceil(RendererAgg(1, 1, _DPI).get_text_width_height_descent(text, properties, False)[0])) + 2
+    )
     height = line_height(size)
     # A figure with this text would have the same pixels but take twice as long.
-    renderer = _renderer(width, height)
+    renderer = RendererAgg(width, height, _DPI)
     renderer.draw_text(renderer.new_gc(), 1, height - _DESCENT * size, text, properties, 0)
     return (np.asarray(renderer.buffer_rgba())[:, :, 3] / 255).astype(np.float32)
-
-
-def _renderer(width: int, height: int) -> RendererAgg:
-    # At 72 dots per inch, a point is a pixel.
-    return RendererAgg(width, height, 72)
 
 
 def write(

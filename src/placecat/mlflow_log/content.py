@@ -78,7 +78,7 @@ def table_run(
     def write(folder: Path) -> list[Path]:
         paths = list(written)
         with house_style():
-            if in_percent(table) and (chart := accuracy_chart(title, cells, published=beside)) is not None:
+            if in_percent(table) and (chart := accuracy_chart(title, cells, published=beside)):
                 save(chart, folder / "chart.png")
                 paths.append(folder / "chart.png")
         if draw_sheet(folder / "confusion.png", title, decisions):
@@ -202,10 +202,9 @@ def _results(
     if "rows" in table:
         return [row["result"] for row in table["rows"] if (row["group"], row["row"]) == labels]
     names = []
-    for cell in ((*labels, column) for column in columns):
-        own = (
-            "" if table["axes"].get(axis) == HOMES else part for axis, part in zip(AXES, cell, strict=True)
-        )
+    for column in columns:
+        cell = zip(AXES, (*labels, column), strict=True)
+        own = ("" if table["axes"].get(axis) == HOMES else part for axis, part in cell)
         names.append(trial_name(table["name"], *own))
     return [name for name in dict.fromkeys(names) if name in results.measured]
 
@@ -252,10 +251,10 @@ def _description(
     table: Mapping[str, Any], cells: pd.DataFrame, dataset: Mapping[str, Any], beside: bool
 ) -> str:
     if not beside:
-        about_ours = [
-            tuple(one for one in notes if not one.is_about_the_published) for notes in cells["notes"]
-        ]
-        cells = cells.assign(published=np.nan, notes=pd.Series(about_ours, index=cells.index, dtype=object))
+        about_ours = cells["notes"].map(
+            lambda notes: tuple(one for one in notes if not one.is_about_the_published)
+        )
+        cells = cells.assign(published=np.nan, notes=about_ours)
     chart, reading = "", _READING.format(metrics="", chart="")
     if in_percent(table):
         point = "home" if table["layout"] != "pooled_by_class" else "place"

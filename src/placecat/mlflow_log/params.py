@@ -1,6 +1,6 @@
 """Parameters that tell runs apart by how results were made, named alike for tables and experiments."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from placecat.mlflow_log.store import key
@@ -25,7 +25,11 @@ def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
     They are ``decides`` (a cue, an integration, an HMM), ``protocol``, ``cues``, ``system``, ``filter`` and
     ``descriptor``; then the settings of a single cue (`params_of_cue`), the integration and the smoothing.
     """
-    return joined(_of_one(name, made) for name, made in results.items())
+    values: dict[str, dict[str, None]] = {}
+    for result, made in results.items():
+        for name, value in _of_one(result, made).items():
+            values.setdefault(name, {})[value] = None
+    return {name: ", ".join(of_name) for name, of_name in values.items()}
 
 
 def params_of_cue(
@@ -39,15 +43,6 @@ def params_of_cue(
     kind, name = (str(descriptor.get(one, "")) for one in ("kind", "name"))
     params = {"descriptor": f"{kind} {name}"} | _flat(descriptor, "kind", "name") | _of_classifier(classifier)
     return params | ({} if codebook is None else _under("codebook", codebook))
-
-
-def joined(several: Iterable[Mapping[str, str]]) -> dict[str, str]:
-    """Join the parameters of several runs; each lists its distinct values in order."""
-    values: dict[str, dict[str, None]] = {}
-    for params in several:
-        for name, value in params.items():
-            values.setdefault(name, {})[value] = None
-    return {name: ", ".join(of_name) for name, of_name in values.items()}
 
 
 def _of_one(result: str, made: Made) -> dict[str, str]:

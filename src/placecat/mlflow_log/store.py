@@ -12,7 +12,7 @@ import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any
 from urllib.parse import urlparse
 from urllib.request import url2pathname
 
@@ -34,9 +34,7 @@ _EXPERIMENT_KIND = {"mlflow.experimentKind": "custom_model_development"}
 _QUEUED = (".dvc", "tmp", "exps")
 
 # Limits of MLflow.
-_MOST_METRICS, _MOST_PARAMS, _MOST_TAGS = 800, 100, 100
-_LONGEST_PARAM = 6000
-_LONGEST_KEY = 250
+_MOST_METRICS, _MOST_PARAMS, _LONGEST_PARAM, _LONGEST_KEY = 800, 100, 6000, 250
 
 
 def queued_in() -> Path | None:
@@ -152,17 +150,6 @@ def _follow(uri: str, before: str, artifacts: Path) -> None:
             )
 
 
-class Content(TypedDict, total=False):
-    """A run's content except its files; each part is optional and maps names to values.
-
-    Parameter values are cut at 6000 characters, since MLflow refuses longer ones.
-    """
-
-    params: Mapping[str, str]
-    metrics: Mapping[str, float]
-    tags: Mapping[str, str]
-
-
 def start_run(
     client: MlflowClient,
     experiment_id: str,
@@ -170,31 +157,35 @@ def start_run(
     *,
     parent: str | None = None,
     description: str = "",
+    params: Mapping[str, str] = {},
+    metrics: Mapping[str, float] = {},
+    tags: Mapping[str, str] = {},
     files: Sequence[Path] = (),
-    **content: Unpack[Content],
 ) -> str:
-    """Start a run with some :class:`Content` and return its id; the run is RUNNING until `finish_run`.
+    """Start a run and return its id; the run is RUNNING until `finish_run`.
 
     `parent` is the id of the enclosing run; `description` is Markdown; `files` are copied and keep their
-    names.
+    names; values of `params` are cut at 6000 characters, since MLflow refuses longer ones.
     """
-    tags = dict(content.pop("tags", {}))
-    if parent is not None:
-        tags[PARENT] = parent
-    if description:
-        tags[DESCRIPTION] = description
+    from mlflow.entities import Metric, Param
+    from mlflow.utils.time import get_current_time_millis
+
+    own = {PARENT: parent, DESCRIPTION: description}
+    all_tags = {**tags, **{name: text for name, text in own.items() if text}}
+    now = get_current_time_millis()
+    numbers = [Metric(name, float(value), now, 0) for name, value in metrics.items()]
+    texts = [Param(name, str(value)[:_LONGEST_PARAM]) for name, value in params.items()]
     with writing(client):
-        info = client.create_run(experiment_id, run_name=name, tags=tags).info
-        log(client, str(info.run_id), **content)
+        info = client.create_run(experiment_id, run_name=name, tags=all_tags).info
+        while numbers or texts:
+            client.log_batch(info.run_id, numbers[:_MOST_METRICS], texts[:_MOST_PARAMS])
+            del numbers[:_MOST_METRICS], texts[:_MOST_PARAMS]
     _store(client, str(info.run_id), str(info.artifact_uri), files)
     return str(info.run_id)
 
 
-def finish_run(
-    client: MlflowClient, run_id: str, *, status: str = "FINISHED", **content: Unpack[Content]
-) -> None:
-    """Log more :class:`Content` to a run, then end it with the status FINISHED, FAILED or KILLED."""
-    log(client, run_id, **content)
+def finish_run(client: MlflowClient, run_id: str, *, status: str = "FINISHED") -> None:
+    """End a run with the status FINISHED, FAILED or KILLED."""
     with writing(client):
         client.set_terminated(run_id, status)
 
@@ -213,8 +204,8 @@ def key(*parts: str) -> str:
 def writing(client: MlflowClient) -> Iterator[None]:
     """Lock a SQLite database, so that one process writes while others wait; may be nested.
 
-    Every function of this module that writes takes the lock; a block around several calls holds it
-    throughout. Raises PlacecatError if MLflow or its database fails in the block.
+    Every function of this module that writes takes the lock. Raises PlacecatError if MLflow or its database
+    fails in the block.
     """
     with _told_plainly(client.tracking_uri), _lock(client.tracking_uri):
         yield
@@ -231,19 +222,12 @@ def alone(uri: str) -> Iterator[None]:
         yield
 
 
-def log(client: MlflowClient, run_id: str, **content: Unpack[Content]) -> None:
-    """Log more :class:`Content` to a run."""
-    from mlflow.entities import Metric, Param, RunTag
-    from mlflow.utils.time import get_current_time_millis
+def set_tags(client: MlflowClient, run_id: str, tags: Mapping[str, str]) -> None:
+    """Set some tags of a run, all or none."""
+    from mlflow.entities import RunTag
 
-    now = get_current_time_millis()
-    metrics = [Metric(name, float(value), now, 0) for name, value in content.get("metrics", {}).items()]
-    params = [Param(name, str(value)[:_LONGEST_PARAM]) for name, value in content.get("params", {}).items()]
-    tags = [RunTag(name, value) for name, value in content.get("tags", {}).items()]
     with writing(client):
-        while metrics or params or tags:
-            client.log_batch(run_id, metrics[:_MOST_METRICS], params[:_MOST_PARAMS], tags[:_MOST_TAGS])
-            del metrics[:_MOST_METRICS], params[:_MOST_PARAMS], tags[:_MOST_TAGS]
+        client.log_batch(run_id, tags=[RunTag(name, value) for name, value in tags.items()])
 
 
 def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path]) -> None:

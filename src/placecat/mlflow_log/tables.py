@@ -55,15 +55,9 @@ DESCRIPTION = (
 class RowRun:
     """One row's content for MLflow, with a readable name, e.g. "Table 26: 5-5-1, all cues, Gist".
 
-    Attributes
-    ----------
-    params, metrics
-        Parameters that identify the row, and its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
-        and the quality of its probabilities (:meth:`placecat.results.measured.Quality.averages`).
-    description
-        Markdown.
-    files
-        Function that writes the row's files into a folder and returns their paths.
+    `params` identify the row; `metrics` are its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
+    and the quality of its probabilities (:meth:`placecat.results.measured.Quality.averages`). `description`
+    is Markdown. `files` writes the row's files into a folder and returns their paths.
     """
 
     name: str
@@ -77,20 +71,10 @@ class RowRun:
 class TableRun:
     """One table's content for MLflow, with its name, e.g. "table_26", and its title.
 
-    Attributes
-    ----------
-    content
-        Everything that the table shows, as text; part of its `digest`.
-    params
-        Flat settings that affect the numbers.
-    metrics
-        Maps each name to a number, in percent unless the name says otherwise.
-    description
-        Markdown; `RUN_ID` in it becomes the run's id.
-    rows, files
-        Nested runs, and a function that writes the table's files, as for a row.
-    kind
-        "table", or "figures" or "findings" for the two runs that are not tables.
+    `content` is everything that the table shows, as text. `params` are the flat settings that affect the
+    numbers; `metrics` are in percent unless the name says otherwise. `description` is Markdown; `RUN_ID` in
+    it becomes the run's id. `rows` are nested runs; `files` is as for a row. `kind` is "table", or "figures"
+    or "findings" for the two runs that are not tables.
     """
 
     name: str
@@ -129,18 +113,14 @@ def log_tables(
     Parameters
     ----------
     runs
-        All tables of the experiment in display order; the last is logged first, since the user interface
-        shows the latest on top.
+        All tables of the experiment in display order.
     uri
         MLflow tracking URI.
-    experiment, description
-        Name of the experiment, created if missing, and its description (Markdown).
-    data, data_version
-        Title of the data set, and the checksum of its files.
-    commit
-        Git commit, or "" if there is none.
-    artifacts
-        Folder for a new experiment's files, unless a server stores them.
+    experiment, description, artifacts
+        Name of the experiment, created if missing; its description (Markdown); and the folder for a new
+        experiment's files, unless a server stores them.
+    data, data_version, commit
+        Title of the data set, the checksum of its files, and the git commit, "" if there is none.
     dvc_experiment
         Name of the queued DVC experiment that logs, if any; only that experiment's runs are superseded.
     """
@@ -152,12 +132,14 @@ def log_tables(
             "data_version": data_version,
             "mlflow.source.name": "placecat.stages.tracking",
         }
-        common |= {COMMIT: commit} if commit else {}
+        if commit:
+            common[COMMIT] = commit
         if dvc_experiment:
             common[DVC_EXPERIMENT] = dvc_experiment
             runs = [replace(run, title=f"{run.title} ({dvc_experiment})") for run in runs]
-        digests = {run.name: run.digest(data_version) for run in reversed(runs)}
-        _log_new(client, number, runs, digests, common)
+        digests = {run.name: run.digest(data_version) for run in runs}
+        # The last table first, since the user interface shows the latest run on top.
+        _log_new(client, number, runs[::-1], digests, common)
         _settle(client, number, dvc_experiment)
         return digests
 
@@ -175,7 +157,7 @@ def _log_new(
     for one in search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
         if SUPERSEDED_BY not in one.data.tags and one.data.tags.get(DVC_EXPERIMENT, "") == scope:
             known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
-    for run in reversed(runs):
+    for run in runs:
         digest = digests[run.name]
         earlier = known.get(run.name, [])
         complete = [one for one in earlier if one.info.status == "FINISHED"]
@@ -229,7 +211,7 @@ def _log(
             tags={**tags, **_protocols(run.rows), KIND: run.kind, DIGEST: digest},
             files=run.files(folder),
         )
-        store.log(client, run_id, tags={store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
+        store.set_tags(client, run_id, {store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
         rows = []
         # Last row first, since the user interface shows the latest run on top.
         for number, row in reversed(list(enumerate(run.rows))):
@@ -269,7 +251,7 @@ def _make_current(
 def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:
     # Mark the table's run last, so that an interrupted call is repeated.
     for each in [*_nested(client, experiment_id, run_id), run_id]:
-        store.log(client, each, tags={CURRENT: "false", SUPERSEDED_BY: by})
+        store.set_tags(client, each, {CURRENT: "false", SUPERSEDED_BY: by})
 
 
 def delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:

@@ -1,14 +1,22 @@
-"""Prepare benchmarks for the report."""
+"""Benchmarks for the report: as text, and as a chart of the ratios beside their targets."""
 
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
 import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 # Text columns of the benchmarks.
 TEXT = ("module", "piece", "input", "quantity", "peer", "peer_version", "target", "met", "spent")
 _SECONDS = "seconds"
 _NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
+
+MET, MISSED, TARGET = "#0072b2", "#d55e00", "#222222"
+# Inches: width, height of a line, and total space above and below the lines of a panel.
+_WIDTH, _LINE, _ROUND = 6.5, 0.24, 0.55
+_BOUND = 1.25
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
@@ -63,3 +71,49 @@ def _amount(value: float, quantity: str) -> str:
     if quantity != _SECONDS:
         return f"{value:.3g}"
     return f"{value:.3g} s" if value >= 1 else f"{value * 1000:.3g} ms"
+
+
+def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
+    """Draw each comparison's median ratio, the range of its pairs and its target; None without comparisons.
+
+    There are up to two panels: speed-up (more is better), and share of the peer's time (less is better).
+    """
+    ratios = ratios_of(benchmarks)
+    panels = [
+        ("times faster than the alternative", ratios[ratios["is_faster"]]),
+        ("times the time of the alternative", ratios[~ratios["is_faster"]]),
+    ]
+    panels = [(label, rows) for label, rows in panels if len(rows)]
+    if not panels:
+        return None
+    heights = [_ROUND + _LINE * len(rows) for _, rows in panels]
+    figure = Figure(figsize=(_WIDTH, sum(heights) + 0.1))
+    all_axes = figure.subplots(len(panels), squeeze=False, height_ratios=heights)[:, 0]
+    for axes, (label, rows) in zip(all_axes, panels, strict=True):
+        _panel(axes, rows)
+        axes.set_xlabel(label)
+    handles, labels = all_axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper right", ncols=3)
+    return figure
+
+
+def _panel(axes: Axes, rows: pd.DataFrame) -> None:
+    places, is_faster = range(len(rows)), bool(rows["is_faster"].iloc[0])
+    ratio, low, high, target = (rows[name].to_numpy(float) for name in ("ratio", "low", "high", "target"))
+    if is_faster:
+        axes.set_xscale("log")
+        axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    colors = np.where(rows["met"], MET, MISSED).tolist()
+    axes.barh(places, ratio, height=0.66, color=colors, alpha=0.75)
+    style: dict[str, Any] = {"fmt": "none", "ecolor": TARGET, "elinewidth": 0.8, "capsize": 2}
+    axes.errorbar(ratio, places, xerr=[ratio - low, high - ratio], label="pairs", **style)
+    axes.plot(target, places, "|", color=TARGET, markersize=12, mew=1.8, label="target")
+    at = axes.get_yaxis_transform()
+    for place, one in zip(places, ratio, strict=True):
+        axes.text(1.01, place, f"{times(one)}x", transform=at, va="center", fontsize=7)
+    names = zip(rows["piece"], rows["input"], strict=True)
+    axes.set_yticks(places, [", ".join(filter(None, name)) for name in names])
+    axes.tick_params(axis="y", length=0)
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    values = np.concatenate([low, high, target])
+    axes.set_xlim(min(1.0, values.min() / _BOUND) if is_faster else 0.0, values.max() * _BOUND)

@@ -19,15 +19,15 @@ class Picture:
     height: int
 
 
-def embed(png: bytes, quality: int = QUALITY) -> Picture:
-    """Turn a PNG into a data URI, as WebP of `quality` 1 to 100 if that is shorter.
+def embed(png: bytes) -> Picture:
+    """Turn a PNG into a data URI, as WebP if that is shorter.
 
     Raises ValueError if `png` is not a picture.
     """
     pixels = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_UNCHANGED) if png else None
     if pixels is None:
         raise ValueError("not a picture")
-    _, encoded = cv2.imencode(".webp", pixels, [cv2.IMWRITE_WEBP_QUALITY, quality])
+    _, encoded = cv2.imencode(".webp", pixels, [cv2.IMWRITE_WEBP_QUALITY, QUALITY])
     kind, content = min((("webp", encoded.tobytes()), ("png", png)), key=lambda pair: len(pair[1]))
     height, width = pixels.shape[:2]
     return Picture(f"data:image/{kind};base64,{base64.b64encode(content).decode('ascii')}", width, height)

@@ -1,6 +1,6 @@
 """Arrange filled tables as grids for display, with numbers as text and notes as footnotes."""
 
-from collections import Counter
+import itertools
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,7 +12,8 @@ from placecat.thesis.notes import Kind, Notes
 from placecat.thesis.number import home_label
 from placecat.thesis.tables import comparable, in_percent
 
-NOT_AVAILABLE = "n/a"
+# Points at which a difference has a darker shade. Our choice: smaller differences may be due to the seed.
+STEPS = (2.0, 5.0, 10.0, 20.0)
 NUMBERS = ("measured", "published", "spread", "seeds")
 
 
@@ -20,18 +21,10 @@ NUMBERS = ("measured", "published", "spread", "seeds")
 class Cell:
     """One cell of a table.
 
-    Attributes
-    ----------
-    measured, published
-        Percent with two decimals, "" if missing; `published` is "n/a" if the thesis says so.
-    difference
-        Measured minus published in points; None unless both exist.
-    spread
-        Largest minus smallest value over the seeds, in points; None if nothing is random.
-    seeds
-        Number of seeds, 0 if nothing is random.
-    mark, published_mark
-        Letters of the footnotes on each of the two numbers, "" for none.
+    `measured` and `published` are percentages with two decimals, "" if missing; `published` is "n/a" if the
+    thesis says so. `difference` is measured minus published in points, None unless both exist. `spread` is
+    the largest minus the smallest value over the seeds in points, None if nothing is random; then the number
+    of `seeds` is 0. `mark` and `published_mark` are the letters of the footnotes on each of the two numbers.
     """
 
     measured: str = ""
@@ -63,69 +56,39 @@ class Group:
     name: str
     rows: tuple[Row, ...]
 
-    @property
-    def has_published(self) -> bool:
-        """Whether any row has a published number."""
-        return any(row.has_published for row in self.rows)
-
-
-@dataclass(frozen=True)
-class Footnote:
-    """A footnote's letter, its text, and the number of cells that it marks."""
-
-    mark: str
-    text: str
-    cells: int
-
 
 @dataclass(frozen=True)
 class Grid:
     """A table arranged for display.
 
-    Attributes
-    ----------
-    columns
-        Column names in order, with the average last.
-    groups
-        Groups of rows, in the table's order.
-    footnotes
-        Reasons for empty cells and notes on single cells, in the order of their letters.
+    The average is the last of the `columns`; the `groups` of rows are in the table's order. The `footnotes`,
+    by their letters in order, are reasons for empty cells and notes on single cells.
     """
 
     columns: tuple[str, ...]
     groups: tuple[Group, ...]
-    footnotes: tuple[Footnote, ...]
+    footnotes: Mapping[str, str]
 
     @property
     def has_published(self) -> bool:
-        """Whether any group has a published number."""
-        return any(group.has_published for group in self.groups)
+        """Whether any cell has a published number."""
+        return any(row.has_published for group in self.groups for row in group.rows)
 
 
 def make_grid(table: pd.DataFrame) -> Grid:
     """Arrange a filled table (:func:`placecat.thesis.tables.fill_table`); missing cells are empty."""
     rows, columns = layout(table)
-    footnotes: Counter[str] = Counter()
+    footnotes: list[str] = []
     cells = {
         (record["group"], record["row"], record["column"]): _cell(record, footnotes)
         for record in table.to_dict("records")
     }
-    groups = [
-        Group(
-            group,
-            tuple(
-                Row(name, tuple(cells.get((group, name, column), Cell()) for column in columns))
-                for name in names
-            ),
-        )
-        for group, names in rows.items()
-    ]
-    marked = enumerate(footnotes.items())
-    return Grid(
-        tuple(columns),
-        tuple(groups),
-        tuple(Footnote(_letters(number), text, cells) for number, (text, cells) in marked),
-    )
+    groups = []
+    for group, names in rows.items():
+        of_row = [[cells.get((group, name, column), Cell()) for column in columns] for name in names]
+        groups.append(Group(group, tuple(map(Row, names, map(tuple, of_row)))))
+    by_letter = {_letters(number): text for number, text in enumerate(footnotes)}
+    return Grid(tuple(columns), tuple(groups), by_letter)
 
 
 def shown_table(
@@ -197,12 +160,11 @@ def seeds_sentence(table: pd.DataFrame) -> str:
     )
 
 
-def _mark(notes: Notes, kind: Kind, footnotes: Counter[str]) -> str:
-    """Return the letters of all notes of one kind, e.g. "a,c", and count the notes in `footnotes`."""
+def _mark(notes: Notes, kind: Kind, footnotes: list[str]) -> str:
+    """Return the letters of all notes of one kind, e.g. "a,c", and add new notes to `footnotes`."""
     texts = [note.text for note in notes if note.kind is kind]
-    footnotes.update(texts)
-    order = list(footnotes)
-    return ",".join(_letters(order.index(text)) for text in texts)
+    footnotes += [text for text in dict.fromkeys(texts) if text not in footnotes]
+    return ",".join(_letters(footnotes.index(text)) for text in texts)
 
 
 def _letters(number: int) -> str:
@@ -211,12 +173,34 @@ def _letters(number: int) -> str:
     return (_letters(rest - 1) if rest else "") + chr(ord("a") + last)
 
 
-def _cell(record: Mapping[Hashable, Any], footnotes: Counter[str]) -> Cell:
+def _cell(record: Mapping[Hashable, Any], footnotes: list[str]) -> Cell:
     notes: Notes = record["notes"]
     cell = make_cell(record)
+    is_not_available = any(note.kind is Kind.NOT_AVAILABLE for note in notes)
     return replace(
         cell,
-        published=NOT_AVAILABLE if any(note.kind is Kind.NOT_AVAILABLE for note in notes) else cell.published,
+        published="n/a" if is_not_available else cell.published,
         mark=_mark(notes, Kind.MEASURED, footnotes),
         published_mark=_mark(notes, Kind.PUBLISHED, footnotes),
     )
+
+
+def shade(difference: float | None) -> str:
+    """Return the name of a cell's shade for measured minus published in points; None means no comparison.
+
+    The name is "above-1" to "above-4" or "below-1" to "below-4", higher for larger differences, or "" for a
+    small or missing difference.
+    """
+    if difference is None:
+        return ""
+    level = sum(abs(difference) >= step for step in STEPS)
+    return f"{'above' if difference > 0 else 'below'}-{level}" if level else ""
+
+
+def legend() -> list[tuple[str, str]]:
+    """List (shade, meaning) for every shade, from far below to far above."""
+    bounds = [f"{low:g} to {high:g}" for low, high in itertools.pairwise(STEPS)]
+    bounds.append(f"{STEPS[-1]:g} or more")
+    below = [(f"below-{level}", f"{text} below") for level, text in enumerate(bounds, start=1)]
+    above = [(f"above-{level}", f"{text} above") for level, text in enumerate(bounds, start=1)]
+    return [*reversed(below), ("", f"within {STEPS[0]:g}"), *above]

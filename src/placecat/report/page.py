@@ -1,7 +1,7 @@
 """The report: one self-contained HTML page with every table, figure, finding and setting."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -10,23 +10,16 @@ from markupsafe import Markup, escape
 
 from placecat.provenance.cells import Table
 from placecat.report.embed import embed
-from placecat.report.grid import Cell, make_cell, number_text, seeds_sentence, shown_table
+from placecat.report.grid import Cell, legend, make_cell, number_text, seeds_sentence, shade, shown_table
 from placecat.report.sections import arrange
-from placecat.report.shading import legend, shade
-from placecat.report.summary import (
-    WU_FILTERED,
-    WU_FRAMES,
-    WU_SIFT,
-    best_system,
-    count_verdicts,
-    headlines,
-    readings_of,
-)
+from placecat.report.summary import WU, best_system, count_verdicts, headlines, readings_of
 from placecat.templates import environment
 from placecat.thesis.notes import joined
 
 # CSS pixels per figure pixel; figures of 200 pixels per inch then appear at 125 %.
 _FIGURE_SCALE = 0.6
+# Parts of a report that the template gets unchanged.
+_UNCHANGED = ("dataset", "frames", "data_version", "replication", "times", "speed", "scale")
 
 
 @dataclass(frozen=True)
@@ -48,43 +41,29 @@ class Figure:
 
 @dataclass(frozen=True)
 class Report:
-    """The content of the page.
+    """The content of the page; tables and figures may be in any order.
 
-    Attributes
-    ----------
-    dataset
-        The run's data set: ``title``, ``homes``, ``classes`` and ``thesis_data``.
-    frames
-        Maps each home to its number of frames in each place, and ``unlabelled``.
-    data_version
-        Checksum of the data.
-    tables, figures
-        In any order.
-    in_text
-        Numbers that appear only in the thesis's text, with the columns name, section, quantity, home,
-        published, measured, spread, seeds, notes.
-    findings
-        From :func:`placecat.thesis.findings.ledger`, with the columns number, section, claim, published,
-        measured, difference, low, high, units, verdict, one ``verdict_...`` per reading, reason.
-    comparisons
-        From the same function; the page omits the names of the results.
-    settings
-        Content of params.yaml.
+    `dataset` has the run's ``title``, ``homes``, ``classes`` and ``thesis_data``; `frames` maps each home to
+    its number of frames in each place, and ``unlabelled``; `data_version` is the checksum of the data;
+    `settings` is the content of params.yaml. `in_text` has the numbers that appear only in the thesis's text:
+    name, section, quantity, home, published, measured, spread, seeds, notes. `findings` and `comparisons` are
+    from :func:`placecat.thesis.findings.ledger`: number, section, claim, published, measured, difference,
+    low, high, units, verdict, one ``verdict_...`` per reading, reason. The others are optional:
+
     replication
-        The findings on many homes, or None: ``title`` of these homes, ``homes``, ``groups``, ``level``,
-        ``verdicts`` (how many findings have each), and ``findings``, a table with the columns number,
-        difference, low, high, units, verdict, and ``replicated``, which is False for findings on data other
-        than homes.
+        The findings on many homes: ``title`` of these homes, ``homes``, ``groups``, ``level``, ``verdicts``
+        (how many findings have each), and ``findings``, a table with the columns number, difference, low,
+        high, units, verdict, and ``replicated``, which is False for findings on data other than homes.
     times
-        A stored record of a run's times, or None: ``stages``, a table with the columns stage, runs (a stage
-        may run once per item, e.g. per home) and seconds; ``data``, the data set's title; ``cores``, the
-        machine's number of cores; and ``total``, the whole run's seconds.
+        A stored record of a run's times: ``stages``, a table with the columns stage, runs (a stage may run
+        once per item, e.g. per home) and seconds; ``data``, the data set's title; ``cores``, the machine's
+        number of cores; and ``total``, the whole run's seconds.
     speed, scale
         Stored records from :func:`placecat.report.benchmarks.shown_speed` and
-        :func:`placecat.report.scale.shown_scale`, or None; each also has ``chart``, a PNG or None.
+        :func:`placecat.report.scale.shown_scale`; each also has ``chart``, a PNG or None.
     explanations
         From :func:`placecat.provenance.text.explanations`, with ``stages``
-        (:func:`placecat.provenance.lines.stage_texts`); None if the page does not explain cells.
+        (:func:`placecat.provenance.lines.stage_texts`).
     """
 
     dataset: Mapping[str, Any]
@@ -112,20 +91,20 @@ def page_html(report: Report) -> str:
     sections, rest = arrange(tables, figures)
     table_26 = next((one.cells for one in report.tables if one.settings["number"] == 26), None)
     comparisons = report.comparisons.drop(columns=["left_results", "right_results"], errors="ignore")
+    replicated = [] if report.replication is None else _records(report.replication["findings"])
     in_text = report.in_text.rename(columns={"quantity": "row", "home": "column"})
     return (
         page_templates()
         .get_template("page.html.j2")
         .render(
-            **{name: getattr(report, name) for name in ("dataset", "frames", "data_version", "times")},
+            **{name: getattr(report, name) for name in _UNCHANGED},
             best=None if table_26 is None else best_system(table_26),
             headlines=[] if table_26 is None else headlines(table_26),
-            wu={"frames": WU_FRAMES, "filtered": WU_FILTERED, "sift": WU_SIFT},
+            wu=WU,
             verdicts=count_verdicts(report.findings),
             findings=_records(report.findings),
             readings=readings_of(report.findings),
-            replication=report.replication,
-            replicated={} if report.replication is None else _by_number(report.replication["findings"]),
+            replicated={one["number"]: one for one in replicated if one["replicated"]},
             interval_limit=_interval_limit(report.findings),
             comparisons=_plain(comparisons),
             sections=sections,
@@ -138,8 +117,6 @@ def page_html(report: Report) -> str:
             in_text_seeds=seeds_sentence(in_text),
             legend=legend(),
             settings=_blocks(report.settings),
-            speed=_with_chart(report.speed),
-            scale=_with_chart(report.scale),
             explanations=_json(report.explanations),
             time_rows=[] if report.times is None else _records(report.times["stages"]),
         )
@@ -170,6 +147,7 @@ def page_templates() -> Any:
         "breakable": _breakable,
         "duration": duration,
         "number": _number,
+        "picture": shown_picture,
         "shade": shade,
         "signed": _signed,
     }
@@ -201,13 +179,6 @@ def shown_picture(png: bytes) -> dict[str, Any]:
     return {"source": picture.source, "width": width, "height": height}
 
 
-def _with_chart(record: Mapping[str, Any] | None) -> dict[str, Any] | None:
-    """Return a record with its chart ready for display."""
-    if record is None:
-        return None
-    return {**record, "chart": None if record["chart"] is None else shown_picture(record["chart"])}
-
-
 def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
     """Group the numbers in the text by subject."""
     entries = []
@@ -235,17 +206,9 @@ def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
     return replace(cell, measured=measured, published=published, difference=None)
 
 
-def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
+def _records(table: pd.DataFrame) -> list[dict[Hashable, Any]]:
     """Turn rows into dictionaries, with None for missing values."""
-    return [
-        {str(name): None if pd.isna(value) else value for name, value in record.items()}
-        for record in table.to_dict("records")
-    ]
-
-
-def _by_number(findings: pd.DataFrame) -> dict[int, dict[str, Any]]:
-    """Map the number of each replicated finding to its row."""
-    return {int(record["number"]): record for record in _records(findings[findings["replicated"]])}
+    return table.astype(object).where(table.notna(), None).to_dict("records")
 
 
 def _plain(table: pd.DataFrame) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 """Read what figures need from a finished run: frames, maps, features, codebooks and distributions."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -28,17 +29,28 @@ Frame = NDArray[np.uint8]
 KEPT_FRAMES = 8
 
 
+@dataclass(frozen=True)
+class TrainingRegions:
+    """Salient regions of training frames.
+
+    `x` are (n, D) float32 descriptors, and `labels` the (n,) classes of the regions' frames. `home`, `frame`
+    and `number` are (n,): the index of each region's home in `homes`, the index of its frame in the home, and
+    its rank in the frame, 0 for the most salient.
+    """
+
+    x: NDArray[np.float32]
+    labels: NDArray[np.int16]
+    homes: tuple[str, ...]
+    home: NDArray[np.int64]
+    frame: NDArray[np.int64]
+    number: NDArray[np.int64]
+
+
 class Run:
     """A finished run, read from the project's folder; only this class opens files for figures.
 
-    Missing data, e.g. a result that was not computed, raises PlacecatError.
-
-    Attributes
-    ----------
-    params
-        The composed settings.
-    homes, classes
-        Names of the main data set's homes and places, in order.
+    `params` are the composed settings; `homes` and `classes` name the main data set's homes and places, in
+    order. Missing data, e.g. a result that was not computed, raises PlacecatError.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -48,10 +60,7 @@ class Run:
         self._frames: dict[tuple[str, int], Frame] = {}
 
     def threshold(self, name: str) -> float:
-        """Return an information filter's threshold.
-
-        Raises PlacecatError if the filter does not exist or has a share of frames instead.
-        """
+        """Return an information filter's threshold; SettingError if it has a share of frames instead."""
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
             raise SettingError(f"the filter {name} has a share of frames, but figures need a threshold")
@@ -154,19 +163,33 @@ class Run:
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
-    def codebook(self, name: str, training_set: str, seed: int = 0) -> Codebook:
-        """Return a codebook's clusters from one training set, e.g. ``without-home_1``."""
-        path = paths.codebook(name, training_set, seed)
+    def codebook(self, name: str, training_set: str) -> Codebook:
+        """Return a codebook's clusters, with seed 0, from one training set, e.g. ``without-home_1``."""
+        path = paths.codebook(name, training_set, 0)
         self._need(path)
         return Codebook.from_arrays(files.read_arrays(path))
 
     def fold(self, home: str) -> protocol.Fold:
-        """Return a test home's training homes in the protocol 5-5-1."""
+        """Return the training plan 5-5-1 for one of `homes` as the test home."""
         return protocol.fold_without(self.homes, "5-5-1", [home])
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
         """Return the indices of a home's frames that train cues and codebooks (thesis 4.2)."""
         return protocol.select_frames(self.labels(home), **settings.get(self.params, "protocol.cue_frames"))
+
+    def training_regions(self, codebook: str, test_home: str) -> TrainingRegions:
+        """Return the regions that train a codebook, e.g. ``hog_y``, in the 5-5-1 fold of a test home."""
+        homes = self.fold(test_home).cue_homes
+        parts = []
+        for position, home in enumerate(homes):
+            rows = self.training_frames(home)
+            found = self.descriptors(home, codebook, rows)
+            of_row, number = np.nonzero(found.valid())
+            frame = rows[of_row]
+            place = self.labels(home)[frame]
+            parts.append((found.rows(), place, np.full(len(frame), position), frame, number))
+        x, labels, *rest = (np.concatenate(column) for column in zip(*parts, strict=True))
+        return TrainingRegions(x, labels, homes, *rest)
 
     @cached_property
     def example(self) -> tuple[str, int]:
@@ -176,14 +199,11 @@ class Run:
         in any home.
         """
         asked = self.options("example")
-        settings.refuse_unknown(asked, ["home", "frame"], "figures.example")
-        homes = self.homes if asked.get("home") is None else (home_of(self, int(asked["home"])),)
+        homes = self.homes if asked.get("home") is None else (home_of(self, asked["home"]),)
         if asked.get("frame") is not None:
-            home, frame = homes[0], int(asked["frame"])
-            if not 0 <= frame < len(self.labels(home)):
-                raise SettingError(
-                    f"figures.example.frame must be 0 to {len(self.labels(home)) - 1}, not {frame}"
-                )
+            home, frame, last = homes[0], asked["frame"], len(self.labels(homes[0])) - 1
+            if frame > last:
+                raise SettingError(f"figures.example.frame must be 0 to {last}, not {frame}")
             return home, frame
         best: dict[str, tuple[float, int]] = {}
         for home in homes:
@@ -206,10 +226,5 @@ class Run:
 
 
 def home_of(run: Run, number: int) -> str:
-    """Return a home by its number (from 1, as in the thesis), or the last home if there are fewer.
-
-    Raises PlacecatError for a number below 1.
-    """
-    if number < 1:
-        raise PlacecatError(f"homes in figures are numbered from 1: home {number} does not exist")
+    """Return a home by its number (from 1, as in the thesis), or the last home if there are fewer."""
     return run.homes[min(number, len(run.homes)) - 1]

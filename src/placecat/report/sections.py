@@ -1,6 +1,6 @@
 """The order of the report: the thesis's sections, with their tables and figures."""
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 
 
@@ -34,19 +34,11 @@ def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Sec
 
     Returns the non-empty sections of `THESIS`, and an untitled section with all other numbers.
     """
-
-    def present(wanted: Iterable[int], there: Collection[int]) -> tuple[int, ...]:
-        return tuple(number for number in wanted if number in there)
-
-    sections = [
-        replace(
-            one,
-            tables=present(one.tables, tables),
-            before=present(one.before, figures),
-            after=present(one.after, figures),
-        )
-        for one in THESIS
-    ]
+    sections = []
+    for one in THESIS:
+        own = tuple(number for number in one.tables if number in tables)
+        before, after = (tuple(n for n in part if n in figures) for part in (one.before, one.after))
+        sections.append(replace(one, tables=own, before=before, after=after))
     placed_tables = {number for one in sections for number in one.tables}
     placed_figures = {number for one in sections for number in (*one.before, *one.after)}
     more_tables, more_figures = sorted(set(tables) - placed_tables), sorted(set(figures) - placed_figures)

@@ -15,7 +15,7 @@ VERDICTS = ("holds", "does not hold", "undecided")
 
 # Accuracies of Wu et al. on the VPC-2009 home database in percent, as cited in the thesis: holistic Centrist
 # on single frames (4.2), filtered over time (4.2), and SIFT instead (2.3).
-WU_FRAMES, WU_FILTERED, WU_SIFT = 41.87, 46.78, 39.8
+WU = {"frames": 41.87, "filtered": 46.78, "sift": 39.8}
 
 
 @dataclass(frozen=True)
@@ -33,22 +33,13 @@ class Headline:
     smoothed: Cell
 
 
-@dataclass(frozen=True)
-class Best:
-    """The row of Table 26 with the highest average over homes."""
-
-    group: str
-    row: str
-    cell: Cell
-
-
-def best_system(table: pd.DataFrame) -> Best | None:
-    """Find the best system in Table 26 (:func:`placecat.thesis.tables.fill_table`); None if unmeasured."""
+def best_system(table: pd.DataFrame) -> dict[str, Any] | None:
+    """Return the group, row and cell of the best average in Table 26; None if none was measured."""
     averages = table[(table["column"] == AVERAGE) & table["measured"].notna()]
     if averages.empty:
         return None
     best = _first(averages.nlargest(1, "measured"))
-    return Best(best["group"], best["row"], make_cell(best))
+    return {"group": best["group"], "row": best["row"], "cell": make_cell(best)}
 
 
 def headlines(table: pd.DataFrame) -> list[Headline]:
@@ -78,8 +69,8 @@ def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:
     """Map the verdict column of each other reading of the thesis to the reading's name."""
-    first = "verdict_"
-    return {name: name.removeprefix(first) for name in findings.columns if name.startswith(first)}
+    prefix = "verdict_"
+    return {name: name.removeprefix(prefix) for name in findings.columns if name.startswith(prefix)}
 
 
 def count_verdicts(findings: pd.DataFrame) -> dict[str, int]:

@@ -10,12 +10,10 @@ from placecat.provenance import lines, tidy
 from placecat.provenance.cells import Explaining, Table
 from placecat.provenance.text import explanations
 from placecat.report.benchmarks import TEXT as BENCHMARK_TEXT
-from placecat.report.benchmarks import shown_speed
-from placecat.report.charts.growth import growth_chart
-from placecat.report.charts.speed import speed_chart
+from placecat.report.benchmarks import shown_speed, speed_chart
 from placecat.report.page import Figure, Report, page_html
 from placecat.report.scale import TEXT as SCALE_TEXT
-from placecat.report.scale import shown_scale
+from placecat.report.scale import growth_chart, shown_scale
 from placecat.runs.lockfile import LOCK, data_version
 from placecat.sequences import listing
 from placecat.stages import run

@@ -19,9 +19,8 @@ from placecat.drawing.style import house_style
 from placecat.errors import PlacecatError
 from placecat.learning.knn import ModifiedKNN
 from placecat.report import figures
-from placecat.report.figures import clusters, figure_18
-from placecat.report.figures.shares import share_bar
-from placecat.report.figures.training import training_regions
+from placecat.report.figures import clusters, filtered
+from placecat.report.figures.panels import share_bar
 from placecat.report.run import Run
 
 MINE = ["02", "03", "04", "05", "06", "07", "09", "12", "13", "14", "18", "19"]
@@ -155,7 +154,7 @@ def test_the_shares_of_figure_9_give_its_product(run):
     # The same from the estimator, on the frame named in the figure.
     named = next(text for text in texts(figure) if text.startswith("flat 1, frame "))
     frame = int(re.search(r"frame (\d+)", named)[1]) - 1
-    train = training_regions(run, "hog_y", "flat_1")
+    train = run.training_regions("hog_y", "flat_1")
     tree = run.codebook("hog_y", "without-flat_1").trees[0]
     # The figure shows equation (2) as printed.
     model = ModifiedKNN(n_clusters=CLUSTERS, codebook=tree, class_weighting="once")
@@ -166,7 +165,7 @@ def test_the_shares_of_figure_9_give_its_product(run):
 
 
 def test_training_regions_know_where_they_are_from(run):
-    train = training_regions(run, "hog_y", "flat_1")
+    train = run.training_regions("hog_y", "flat_1")
     assert train.homes == ("flat_2", "flat_3")
     assert set(train.frame.tolist()) == {0, 3, 6}
     np.testing.assert_array_equal(train.labels, LABELS[train.frame])
@@ -176,7 +175,7 @@ def test_training_regions_know_where_they_are_from(run):
 
 
 def test_patches_of_a_cluster_are_cut_from_its_regions(run):
-    train = training_regions(run, "hog_y", "flat_1")
+    train = run.training_regions("hog_y", "flat_1")
     tree = run.codebook("hog_y", "without-flat_1").trees[0]
     sizes = np.bincount(tree.assign(train.x, CLUSTERS), minlength=CLUSTERS)
     found = clusters._largest(run, "hog_y", "flat_1")
@@ -235,10 +234,10 @@ def test_a_patch_is_the_square_around_its_region():
 
 def test_the_surest_mistakes_are_found_and_walls_are_none(run):
     results = [f"cues/{cue}/5-5-1" for cue in made_run.CUES]
-    found = figure_18.failures(run, results, 0.05)
+    found = filtered.failures(run, results, 0.05)
     assert [(one.home, one.frame, one.place) for one in found] == [("flat_1", 1, 0), ("flat_3", 4, 1)]
     assert found[0].certainty > found[1].certainty
-    everything = figure_18.failures(run, results)
+    everything = filtered.failures(run, results, 0.0)
     assert (everything[0].home, everything[0].frame) == BLANK
     written = texts(figures.draw("figure_18", run))
     assert "(a) bedroom: flat 1, frame 2" in written and written.count("sauna") >= 5
@@ -247,7 +246,7 @@ def test_the_surest_mistakes_are_found_and_walls_are_none(run):
 def test_how_sure_a_cue_is_counts_among_its_own():
     largest = np.array([[0.99, 0.98, 0.97, 0.5], [0.21, 0.22, 0.23, 0.9]])
     labelled = np.array([True, True, True, False])
-    np.testing.assert_allclose(figure_18.surety(largest, labelled), [2 / 3, 2 / 3, 2 / 3, 1 / 2])
+    np.testing.assert_allclose(filtered.surety(largest, labelled), [2 / 3, 2 / 3, 2 / 3, 1 / 2])
 
 
 def test_without_a_mistake_there_is_no_figure_18(made):

@@ -44,9 +44,7 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
     widths = [max(side, _width(caption)) + _GAP for caption in matrices]
     width = left + sum(widths)
     width = max(width, _MARGIN + _width(title, _TITLE, bold=True), _MARGIN + _width(_CAPTION)) + _MARGIN
-    picture = _paper(top + side + below + _MARGIN, width)
-    write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
-    write(picture, _CAPTION, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)
+    picture = _paper(top + side + below + _MARGIN, width, title, _CAPTION)
     for number, name in enumerate(names):
         y = top + number * _CELL + (_CELL - line_height(_TEXT)) // 2
         write(picture, name, (left - 8, y), _TEXT, _INK, align="right")
@@ -75,19 +73,15 @@ def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[
     step = max(side, *map(_width, columns)) + _MARGIN
     left = 2 * _MARGIN + max(map(_width, lines))
     top = _MARGIN + line_height(_TITLE) + 2 * line_height(_TEXT) + 14
-    width = max(
-        left + step * len(columns), 2 * _MARGIN + max(_width(title, _TITLE, bold=True), _width(_SHEET))
-    )
-    picture = _paper(top + (side + _MARGIN) * len(lines), width)
-    write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
-    write(picture, _SHEET, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)
+    texts = max(_width(title, _TITLE, bold=True), _width(_SHEET))
+    width = max(left + step * len(columns), 2 * _MARGIN + texts)
+    picture = _paper(top + (side + _MARGIN) * len(lines), width, title, _SHEET)
     for number, name in enumerate(columns):
         write(picture, name, (left + number * step, top - line_height(_TEXT) - 4), _TEXT, _INK)
     for line, (label, blocks) in enumerate(lines.items()):
         y = top + line * (side + _MARGIN)
-        write(
-            picture, label, (left - _MARGIN, y + (side - line_height(_TEXT)) // 2), _TEXT, _INK, align="right"
-        )
+        where = (left - _MARGIN, y + (side - line_height(_TEXT)) // 2)
+        write(picture, label, where, _TEXT, _INK, align="right")
         for name, percent in blocks.items():
             x = left + columns.index(name) * step
             block = _colors(percent).repeat(_PIXEL, axis=0).repeat(_PIXEL, axis=1)
@@ -107,9 +101,12 @@ def _blocks(of_row: Mapping[str, Measured]) -> dict[str, NDArray[np.float64]]:
     return {name: shares(pooled_counts(one)) for name, one in parts.items()}
 
 
-def _paper(height: int, width: int) -> NDArray[np.uint8]:
+def _paper(height: int, width: int, title: str, caption: str) -> NDArray[np.uint8]:
     # White needs only one value; filling in a colour takes 90 times as long.
-    return np.full((height, width, 3), _PAPER[0], np.uint8)
+    picture = np.full((height, width, 3), _PAPER[0], np.uint8)
+    write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
+    write(picture, caption, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)
+    return picture
 
 
 def _save(picture: NDArray[np.uint8], target: Path) -> None:

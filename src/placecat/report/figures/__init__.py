@@ -18,7 +18,6 @@ from placecat.drawing.style import house_style, save, save_pdf
 from placecat.errors import PlacecatError, SettingError
 from placecat.report.run import Run
 
-_PREFIX = "figure_"
 # Settings that do not affect results.
 _WITHOUT_EFFECT = ("compute", "reproducibility")
 
@@ -30,7 +29,7 @@ def names() -> list[str]:
 
 def number(name: str) -> int | None:
     """Return a figure's number in the thesis, or None for an added one."""
-    rest = name.removeprefix(_PREFIX)
+    rest = name.removeprefix("figure_")
     return int(rest) if rest.isdigit() else None
 
 
@@ -76,7 +75,7 @@ def _made_by(name: str, run: Run) -> str:
 @cache
 def _all() -> dict[str, tuple[str, Callable[..., Figure]]]:
     """Map each figure's name to its caption and function."""
-    modules = [
-        importlib.import_module(f"{__name__}.{module.name}") for module in pkgutil.iter_modules(__path__)
-    ]
-    return {name: one for module in modules for name, one in getattr(module, "FIGURES", {}).items()}
+    found: dict[str, tuple[str, Callable[..., Figure]]] = {}
+    for module in pkgutil.iter_modules(__path__):
+        found |= getattr(importlib.import_module(f"{__name__}.{module.name}"), "FIGURES", {})
+    return found

@@ -13,9 +13,7 @@ from placecat import seeds, settings
 from placecat.drawing.palette import place_colors, place_title
 from placecat.errors import PlacecatError, SettingError
 from placecat.ranges import Count, Index
-from placecat.report.figures.panels import Sheet, frame_in
-from placecat.report.figures.shares import place_legend, share_bar
-from placecat.report.figures.training import training_regions
+from placecat.report.figures.panels import Sheet, frame_in, place_legend, share_bar
 from placecat.report.run import Run, home_of
 from placecat.vision.regions import radius
 
@@ -28,20 +26,9 @@ COLUMNS, PATCH, GAP, LEFT = 10, 0.62, 0.07, 0.06
 class Cluster:
     """One cluster of salient regions.
 
-    Attributes
-    ----------
-    total
-        Number of regions in all clusters.
-    shares
-        (classes,) share of each place among the cluster's regions.
-    labels
-        (n,) place of each region's frame.
-    distance
-        (n,) distance of each region from the cluster's centre.
-    home, frame
-        (n,) home and frame of each region.
-    patches
-        (n, PIXELS, PIXELS, 3) uint8 BGR: the squares around the regions.
+    `total` is the number of regions in all clusters, and `shares` are the (classes,) shares of the places in
+    this one. The others are per region: the place of its frame, its `distance` from the cluster's centre, its
+    home and frame, and its `patches`, the squares around the regions, (n, PIXELS, PIXELS, 3) uint8 BGR.
     """
 
     total: int
@@ -129,7 +116,7 @@ def _largest(run: Run, cue: str, test_home: str) -> list[Cluster]:
     name, number = chosen["codebook"], chosen["classifier"].get("clusters")
     if name is None or number is None:
         raise SettingError(f"figures.clusters.cue {cue!r} has no codebook: use one on salient regions")
-    train = training_regions(run, name, test_home)
+    train = run.training_regions(name, test_home)
     tree = run.codebook(name, run.fold(test_home).training_set).trees[0]
     words, centers = tree.assign(train.x, number), tree.centers(number)
     sizes = np.bincount(words, minlength=number)

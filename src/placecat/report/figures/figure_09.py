@@ -18,9 +18,7 @@ from placecat.errors import PlacecatError, SettingError
 from placecat.learning.knn import ModifiedKNN
 from placecat.learning.nearest import nearest_centers
 from placecat.ranges import Count, Index
-from placecat.report.figures.panels import Sheet, draw_regions, show_frame
-from placecat.report.figures.shares import place_legend, share_rows
-from placecat.report.figures.training import TrainingRegions, training_regions
+from placecat.report.figures.panels import Sheet, draw_regions, place_legend, share_rows, show_frame
 from placecat.report.run import Run, home_of
 from placecat.vision.regions import radius
 
@@ -66,13 +64,17 @@ def draw(
     points: Index,
 ) -> Figure:
     """Draw the figure; settings in ``figures.figure_09``."""
+    from sklearn.decomposition import PCA
+
     test = home_of(run, home)
-    train = training_regions(run, codebook, test)
+    train = run.training_regions(codebook, test)
     tree = run.codebook(codebook, run.fold(test).training_set).trees[0]
     # Use equation (2) as printed, like the thesis's figure.
     model = ModifiedKNN(n_clusters=clusters, codebook=tree, class_weighting="once")
     model.fit(train.x, train.labels)
-    pca = _plane(train)
+    # One thread, since the last bits of sums depend on the number of threads.
+    with threadpool_limits(limits=1, user_api="blas"):
+        pca = PCA(2, svd_solver="full").fit(train.x)
     query = _query(run, model, pca, codebook, test, frame, regions)
     rng = np.random.default_rng(seeds.derive("figure_09", "points"))
     dots = train.x[np.sort(rng.permutation(len(train.x))[:points])]
@@ -87,7 +89,7 @@ def draw(
     view = sheet.panel(left, 0.04, RIGHT, height)
     show_frame(view, picture)
     found = run.regions(test, query.index)[:regions]
-    draw_regions(view, found, picture.shape[1], ["black"] * len(found), linewidth=1.2)
+    draw_regions(view, found, picture.shape[1], ["black"] * len(found))
     middle = np.array([picture.shape[1], picture.shape[0]]) / 2
     for number, (x, y, scale, _) in enumerate(found.tolist(), 1):
         # Next to the circle, towards the middle, since the border cuts some circles.
@@ -142,14 +144,6 @@ def _query(
     return Query(frame, x[frame, some], nearest[frame, some], proba[frame])
 
 
-def _plane(train: TrainingRegions) -> Any:
-    from sklearn.decomposition import PCA
-
-    # One thread, since the last bits of sums depend on the number of threads.
-    with threadpool_limits(limits=1, user_api="blas"):
-        return PCA(2, svd_solver="full").fit(train.x)
-
-
 def _draw_plane(
     axes: Axes, pca: Any, dots: NDArray[np.float32], model: ModifiedKNN, query: Query, classes: Sequence[str]
 ) -> None:
@@ -164,20 +158,17 @@ def _draw_plane(
     for number, (center, counts) in enumerate(zip(centers, model.frequencies_, strict=True)):
         start = 90.0
         for column, share in zip(model.classes_, counts / max(counts.sum(), 1), strict=True):
-            style: dict[str, Any] = {
-                "facecolor": place[classes[int(column)]],
-                "edgecolor": "white",
-                "linewidth": 0.4,
-            }
-            axes.add_patch(Wedge(center, size, start - 360 * share, start, zorder=3, **style))
+            color = place[classes[int(column)]]
+            wedge = Wedge(center, size, start - 360 * share, start, facecolor=color, edgecolor="white")
+            wedge.set(linewidth=0.4, zorder=3)
+            axes.add_patch(wedge)
             start -= 360 * share
         rings = [(1.08, "white", 3.2), (1.08, colors[number], 1.8)]
         if number in query.clusters:
             rings.append((1.3, INK, 1.4))
         for wider, edge, width in rings:
-            axes.add_patch(
-                Circle(center, size * wider, fill=False, edgecolor=edge, linewidth=width, zorder=3.5)
-            )
+            ring = Circle(center, size * wider, fill=False, edgecolor=edge, linewidth=width, zorder=3.5)
+            axes.add_patch(ring)
     for number, (at, cluster) in enumerate(zip(pca.transform(query.x), query.clusters, strict=True), 1):
         axes.plot(*zip(at, centers[cluster], strict=True), color=INK, linewidth=1.1, zorder=2.5)
         axes.scatter(

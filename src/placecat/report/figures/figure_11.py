@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from placecat.drawing import palette
 from placecat.errors import SettingError
 from placecat.ranges import Count, Index, Two
-from placecat.report.figures.segment import most_smoothed, stretches
+from placecat.report.figures.panels import stretches
 from placecat.report.run import Run, home_of
 
 TITLE = (
@@ -34,8 +34,6 @@ def draw(
     run: Run, *, home: Count | None, start: Index | None, frames: Two, classifier: str, hmm: str, delayed: str
 ) -> Figure:
     """Draw three panels, one below the other; settings in ``figures.figure_11``."""
-    if frames < 2:
-        raise SettingError(f"figures.figure_11.frames must be 2 or more, not {frames}")
     chosen, window = choose(run, classifier, hmm, home=home, start=start, frames=frames)
     titles = ("Integration", "Hidden Markov model", "Hidden Markov model with delay")
     results = zip(titles, (classifier, hmm, delayed), strict=True)
@@ -48,15 +46,14 @@ def choose(
 ) -> tuple[str, slice]:
     """Choose the home and the frames in which smoothing removes the most changes of the decision.
 
-    `home` counts from 1; None selects the home in which the most changes vanish (the first one in a tie), or
-    the first home if `start` is set. `start` is the first frame, from 0; None selects the window in which the
-    most changes vanish. `frames` is the window's maximum length; the window ends with the home, and without
-    `start` contains no cut.
+    `home` counts from 1; None selects the best one (the first in a tie), or the first home if `start` is set.
+    `start` is the first frame, from 0; None selects the best window, which contains no cut. `frames` is the
+    window's maximum length; it ends with the home.
     """
     homes = run.source(classifier).homes if home is None else (home_of(run, home),)
     if start is not None:
         length = len(run.labels(homes[0]))
-        if not 0 <= start < length - 1:
+        if start >= length - 1:
             raise SettingError(f"figures.figure_11.start must be in 0 to {length - 2}, not {start}")
         return homes[0], slice(start, min(start + frames, length))
     found = []
@@ -65,6 +62,41 @@ def choose(
         found.append(most_smoothed(before, after, run.labels(one), run.sequence_slices(one), frames=frames))
     best = int(np.argmax([removed for removed, _ in found]))
     return homes[best], found[best][1]
+
+
+def most_smoothed(
+    before: NDArray[np.float64],
+    after: NDArray[np.float64],
+    truth: NDArray[np.int16],
+    sequences: Sequence[slice],
+    *,
+    frames: int,
+) -> tuple[int, slice]:
+    """Find the window in which smoothing removes the most changes of the decision; the first one in a tie.
+
+    Returns the number of changes before minus the number after, and the window. A change counts only between
+    two labelled frames without a cut between them. `before` and `after` are (n, classes) distributions of the
+    same frames; `truth` has (n,) class indices, -1 for unlabelled. `sequences` are stretches without a cut,
+    and `frames` is the length of a window within them; a shorter stretch is one window.
+    """
+    removed = changes(before, truth) - changes(after, truth)
+    best: tuple[int, slice] | None = None
+    for part in sequences:
+        # `removed[i]` belongs to the step from frame i to frame i + 1.
+        total = np.r_[0, np.cumsum(removed[part.start : part.stop - 1])]
+        length = min(frames, part.stop - part.start)
+        sums = total[length - 1 :] - total[: len(total) - length + 1]
+        start = int(np.argmax(sums))
+        if best is None or sums[start] > best[0]:
+            best = int(sums[start]), slice(part.start + start, part.start + start + length)
+    return best or (0, slice(0, 0))
+
+
+def changes(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> NDArray[np.int64]:
+    """Return (n - 1,) numbers: 1 where the decision changes between successive labelled frames, else 0."""
+    decision = proba.argmax(axis=1)
+    labelled = truth >= 0
+    return ((decision[1:] != decision[:-1]) & labelled[1:] & labelled[:-1]).astype(np.int64)
 
 
 def figure(

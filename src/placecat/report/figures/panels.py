@@ -1,30 +1,35 @@
-"""Shared parts of figures: frames, maps, circles and arrows."""
+"""Shared parts of figures: frames, maps, circles, arrows, and distributions over places as divided bars."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import cv2
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle, FancyArrowPatch
+from matplotlib.patches import Circle, FancyArrowPatch, Patch
 from numpy.typing import NDArray
 
 from placecat.drawing import palette
 from placecat.vision.regions import radius
 
 DARKEST = 99.5
+# Maximum width in pixels of a frame in a figure.
+MOST_PIXELS = 960
+# Smallest share that has room for its percentage.
+LEAST_WRITTEN = 0.07
+LEGEND_COLUMNS = 5
 
 
-def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> None:
-    """Show a frame, (H, W, 3) uint8 BGR, without axes; data coordinates are pixels of the frame.
-
-    The figure stores a picture at most `width` pixels wide.
-    """
-    height, full = frame.shape[:2]
+def show_frame(axes: Axes, frame: NDArray[np.uint8]) -> None:
+    """Show a frame, (H, W, 3) uint8 BGR, without axes; data coordinates are pixels of the frame."""
+    height, width = frame.shape[:2]
     shown = cv2.cvtColor(frame, cv2.COLOR_BGR2RGB)
-    if full > width:
-        shown = cv2.resize(shown, (width, round(width * height / full)), interpolation=cv2.INTER_AREA)
-    extent = (-0.5, full - 0.5, height - 0.5, -0.5)
+    if width > MOST_PIXELS:
+        size = (MOST_PIXELS, round(MOST_PIXELS * height / width))
+        shown = cv2.resize(shown, size, interpolation=cv2.INTER_AREA)
+    extent = (-0.5, width - 0.5, height - 0.5, -0.5)
     axes.imshow(shown, extent=extent, interpolation="lanczos")
     frame_in(axes)
 
@@ -42,9 +47,7 @@ def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, 
     frame_in(axes)
 
 
-def draw_regions(
-    axes: Axes, regions: NDArray[np.float32], width: int, colors: list[str], *, linewidth: float = 1.0
-) -> None:
+def draw_regions(axes: Axes, regions: NDArray[np.float32], width: int, colors: list[str]) -> None:
     """Draw a circle around each of (n, 4) salient regions (x, y, scale, saliency; thesis 3.1.1.3).
 
     `width` is the frame's width in pixels; `colors` has a colour per region.
@@ -52,7 +55,7 @@ def draw_regions(
     for (x, y, scale, _), color in zip(regions.tolist(), colors, strict=True):
         size = float(radius(scale, width))
         # A pale rim keeps the circle visible on dark and light backgrounds.
-        for edge, wide in (("white", linewidth + 0.9), (color, linewidth)):
+        for edge, wide in (("white", 2.1), (color, 1.2)):
             axes.add_patch(Circle((x, y), size, fill=False, edgecolor=edge, linewidth=wide))
 
 
@@ -71,19 +74,9 @@ class Sheet:
 
     def arrow(self, start: tuple[float, float], end: tuple[float, float], text: str = "") -> None:
         """Draw a small arrow between two points (x, y), with a text at its middle."""
-        self.figure.add_artist(
-            FancyArrowPatch(
-                self._at(*start),
-                self._at(*end),
-                transform=self.figure.transFigure,
-                arrowstyle="-|>",
-                mutation_scale=8,
-                color=palette.MUTED,
-                linewidth=0.9,
-                shrinkA=0,
-                shrinkB=0,
-            )
-        )
+        arrow = FancyArrowPatch(self._at(*start), self._at(*end), arrowstyle="-|>", shrinkA=0, shrinkB=0)
+        arrow.set(transform=self.figure.transFigure, mutation_scale=8, color=palette.MUTED, linewidth=0.9)
+        self.figure.add_artist(arrow)
         if text:
             clear = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
             self.text((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, text, bbox=clear)
@@ -96,14 +89,9 @@ class Sheet:
         return x / self.width, 1 - y / self.height
 
 
-def peaks(weight: float) -> int:
-    """Return the number m of maxima behind a map's weight 1 / sqrt(m) (thesis 3.1.1.1); 0 for weight 0."""
-    return round(weight**-2) if weight else 0
-
-
 def weight_text(weight: float) -> str:
-    """Format a map's weight for a figure, e.g. as "× 1/√3"."""
-    return f"× 1/√{peaks(weight)}" if weight else "× 0"
+    """Format a map's weight 1 / sqrt(m), from its number m of maxima (thesis 3.1.1.1), e.g. as "× 1/√3"."""
+    return f"× 1/√{round(weight**-2)}" if weight else "× 0"
 
 
 def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None:
@@ -111,3 +99,48 @@ def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None
     axes.set_xticks([])
     axes.set_yticks([])
     axes.spines[:].set(visible=True, color=color, linewidth=linewidth)
+
+
+def share_bar(
+    axes: Axes, y: float, shares: NDArray[np.floating], classes: Sequence[str], *, height: float = 0.7
+) -> None:
+    """Draw (classes,) shares, 0 to 1, as a horizontal bar around `y`, with percentages if there is room."""
+    left = 0.0
+    for share, color in zip(shares.tolist(), palette.place_colors(classes).values(), strict=True):
+        axes.barh(y, share, height, left, color=color, edgecolor="white", linewidth=0.6)
+        if share >= LEAST_WRITTEN:
+            ink = "white" if np.dot(to_rgb(color), (0.299, 0.587, 0.114)) < 0.55 else palette.INK
+            text = f"{100 * share:.0f}"
+            axes.text(left + share / 2, y, text, color=ink, fontsize=7, ha="center", va="center")
+        left += share
+
+
+def share_rows(
+    axes: Axes, rows: Mapping[str, NDArray[np.floating]], classes: Sequence[str], *, height: float = 0.7
+) -> None:
+    """Draw one (classes,) distribution per row, its name on the left; the first is at 0, the next at -1."""
+    for row, shares in enumerate(rows.values()):
+        share_bar(axes, -row, shares, classes, height=height)
+    axes.set_yticks([-row for row in range(len(rows))], list(rows))
+    axes.set_xlim(0, 1)
+    axes.set_ylim(-len(rows) + 0.5, 0.5)
+    axes.set_xticks([])
+    axes.tick_params(length=0)
+    axes.spines[:].set_visible(False)
+
+
+def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]) -> None:
+    """Draw the legend of the places' colours; `at` is its left centre in fractions of the figure."""
+    handles = [Patch(color=color) for color in palette.place_colors(classes).values()]
+    titles = [palette.place_title(place) for place in classes]
+    where: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": at, "borderaxespad": 0}
+    where |= {"handlelength": 1.0, "handleheight": 0.8, "columnspacing": 1.0}
+    figure.legend(handles, titles, ncols=min(len(handles), LEGEND_COLUMNS), **where)
+
+
+def stretches(places: NDArray[np.integer]) -> list[slice]:
+    """Return the stretches of equal values in (n,) places, in order."""
+    if not len(places):
+        return []
+    starts = np.flatnonzero(np.r_[True, places[1:] != places[:-1]]).tolist()
+    return [slice(start, stop) for start, stop in zip(starts, [*starts[1:], len(places)], strict=True)]

@@ -19,7 +19,7 @@ from placecat.drawing import palette
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.ranges import Count
-from placecat.report.figures.segment import stretches
+from placecat.report.figures.panels import stretches
 from placecat.report.run import Run, home_of
 
 # Maximum width of a strip in pixels; more frames are averaged.

@@ -1,7 +1,7 @@
 import pytest
 
 import made_report
-from placecat.report.charts.growth import growth_chart
+from placecat.report.scale import growth_chart
 
 
 def test_stages_that_take_time_have_a_line_on_logarithmic_axes():

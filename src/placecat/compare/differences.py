@@ -1,7 +1,7 @@
-"""Compare the tables and verdicts of an old and a new run."""
+"""Compare the tables and verdicts of an old and a new run, and describe the differences."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -9,7 +9,9 @@ import pandas as pd
 
 NONE = "none"
 # A row's content columns and the table's number; the other columns identify its cell.
-_SAID = ("table", "published", "measured", "spread", "seeds", "note", "data")
+_CONTENT = ("table", "published", "measured", "spread", "seeds", "note", "data")
+# How many differing tables, verdicts and settings to name at most.
+_TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 
 
 class Grade(Enum):
@@ -25,16 +27,10 @@ class Grade(Enum):
 class TableDifference:
     """The differences in one table, e.g. ``table_26``.
 
-    Attributes
-    ----------
-    cells
-        Number of compared cells: cells with an old or a new number.
-    differing
-        Number of compared cells whose number or spread over seeds differs.
-    largest, where
-        The largest difference in points, and the labels of its cell; 0 and "" if no number differs.
-    appeared, disappeared
-        Number of cells with only a new number, and with only an old one.
+    `cells` is the number of compared cells, which have an old or a new number; `differing` of these have
+    another number or spread over seeds. `largest` is the largest difference in points and `where` the labels
+    of its cell; 0 and "" if no number differs. `appeared` and `disappeared` are the numbers of cells with
+    only a new and only an old number.
     """
 
     name: str
@@ -59,6 +55,7 @@ class Turned:
     finding: str
     kept: str
     now: str
+    claim: str = ""
 
 
 @dataclass(frozen=True)
@@ -132,14 +129,15 @@ def compare(
     tables = tuple(_compare_table(name, cells) for name, cells in pairs.items())
     if data is not None or findings_now is None or findings_kept is None:
         return Comparison(tables, data, 0, ())
-    return Comparison(tables, data, *_compare_verdicts(findings_now, findings_kept))
+    findings = {*findings_now["number"].astype(str), *findings_kept["number"].astype(str)}
+    return Comparison(tables, data, len(findings), turned(findings_now, findings_kept))
 
 
 def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
     """Index each cell's number, spread (NaN for none) and data set ("" without a number) by its labels."""
     if table is None:
         table = pd.DataFrame(columns=["measured", "data"])
-    labels = table[[column for column in table.columns if column not in _SAID]].fillna("").astype(str)
+    labels = table[[column for column in table.columns if column not in _CONTENT]].fillna("").astype(str)
     cells = table.reindex(columns=["measured", "spread"]).apply(pd.to_numeric, errors="coerce")
     cells["data"] = table["data"].where(cells["measured"].notna(), "")
     cells.index = pd.Index(list(labels.itertuples(index=False, name=None)), dtype=object, tupleize_cols=False)
@@ -157,11 +155,9 @@ def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
 def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
     new, old = cells["measured_now"], cells["measured_kept"]
     is_new, is_old = new.notna(), old.notna()
-    same = [
-        (cells[f"{kind}_now"] == cells[f"{kind}_kept"])
-        | (cells[f"{kind}_now"].isna() & cells[f"{kind}_kept"].isna())
-        for kind in ("measured", "spread")
-    ]
+    spreads = cells["spread_now"], cells["spread_kept"]
+    # NaN, for a missing number, differs from itself.
+    differs = [(one != other) & (one.notna() | other.notna()) for one, other in ((new, old), spreads)]
     # Both numbers have two decimals, but their floating-point difference has more.
     distance = (new - old).abs().round(2).dropna()
     largest = float(distance.max()) if len(distance) else 0.0
@@ -169,7 +165,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
     return TableDifference(
         name,
         cells=int((is_new | is_old).sum()),
-        differing=int((~(same[0] & same[1])).sum()),
+        differing=int((differs[0] | differs[1]).sum()),
         largest=largest,
         where=where,
         appeared=int((is_new & ~is_old).sum()),
@@ -177,9 +173,82 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
     )
 
 
-def _compare_verdicts(now: pd.DataFrame, kept: pd.DataFrame) -> tuple[int, tuple[Turned, ...]]:
-    """Count the findings, and list the changed verdicts."""
-    new, old = (dict(zip(one["number"].astype(str), one["verdict"], strict=True)) for one in (now, kept))
-    both = dict.fromkeys([*new, *old])
-    turned = (Turned(finding, old.get(finding, NONE), new.get(finding, NONE)) for finding in both)
-    return len(both), tuple(one for one in turned if one.kept != one.now)
+def turned(now: pd.DataFrame | None, kept: pd.DataFrame | None) -> tuple[Turned, ...]:
+    """List the changed verdicts of two tables of findings; None is a table without findings."""
+    new, old = (
+        {} if table is None else {str(row["number"]): row for row in table.to_dict("records")}
+        for table in (now, kept)
+    )
+    found = []
+    for finding in dict.fromkeys([*new, *old]):
+        was, now_is = (side[finding]["verdict"] if finding in side else NONE for side in (old, new))
+        if was != now_is:
+            claim = (new.get(finding) or old[finding]).get("claim", "")
+            found.append(Turned(finding, was, now_is, claim))
+    return tuple(found)
+
+
+def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str]) -> list[str]:
+    """Describe line by line how a run differs, given a tolerance in points.
+
+    `kept` names the source of the old tables, e.g. "git HEAD"; `settings` are the names of changed settings.
+    """
+    grade = comparison.grade(tolerance)
+    lines = []
+    if comparison.data:
+        what = "Tables" if grade is Grade.NOT_COMPARED else "Some cells of the tables"
+        lines.append(
+            f"{what} are not compared: the old ones ({kept}) were measured on {comparison.data[0]}, "
+            f"the new ones on {comparison.data[1]}."
+        )
+    elif grade is Grade.NOT_COMPARED:
+        lines.append(f"Tables are not compared: neither the new nor the old ones ({kept}) have a number.")
+    if grade is not Grade.NOT_COMPARED:
+        lines += _about_tables(comparison, tolerance, kept)
+    if comparison.findings:
+        lines.append(_about_findings(comparison))
+    if settings and (comparison.differing or comparison.turned):
+        lines.append(f"Settings differ: {_some(settings, _SETTINGS)}. Expect differences.")
+    elif grade is Grade.BEYOND:
+        lines.append(
+            "A different kind of processor does not explain this. If code or data were changed on purpose, "
+            "commit reports/ with them; otherwise check `git status` and that the environment matches "
+            "requirements.lock."
+        )
+    return lines
+
+
+def _about_tables(comparison: Comparison, tolerance: float, kept: str) -> list[str]:
+    cells = comparison.cells
+    text = f"Tables: {cells - comparison.differing} of {cells} cells equal the old ones ({kept})"
+    worst = comparison.largest
+    if worst is not None:
+        side = "within" if worst.largest <= tolerance else "beyond"
+        text += (
+            f"; largest difference {worst.largest:.2f} points in {worst.label} ({worst.where}), "
+            f"{side} the tolerance of {tolerance:g} points (reproducibility.tolerance)"
+        )
+    if gained := sum(table.appeared for table in comparison.tables):
+        text += f"; {gained} gained a number"
+    if lost := sum(table.disappeared for table in comparison.tables):
+        text += f"; {lost} lost a number"
+    changed = sorted((one for one in comparison.tables if one.differing), key=lambda one: -one.largest)
+    lines = [f"{text}."]
+    for one in changed[:_TABLES]:
+        more = f", by at most {one.largest:.2f} points" if one.largest else ""
+        lines.append(f"  {one.label}: {one.differing} of {one.cells} cells differ{more}")
+    if len(changed) > _TABLES:
+        lines.append(f"  and {len(changed) - _TABLES} more tables by less")
+    return lines
+
+
+def _about_findings(comparison: Comparison) -> str:
+    same = comparison.findings - len(comparison.turned)
+    text = f"Findings: {same} of {comparison.findings} verdicts equal the old ones"
+    changes = [f"finding {one.finding} was {one.kept!r} and is now {one.now!r}" for one in comparison.turned]
+    return f"{text}{'; ' if changes else ''}{_some(changes, _VERDICTS, '; ')}."
+
+
+def _some(names: Sequence[str], limit: int, separator: str = ", ") -> str:
+    more = f"{separator}and {len(names) - limit} more" if len(names) > limit else ""
+    return separator.join(names[:limit]) + more
