@@ -15,6 +15,7 @@ from omegaconf import OmegaConf
 from placecat import files
 from placecat.errors import PlacecatError
 from placecat.experiment import announce, combination, job, jobs, made_from, output, running, summary, sweep
+from placecat.runs import lock
 
 # Jobs that fail, and jobs whose process is killed each time.
 FAILS, IS_KILLED = 3, 5
@@ -163,7 +164,8 @@ def test_a_killed_sweep_resumes_with_the_undisturbed_result(tmp_path, ran, capsy
 
 def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_path, ran, capfd):
     one = Sweep(tmp_path / "one", 3)
-    with jobs.alone(one.folder):
+    one.folder.mkdir()
+    with lock.waiting(one.folder / ".lock", ""):
         process = os.fork()
         if not process:
             one.run()

@@ -17,7 +17,7 @@ from omegaconf import OmegaConf
 from placecat.errors import PlacecatError
 from placecat.learning.hierarchical_kmeans import check_cluster_number
 from placecat.learning.scaling import KINDS
-from placecat.search import report, requirements, space, starts, study
+from placecat.search import report, space, starts, study
 
 pytest.importorskip("optuna")
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("experiment")]
@@ -177,8 +177,8 @@ def test_impossible_spaces_are_refused(params, arguments, message):
 )
 def test_searches_that_use_the_test_home_are_refused(changed, message):
     with pytest.raises(PlacecatError, match=message):
-        requirements.check(config(**changed))
-    requirements.check(config())
+        space.check(config(**changed))
+    space.check(config())
 
 
 def test_spaces_in_conf_reach_every_valid_value():

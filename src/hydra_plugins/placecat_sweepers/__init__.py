@@ -77,21 +77,8 @@ class OptunaSweeper(_Checked):
     conf/hydra/sweeper/optuna.yaml.
     """
 
-    def __init__(
-        self,
-        n_trials: int,
-        batch_size: int,
-        seed: int,
-        n_startup_trials: int,
-        digits: int,
-        params: DictConfig | None = None,
-    ) -> None:
-        self.numbers = {
-            "n_trials": n_trials,
-            "batch_size": batch_size,
-            "seed": seed,
-            "n_startup_trials": n_startup_trials,
-        }
+    def __init__(self, digits: int, params: DictConfig | None = None, **numbers: int) -> None:
+        self.numbers = numbers
         self.digits = digits
         self.params = {str(key): value for key, value in (params or {}).items()}
 
@@ -99,12 +86,11 @@ class OptunaSweeper(_Checked):
         """Search, and write the result to the sweep's folder."""
         from placecat import settings
         from placecat.experiment import announce, jobs, sweep
-        from placecat.search import report, requirements, space, study
+        from placecat.search import report, space, study
 
         config = self.config
-        requirements.need_optuna()
+        space.check(config)
         own = space.read(self.params, arguments, config, settings.load(), digits=self.digits)
-        requirements.check(config)
         ends = [[*own.fixed, *line] for line in own.ends()]
         sweep.check(config, ends, [space.values(line) for line in own.ends()])
         started: list[dict[str, str]] = []
@@ -119,6 +105,6 @@ class OptunaSweeper(_Checked):
             tried = study.search(own, launch, **self.numbers)
             choices = config.hydra.runtime.choices
             base = {key: str(choices[key]) for key in ("descriptor", "classifier", "data") if key in choices}
-            home = config.test_home if isinstance(config.test_home, str) else config.test_home[0]
-            print(f"\n{report.write(folder, tried, own, base, home)}")
+            home = config.test_home if isinstance(config.test_home, str | int) else config.test_home[0]
+            print(f"\n{report.write(folder, tried, own, base, str(home))}")
             return announce.tell(folder, started, log=self.logged(arguments))

@@ -36,8 +36,6 @@ class Cluster:
                 raise PlacecatError(
                     f"compute.may_differ has {item!r}, which is not compared (valid: {', '.join(here)})"
                 )
-        if not isinstance(wait, int | float) or wait <= 0:
-            raise PlacecatError(f"compute.wait must be a number of seconds above 0, not {wait!r}")
         self._wait = float(wait)
         self._client = _connect(client, scheduler, self._wait)
         mark = paths.COMPUTE / uuid.uuid4().hex

@@ -2,9 +2,8 @@
 
 import math
 import os
-import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -14,23 +13,10 @@ from placecat.errors import PlacecatError
 from placecat.experiment import job, output
 from placecat.experiment.combination import Experiment
 from placecat.experiment.made_from import is_finished, made_from
-from placecat.runs import lock
 
 _NO_RESULT = "no result"
 # A function that runs one job for each list of overrides.
 Launch = Callable[[Sequence[Sequence[str]]], Any]
-
-
-@contextmanager
-def alone(folder: Path) -> Iterator[None]:
-    """Create and lock a sweep's folder, waiting for any other process; on Ctrl-C, print how to continue."""
-    folder.mkdir(parents=True, exist_ok=True)
-    with lock.waiting(folder / ".lock", f"Another process is running this sweep ({folder}): waiting for it."):
-        try:
-            yield
-        except KeyboardInterrupt:
-            print(f"placecat: stopped; the same command continues {folder}", file=sys.stderr, flush=True)
-            raise
 
 
 def run(

@@ -1,5 +1,6 @@
 """Readable tables of a sweep's or an experiment's results."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -66,12 +67,11 @@ def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
     """Collect a sweep's results; `combinations` has each experiment's values of the swept keys."""
     found = []
     for number, values in enumerate(combinations):
-        own = folder / str(number)
         try:
-            result = output.read(own)
+            result = output.read(folder / str(number))
         except PlacecatError as error:
             result = output.failure(str(error))
-        found.append(Ran(number, dict(values), own, result))
+        found.append(Ran(number, dict(values), folder / str(number), result))
     return found
 
 
@@ -113,7 +113,8 @@ def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
     """Tabulate a measure over the swept keys, as text.
 
     The columns are the values of the first numeric key or, without one, of the last key, but never of the
-    test home. If several test homes were swept, their average follows them.
+    test home. If several test homes were swept, their average follows them. If some combinations of values
+    were not run, as in a search, each experiment has a row instead.
     """
     swept, frame = list(ran[0].values), _values(ran, measure)
     others = [key for key in swept if key != HOME]
@@ -122,7 +123,8 @@ def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
         means = groups[measure].mean().reset_index()
         frame = pd.concat([frame, means.assign(**{HOME: AVERAGE})])[[*swept, measure]]
     numbers = [key for key in others if pd.to_numeric(frame[key], errors="coerce").notna().all()]
-    across = (numbers[:1] or others[-1:]) if len(swept) > 1 else []
+    is_complete = len(frame) == math.prod(frame[swept].nunique())
+    across = (numbers[:1] or others[-1:]) if len(swept) > 1 and is_complete else []
     across = [key for key in across if frame[key].nunique() <= _MOST_COLUMNS]
     # The homes come last, to keep the rows that are averaged together.
     down = [key for key in others if key not in across] + [key for key in swept if key == HOME]

@@ -1,5 +1,6 @@
 """A search space, read from Hydra's overrides, and the settings that the search starts with."""
 
+import importlib.util
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ from placecat.search import starts
 if TYPE_CHECKING:
     from optuna.distributions import BaseDistribution
 
+JUDGE = "training_homes"
 # Only the method's settings are searched; data, homes, seeds and judge belong to the measurement.
 _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
@@ -53,6 +55,27 @@ class Space:
             limits = getattr(own, "choices", None) or (own.low, own.high)  # type: ignore[attr-defined]
             found += [first | {key: value} for value in limits]
         return [self.overrides(chosen) for chosen in found]
+
+
+def check(config: Mapping[str, Any]) -> None:
+    """Refuse a search whose result would be meaningless.
+
+    Raises PlacecatError if Optuna is not installed, if ``judge`` is not ``training_homes``, or unless there
+    is exactly one test home.
+    """
+    if importlib.util.find_spec("optuna") is None:
+        raise PlacecatError("a search needs Optuna: install it with `pip install -e .[search]`")
+    judge, home = config["judge"], config["test_home"]
+    if judge != JUDGE:
+        raise PlacecatError(
+            f"judge={judge}: a search is judged on training homes only, since a setting "
+            f"chosen by its accuracy on the test home says nothing about new homes; use judge={JUDGE}"
+        )
+    if home == "all" or (not isinstance(home, str | int) and len(home) != 1):
+        raise PlacecatError(
+            f"test_home={home}: a search leaves out one test home, since a setting chosen on all folds has "
+            "seen every home; name one, e.g. test_home=home_1, and search once for each"
+        )
 
 
 def values(overrides: Sequence[str]) -> dict[str, str]:
