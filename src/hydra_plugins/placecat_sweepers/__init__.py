@@ -56,7 +56,7 @@ class GridSweeper(_Checked):
 
     def run(self, arguments: list[str]) -> bool:
         """Run the combinations."""
-        from placecat.experiment import announce, jobs, summary, sweep
+        from placecat.experiment import jobs, summary, sweep
 
         lines, combinations = sweep.grid(arguments, self.hydra_context.config_loader)
         experiments = sweep.check(self.config, lines, combinations)
@@ -66,7 +66,7 @@ class GridSweeper(_Checked):
                 own[summary.HOME] = "+".join(experiment.homes)
         with sweep.begun(self.config, combinations) as folder:
             jobs.run(folder, lines, experiments, self.launch)
-            return announce.tell(folder, combinations, log=self.logged(arguments))
+            return summary.tell(folder, combinations, log=self.logged(arguments))
 
 
 class OptunaSweeper(_Checked):
@@ -85,7 +85,7 @@ class OptunaSweeper(_Checked):
     def run(self, arguments: list[str]) -> bool:
         """Search, and write the result to the sweep's folder."""
         from placecat import settings
-        from placecat.experiment import announce, jobs, sweep
+        from placecat.experiment import jobs, summary, sweep
         from placecat.search import report, space, study
 
         config = self.config
@@ -107,4 +107,4 @@ class OptunaSweeper(_Checked):
             base = {key: str(choices[key]) for key in ("descriptor", "classifier", "data") if key in choices}
             home = config.test_home if isinstance(config.test_home, str | int) else config.test_home[0]
             print(f"\n{report.write(folder, tried, own, base, str(home))}")
-            return announce.tell(folder, started, log=self.logged(arguments))
+            return summary.tell(folder, started, log=self.logged(arguments))

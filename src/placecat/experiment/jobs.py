@@ -12,7 +12,7 @@ from joblib.externals.loky.process_executor import TerminatedWorkerError
 from placecat.errors import PlacecatError
 from placecat.experiment import job, output
 from placecat.experiment.combination import Experiment
-from placecat.experiment.made_from import is_finished, made_from
+from placecat.experiment.running import is_finished, made_from
 
 _NO_RESULT = "no result"
 # A function that runs one job for each list of overrides.

@@ -16,7 +16,7 @@ from omegaconf.errors import OmegaConfBaseException
 
 from placecat import settings
 from placecat.errors import PlacecatError
-from placecat.experiment import announce, output, summary
+from placecat.experiment import output, summary
 from placecat.experiment.combination import Experiment, resolve
 from placecat.runs import lock
 
@@ -113,5 +113,5 @@ def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterato
             raise
         except Exception:
             # Do not log yet, since the same command will continue the sweep.
-            announce.tell(folder, combinations, log=None)
+            summary.tell(folder, combinations, log=None)
             raise

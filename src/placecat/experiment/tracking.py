@@ -13,7 +13,7 @@ import pandas as pd
 from placecat import files, settings
 from placecat.errors import PlacecatError
 from placecat.experiment import output, summary
-from placecat.experiment.made_from import made_from_of
+from placecat.experiment.running import made_from_of
 from placecat.experiment.summary import Ran
 from placecat.mlflow_log import store
 from placecat.mlflow_log.params import params_of_cue

@@ -69,12 +69,10 @@ def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str,
 def filter_home(source: Path, home: str, threshold: float) -> dict[str, np.ndarray]:
     """Return one home's filtered distributions, and the unfiltered arrays that smoothing needs."""
     found = files.read_arrays(source)
-    needed = {
-        name: found[name] for name in ("test", "cross_validated", "cross_validated_truth") if name in found
-    }
     sequences = listing.sequence_slices(home)
-    needed["test"] = hold(needed["test"], _information(home), threshold=threshold, sequences=sequences)
-    return needed
+    held = hold(found["test"], _information(home), threshold=threshold, sequences=sequences)
+    needed = ("cross_validated", "cross_validated_truth")
+    return {"test": held, **{name: found[name] for name in needed if name in found}}
 
 
 if __name__ == "__main__":
