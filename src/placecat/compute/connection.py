@@ -137,8 +137,7 @@ def _result(future: Any) -> bytes:
     if future.status not in ("finished", "error"):
         raise PlacecatError(LOST)
     try:
-        result: bytes = future.result()
-        return result
+        return bytes(future.result())
     except KilledWorker as error:
         last = getattr(error.last_worker, "address", error.last_worker)
         raise PlacecatError(

@@ -101,5 +101,4 @@ def perform(expected: Expected, call: bytes) -> bytes:
     function, arguments = pickle.loads(call)
     # Loops inside a task stay in its process.
     with contextlib.chdir(expected.folder), parallel_config(backend="threading", n_jobs=1):
-        result: bytes = cloudpickle.dumps(function(*arguments))
-        return result
+        return bytes(cloudpickle.dumps(function(*arguments)))

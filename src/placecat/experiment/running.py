@@ -10,7 +10,6 @@ import numpy as np
 from placecat import paths, settings
 from placecat.compute import cluster, parallel
 from placecat.compute.fingerprint import PACKAGES, fingerprint
-from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.quality import probability_quality
 from placecat.experiment import output
@@ -120,10 +119,7 @@ def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
 
 def is_finished(folder: Path, wanted: dict[str, Any]) -> bool:
     """Whether a job's folder holds a result, an accuracy or a reason, with the wanted origin."""
-    try:
-        found = output.read(folder)
-    except PlacecatError:
-        return False
+    found = output.read(folder)
     return output.FAILED not in found and made_from_of(found) == wanted
 
 

@@ -66,14 +66,11 @@ class Ran:
 
 def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
     """Collect a sweep's results; `combinations` has each experiment's values of the swept keys."""
-    found = []
-    for number, values in enumerate(combinations):
-        try:
-            result = output.read(folder / str(number))
-        except PlacecatError as error:
-            result = output.failure(str(error))
-        found.append(Ran(number, dict(values), folder / str(number), result))
-    return found
+    folders = [folder / str(number) for number in range(len(combinations))]
+    return [
+        Ran(number, dict(values), own, output.read(own))
+        for number, (values, own) in enumerate(zip(combinations, folders, strict=True))
+    ]
 
 
 def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:

@@ -4,7 +4,7 @@ import json
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -38,16 +38,13 @@ def alone() -> Iterator[None]:
         yield
 
 
-@contextmanager
-def one_at_a_time(stage: str) -> Iterator[None]:
+def one_at_a_time(stage: str) -> AbstractContextManager[object]:
     """Wait while another process runs the same stage; it may be cleaning up after its DVC was killed."""
     if not TEMPORARY.parent.is_dir():
-        yield
-        return
+        return nullcontext()
     TEMPORARY.mkdir(exist_ok=True)
     said = f"Another process is running the stage {stage} here: waiting for it."
-    with waiting(TEMPORARY / f"placecat.{stage}.lock", said):
-        yield
+    return waiting(TEMPORARY / f"placecat.{stage}.lock", said)
 
 
 def waiting(path: Path, said: str) -> AbstractContextManager[object]:
