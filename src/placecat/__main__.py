@@ -262,7 +262,7 @@ def _demo(options: argparse.Namespace) -> int:
 
 
 def _worker(options: argparse.Namespace) -> int:
-    from placecat.compute.command import worker_command
+    from placecat.compute.worker import worker_command
 
     worker_command(options.scheduler, options.options)
 

@@ -1,8 +1,11 @@
 import pandas as pd
 import pytest
 
-from placecat.choice.candidates import COLUMNS, changed, choose, combinations, label
+from placecat import settings
+from placecat.choice.candidates import COLUMNS, choose, combinations, label
 from placecat.errors import PlacecatError
+
+TRIES = "conf/choice.yaml tries"
 
 
 def table(rows):
@@ -55,10 +58,10 @@ def test_candidates():
         "scaling=distance, temperature=False",
     ]
     config = {"classifier": {"scaling": "unit"}, "temperature": True}
-    assert changed(config, candidates[1], "it") == {
+    assert settings.changed(config, candidates[1], TRIES, "it") == {
         "classifier": {"scaling": "distance"},
         "temperature": False,
     }
     assert config["classifier"]["scaling"] == "unit"
     with pytest.raises(PlacecatError, match=r"tries classifier.scale, but the cue gist has no such setting"):
-        changed(config, {"classifier.scale": 1}, "the cue gist")
+        settings.changed(config, {"classifier.scale": 1}, TRIES, "the cue gist")

@@ -34,6 +34,15 @@ def test_a_task_without_memory_is_one_message_that_names_the_task(two_workers, j
         parallel.in_parallel(_want_too_much, [(1,), (2,)], "features of home_1", n_jobs=jobs)
 
 
+def _unheard():
+    return signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, [])
+
+
+def test_only_workers_ignore_ctrl_c(two_workers):
+    assert parallel.in_parallel(_unheard, [(), ()], "work") == [True, True]
+    assert not _unheard()
+
+
 LOOP = """
 import os, time
 from placecat.compute import parallel

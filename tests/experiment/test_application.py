@@ -12,9 +12,8 @@ import pytest
 from made_experiments import SMALL, make_project, resolved
 
 from placecat import __main__, files
-from placecat.experiment import announce
-from placecat.experiment.made_from import made_from
-from placecat.experiment.running import compute
+from placecat.experiment import summary
+from placecat.experiment.running import compute, made_from
 
 # One worker for all tests, so the sweep runs once.
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("experiment")]
@@ -179,7 +178,7 @@ def test_results_are_kept_though_mlflow_is_down(sweep, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     monkeypatch.setenv("MLFLOW_TRACKING_URI", "http://127.0.0.1:9")
     monkeypatch.setenv("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "0")
-    assert not announce.tell(Path("swept"), [{}], log=[])
+    assert not summary.tell(Path("swept"), [{}], log=[])
     printed = capsys.readouterr()
     assert "nothing was logged to MLflow: MLflow at http://127.0.0.1:9" in printed.err
     assert "Details: swept/summary.csv" in printed.out

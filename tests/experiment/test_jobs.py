@@ -14,7 +14,8 @@ from omegaconf import OmegaConf
 
 from placecat import files
 from placecat.errors import PlacecatError
-from placecat.experiment import announce, combination, job, jobs, made_from, output, running, summary, sweep
+from placecat.experiment import combination, job, jobs, output, running, summary, sweep
+from placecat.runs import lock
 
 # Jobs that fail, and jobs whose process is killed each time.
 FAILS, IS_KILLED = 3, 5
@@ -34,7 +35,7 @@ class Sweep:
     def run(self):
         with sweep.begun(self.config, self.combinations) as folder:
             jobs.run(folder, self.lines, list(range(len(self.lines))), self.launch)
-            return announce.tell(folder, self.combinations, log=None)
+            return summary.tell(folder, self.combinations, log=None)
 
     def launch(self, lines):
         """Like joblib: two workers, and if one is killed, the other is too."""
@@ -69,7 +70,7 @@ class Sweep:
         return {
             number
             for number in range(len(self.lines))
-            if made_from.is_finished(self.folder / str(number), jobs.made_from(number))
+            if running.is_finished(self.folder / str(number), jobs.made_from(number))
         }
 
 
@@ -93,7 +94,7 @@ def ran(tmp_path, monkeypatch):
     monkeypatch.setattr(combination, "resolve", lambda config, params: config["number"])
     monkeypatch.setattr(job.HydraConfig, "get", None)
     monkeypatch.setattr(job.settings, "load", dict)
-    for module in (made_from, jobs):
+    for module in (running, jobs):
         monkeypatch.setattr(module, "made_from", lambda number: {"settings": {"number": number}})
     return log
 
@@ -163,7 +164,8 @@ def test_a_killed_sweep_resumes_with_the_undisturbed_result(tmp_path, ran, capsy
 
 def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_path, ran, capfd):
     one = Sweep(tmp_path / "one", 3)
-    with jobs.alone(one.folder):
+    one.folder.mkdir()
+    with lock.waiting(one.folder / ".lock", ""):
         process = os.fork()
         if not process:
             one.run()
@@ -183,7 +185,7 @@ def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_pat
 )
 def test_a_result_with_another_origin_is_not_finished(tmp_path, content):
     (tmp_path / output.RESULT).write_text(content)
-    assert not made_from.is_finished(tmp_path, {"settings": {"number": 1}})
+    assert not running.is_finished(tmp_path, {"settings": {"number": 1}})
 
 
 def test_a_damaged_result_is_reported(tmp_path):

@@ -13,8 +13,7 @@ from made_features import CLASSES, HOMES, PARAMS
 
 from placecat import paths, settings
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
-from placecat.experiment.made_from import made_from
-from placecat.experiment.running import compute
+from placecat.experiment.running import compute, made_from
 from placecat.results.measured import from_scores
 from placecat.results.sources import sources
 from placecat.training import fold_file

@@ -17,7 +17,7 @@ from omegaconf import OmegaConf
 from placecat.errors import PlacecatError
 from placecat.learning.hierarchical_kmeans import check_cluster_number
 from placecat.learning.scaling import KINDS
-from placecat.search import report, requirements, space, starts, study
+from placecat.search import report, space, study
 
 pytest.importorskip("optuna")
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("experiment")]
@@ -119,14 +119,14 @@ def test_a_start_without_a_number_is_reported(tmp_path):
     assert tried[0].accuracy is None
     assert study.best(tried).number == 1
     text = report.write(tmp_path, tried, own, {"descriptor": "hog"}, "H1")
-    assert f"| {starts.SETTINGS} | 0 | - |" in text
+    assert f"| {space.SETTINGS} | 0 | - |" in text
     assert "For comparison" not in text
 
 
 def test_a_cue_of_another_descriptor_is_no_start():
     tracked = cue(y_pos=True, tracked=True)
     own = read(cues={"sift_y": cue(name="sift"), "hog": cue(y_pos=False), "hog_tracked": tracked})
-    assert list(own.starts) == [starts.SETTINGS]
+    assert list(own.starts) == [space.SETTINGS]
 
 
 def test_the_thesis_setting_of_hog_is_a_start():
@@ -137,8 +137,8 @@ def test_the_thesis_setting_of_hog_is_a_start():
         "descriptor": params["codebooks"]["hog_y"]["descriptor"] | {"tracked": False},
         "classifier": {"model": "joint_probability", "base": {"name": "naive_bayes"}, "clusters": 91},
     }
-    found = starts.find([CLUSTERS], config(**own), params)
-    assert found == {starts.SETTINGS: {CLUSTERS: 91}, "conf/cue/hog_y.yaml": {CLUSTERS: 196}}
+    found = space.find_starts([CLUSTERS], config(**own), params)
+    assert found == {space.SETTINGS: {CLUSTERS: 91}, "conf/cue/hog_y.yaml": {CLUSTERS: 196}}
 
 
 def test_the_command_line_goes_first():
@@ -177,8 +177,8 @@ def test_impossible_spaces_are_refused(params, arguments, message):
 )
 def test_searches_that_use_the_test_home_are_refused(changed, message):
     with pytest.raises(PlacecatError, match=message):
-        requirements.check(config(**changed))
-    requirements.check(config())
+        space.check(config(**changed))
+    space.check(config())
 
 
 def test_spaces_in_conf_reach_every_valid_value():
@@ -205,7 +205,7 @@ def test_the_commands_test_the_best_and_the_first_settings(tmp_path):
     found = study.best(tried)
     assert commands == [program + " ".join(one.overrides) + end for one in (found, tried[0])]
     results = yaml.safe_load((tmp_path / report.RESULTS).read_text())
-    assert results["best_value"] == 51 > results["starts"][starts.SETTINGS]["value"] == 50
+    assert results["best_value"] == 51 > results["starts"][space.SETTINGS]["value"] == 50
     assert results["best_params"][SCALING] == "none"
 
 
@@ -247,7 +247,7 @@ def test_the_application_finds_the_same_with_any_workers_and_any_test_home(tmp_p
     with (folder / "swept_1/summary.csv").open(newline="") as table:
         rows = list(csv.DictReader(table))
     assert [rows[0][key] for key in (GAMMA, SCALING)] == ["2.0", "standard"]
-    assert results["best_value"] >= results["starts"][starts.SETTINGS]["value"]
+    assert results["best_value"] >= results["starts"][space.SETTINGS]["value"]
     assert round(results["best_value"], 2) == max(float(row["accuracy"]) for row in rows)
 
 

@@ -64,6 +64,16 @@ def test_a_sweep_reads_as_a_table_does(tmp_path):
     assert "failed: it left no result" in text
 
 
+def test_a_search_reads_as_a_list_of_its_experiments(tmp_path):
+    """A table of two keys would be empty outside its diagonal."""
+    combinations = [{"gamma": gamma, "scaling": scaling} for gamma, scaling in (("2", "unit"), ("1", "none"))]
+    for number, value in enumerate((40.0, 60.0)):
+        files.write_json(tmp_path / str(number) / output.RESULT, result("H1", value))
+    found = summary.grid(summary.read(tmp_path, combinations))
+    assert found["accuracy"].to_dict() == {("2", "unit"): "40.00", ("1", "none"): "60.00"}
+    assert found.index.names == ["gamma", "scaling"]
+
+
 def test_spread_is_the_range_of_the_seeds(tmp_path):
     frame = summary.as_frame(made(tmp_path))
     assert frame["spread"].tolist()[0] == 1.0

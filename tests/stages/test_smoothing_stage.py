@@ -69,8 +69,7 @@ def test_frame_rates_come_from_the_homes(project, monkeypatch):
 def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monkeypatch):
     """Against `smooth`, called by hand without the home and the test home."""
     from placecat import paths
-    from placecat.choice.judging import judge_home, predict_unseen
-    from placecat.choice.smoothing import judge_smoothing
+    from placecat.choice.judging import judge_home, judge_smoothing, predict_unseen
     from placecat.errors import PlacecatError
 
     monkeypatch.chdir(project)

@@ -56,7 +56,7 @@ class GridSweeper(_Checked):
 
     def run(self, arguments: list[str]) -> bool:
         """Run the combinations."""
-        from placecat.experiment import announce, jobs, summary, sweep
+        from placecat.experiment import jobs, summary, sweep
 
         lines, combinations = sweep.grid(arguments, self.hydra_context.config_loader)
         experiments = sweep.check(self.config, lines, combinations)
@@ -66,7 +66,7 @@ class GridSweeper(_Checked):
                 own[summary.HOME] = "+".join(experiment.homes)
         with sweep.begun(self.config, combinations) as folder:
             jobs.run(folder, lines, experiments, self.launch)
-            return announce.tell(folder, combinations, log=self.logged(arguments))
+            return summary.tell(folder, combinations, log=self.logged(arguments))
 
 
 class OptunaSweeper(_Checked):
@@ -77,34 +77,20 @@ class OptunaSweeper(_Checked):
     conf/hydra/sweeper/optuna.yaml.
     """
 
-    def __init__(
-        self,
-        n_trials: int,
-        batch_size: int,
-        seed: int,
-        n_startup_trials: int,
-        digits: int,
-        params: DictConfig | None = None,
-    ) -> None:
-        self.numbers = {
-            "n_trials": n_trials,
-            "batch_size": batch_size,
-            "seed": seed,
-            "n_startup_trials": n_startup_trials,
-        }
+    def __init__(self, digits: int, params: DictConfig | None = None, **numbers: int) -> None:
+        self.numbers = numbers
         self.digits = digits
         self.params = {str(key): value for key, value in (params or {}).items()}
 
     def run(self, arguments: list[str]) -> bool:
         """Search, and write the result to the sweep's folder."""
         from placecat import settings
-        from placecat.experiment import announce, jobs, sweep
-        from placecat.search import report, requirements, space, study
+        from placecat.experiment import jobs, summary, sweep
+        from placecat.search import report, space, study
 
         config = self.config
-        requirements.need_optuna()
+        space.check(config)
         own = space.read(self.params, arguments, config, settings.load(), digits=self.digits)
-        requirements.check(config)
         ends = [[*own.fixed, *line] for line in own.ends()]
         sweep.check(config, ends, [space.values(line) for line in own.ends()])
         started: list[dict[str, str]] = []
@@ -119,6 +105,6 @@ class OptunaSweeper(_Checked):
             tried = study.search(own, launch, **self.numbers)
             choices = config.hydra.runtime.choices
             base = {key: str(choices[key]) for key in ("descriptor", "classifier", "data") if key in choices}
-            home = config.test_home if isinstance(config.test_home, str) else config.test_home[0]
-            print(f"\n{report.write(folder, tried, own, base, home)}")
-            return announce.tell(folder, started, log=self.logged(arguments))
+            home = config.test_home if isinstance(config.test_home, str | int) else config.test_home[0]
+            print(f"\n{report.write(folder, tried, own, base, str(home))}")
+            return summary.tell(folder, started, log=self.logged(arguments))

@@ -6,8 +6,6 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import settings
-
 KEYS, NUMBERS = ["kind", "name", "candidate"], ["accuracy", "log_loss"]
 COLUMNS = ["data", *KEYS, "test_home", *NUMBERS, *(f"test_{name}" for name in NUMBERS)]
 
@@ -21,11 +19,6 @@ def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str,
     return [
         dict(zip(grid, values, strict=True)) for grid in grids for values in itertools.product(*grid.values())
     ]
-
-
-def changed(config: Mapping[str, Any], overrides: Mapping[str, Any], where: str) -> dict[str, Any]:
-    """Copy settings and override some by dotted name; raises PlacecatError for an unknown name."""
-    return settings.changed(config, overrides, "conf/choice.yaml tries", where)
 
 
 def label(overrides: Mapping[str, Any]) -> str:

@@ -8,9 +8,15 @@ from typing import Any
 import pandas as pd
 
 from placecat import files, paths, settings
-from placecat.choice.candidates import COLUMNS, NUMBERS, changed, choose, combinations, label
-from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out, predict_unseen
-from placecat.choice.smoothing import judge_smoothing
+from placecat.choice.candidates import COLUMNS, NUMBERS, choose, combinations, label
+from placecat.choice.judging import (
+    Judgement,
+    judge_cue,
+    judge_smoothing,
+    judge_system,
+    left_out,
+    predict_unseen,
+)
 from placecat.compute import parallel
 from placecat.config import conf_file
 from placecat.errors import PlacecatError
@@ -20,6 +26,7 @@ from placecat.training.cue import Cue
 from placecat.training.integration import smoothing_settings
 
 SETTINGS = paths.CONF / "choice.yaml"
+_TRIES = f"{SETTINGS} tries"
 KINDS = ("cues", "systems", "smoothing")
 _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 4}
 
@@ -90,7 +97,7 @@ def _cue_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> Tasks:
     for name in options["cues"]["names"]:
         cue = _without_codebook(params, name)
         for overrides in combinations(options["cues"]["grids"]):
-            own = changed(cue, overrides, f"the cue {name}")
+            own = settings.changed(cue, overrides, _TRIES, f"the cue {name}")
             candidate = Cue(own["descriptor"], own["classifier"])
             tasks += [
                 (name, label(overrides), (plan, candidate, float(options["smallest"]))) for plan in planned
@@ -103,7 +110,7 @@ def _system_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> Task
     for name in options["systems"]["names"]:
         system = settings.get(params, f"systems.{name}")
         for overrides in combinations(options["systems"]["grids"]):
-            own = changed(system, overrides, f"the system {name}")
+            own = settings.changed(system, overrides, _TRIES, f"the system {name}")
             tasks += [
                 (name, label(overrides), (own | {"scheme": scheme}, plan, seed, float(options["smallest"])))
                 for scheme in ("4-5-1", "5-5-1")
@@ -126,7 +133,7 @@ def _smoothing_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> T
         for (first, second), proba in zip(pairs, done, strict=True):
             unseen[first][second], unseen[second][first] = proba[second], proba[first]
         for overrides in combinations(options["smoothing"]["grids"]):
-            candidate = changed(model, overrides, "the smoothing")
+            candidate = settings.changed(model, overrides, _TRIES, "the smoothing")
             for plan in plans.of_homes(params, scheme):
                 source = fold_file.seeded(paths.CUES / name / scheme, plan.test, None)
                 task = candidate, source, plan, unseen[plan.test], smallest

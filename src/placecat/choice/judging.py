@@ -2,19 +2,22 @@
 
 import itertools
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.probabilities import log_loss
 from placecat.fusion.temperature import fit_temperature
 from placecat.sequences import listing
+from placecat.training import fold_file
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, train
-from placecat.training.integration import fuse, fused_parts
-from placecat.training.saved import CueResults
+from placecat.training.integration import apply_smoothing, fit_smoothing, fuse, fused_parts
+from placecat.training.saved import CueResults, smooth_home
 
 # (home left out as the test home, judged home, accuracy in percent, log-loss in nats)
 Judgement = tuple[str, str, float, float]
@@ -45,7 +48,7 @@ def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
     """
     unseen = predict_unseen(plan, cue)
     judged = {home: judge_home(home, proba, smallest) for home, proba in unseen.items()}
-    return _both_ways(tuple(judged), judged)
+    return _both_ways(judged)
 
 
 def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
@@ -77,15 +80,50 @@ def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smalles
     for part in kept:
         proba = np.stack([one[part.home] for one in read.outputs(plan, [part])], axis=1)
         judged[part.home] = judge(part.chosen()[1], integrator.predict_proba(proba), smallest)
-    return _both_ways(tuple(judged), judged)
+    return _both_ways(judged)
 
 
 _HELD_OUT = ("cross_validated", "cross_validated_truth")
 
 
-def _both_ways(without: tuple[str, ...], judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
+def _both_ways(judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
     """Pair each judged home with its test home: the other home if there are two, otherwise itself."""
-    if len(without) == 1:
-        return [(without[0], without[0], *judged[without[0]])]
-    first, second = without
-    return [(first, second, *judged[second]), (second, first, *judged[first])]
+    homes = list(judged)
+    return [(test, home, *judged[home]) for test, home in zip(homes, reversed(homes), strict=True)]
+
+
+def judge_smoothing(
+    smoothing: Mapping[str, Any],
+    source: Path,
+    plan: plans.Plan,
+    unseen: Mapping[str, NDArray[np.float64]],
+    smallest: float,
+) -> list[Judgement]:
+    """Smooth the homes of a single cue's fold, and judge the result.
+
+    Integrations cannot be judged this way: their training distributions look too good, since they come from
+    cues that have seen other frames of the same home.
+
+    `smoothing` has the settings of :func:`placecat.fusion.smoothing.fit`. `source` is the fold's file from
+    the stage `cues`; raises PlacecatError if it lacks cross-validated distributions. `unseen` maps each
+    training home to (frames, n_classes) distributions of all its frames, from a cue that has seen neither
+    this home nor the test home. A training home is smoothed with statistics of the other training homes, and
+    the test home with statistics of all training homes.
+    """
+    if not fold_file.has(source, "cross_validated"):
+        raise PlacecatError(
+            f"{source} has no array cross_validated: smoothing is judged on cues with cross_validate: true; "
+            "run `dvc repro`"
+        )
+    held_out, truth = (fold_file.read(source, name) for name in ("cross_validated", "cross_validated_truth"))
+    homes = [part.home for part in plan.cues]
+    home_of_frame = np.repeat(homes, [len(part.chosen()[0]) for part in plan.cues])
+    judged = []
+    for home in homes:
+        others = [part for part in plan.cues if part.home != home]
+        is_other = home_of_frame != home
+        model = fit_smoothing(others, held_out[is_other], truth[is_other], smoothing)
+        smoothed = apply_smoothing(model, home, unseen[home])["delayed"]
+        judged.append((plan.test, home, *judge_home(home, smoothed, smallest)))
+    tested = smooth_home(source, plan, smoothing)["delayed"]
+    return [*judged, (plan.test, plan.test, *judge_home(plan.test, tested, smallest))]

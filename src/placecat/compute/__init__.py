@@ -1,9 +1,10 @@
 """Choose where loops run: on this machine or on a Dask cluster, as the `compute` settings say."""
 
 import os
-from collections.abc import Iterator
-from contextlib import contextmanager
-from functools import cached_property
+import re
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from functools import cache
 from typing import TYPE_CHECKING
 
 from placecat.errors import PlacecatError
@@ -11,50 +12,39 @@ from placecat.errors import PlacecatError
 if TYPE_CHECKING:
     from placecat.compute.connection import Cluster
 
-KINDS = ("local", "dask")
 # Largest number of workers on one machine; a larger number is probably a typo.
 _MOST_WORKERS = 1024
 
-
-class _Choice:
-    """The choice in params.yaml, read at the first loop because many stages have no loop."""
-
-    @cached_property
-    def cluster(self) -> "Cluster | None":
-        from placecat import settings
-
-        # An older params.yaml lacks `compute`; its loops run on this machine.
-        options = dict(settings.load().get("compute", {"kind": "local"}))
-        kind = options.pop("kind", None)
-        if kind not in KINDS:
-            raise PlacecatError(f"compute.kind must be {' or '.join(KINDS)}, not {kind!r}")
-        if kind == "local":
-            settings.refuse_unknown(options, [], "compute")
-            return None
-        from placecat.compute.connection import Cluster
-
-        cluster: Cluster = settings.call(Cluster, settings=options, where="compute")
-        return cluster
-
-    def close(self) -> None:
-        connected = vars(self).get("cluster")
-        if connected is not None:
-            connected.close()
-
-
-_choice: _Choice | None = None
+# Connects to the chosen cluster at the first loop, because many stages have no loop.
+_connect: Callable[[], "Cluster | None"] | None = None
 
 
 @contextmanager
 def as_set() -> Iterator[None]:
     """Run the loops of a block as set in params.yaml; disconnect from a cluster at its end."""
-    global _choice
-    before, _choice = _choice, _Choice()
-    try:
-        yield
-    finally:
-        _choice.close()
-        _choice = before
+    global _connect
+    before = _connect
+    with ExitStack() as connected:
+        _connect = cache(lambda: _as_set(connected))
+        try:
+            yield
+        finally:
+            _connect = before
+
+
+def _as_set(connected: ExitStack) -> "Cluster | None":
+    from placecat import schema, settings
+
+    # An older params.yaml lacks `compute`; its loops run on this machine.
+    options = dict(settings.load().get("compute", {"kind": "local"}))
+    schema.check({"compute": options})
+    if options.pop("kind") == "local":
+        return None
+    from placecat.compute.connection import Cluster
+
+    cluster = Cluster(**options)
+    connected.callback(cluster.close)
+    return cluster
 
 
 def local_workers() -> int:
@@ -77,7 +67,7 @@ def wanted_workers() -> int | None:
     value = os.environ.get("PLACECAT_WORKERS", "").strip()
     if not value:
         return None
-    if not (value.isascii() and value.isdigit() and 1 <= int(value[:9]) <= _MOST_WORKERS and len(value) < 9):
+    if not (re.fullmatch("[0-9]{1,9}", value) and 1 <= int(value) <= _MOST_WORKERS):
         raise PlacecatError(
             f"PLACECAT_WORKERS={value} is not a number of processes: give 1 to {_MOST_WORKERS}, or unset it "
             "for as many as there are cores"
@@ -87,4 +77,4 @@ def wanted_workers() -> int | None:
 
 def cluster() -> "Cluster | None":
     """Return the cluster that runs loops, or None for this machine; errors as for `Cluster`."""
-    return None if _choice is None else _choice.cluster
+    return None if _connect is None else _connect()

@@ -36,8 +36,6 @@ class Cluster:
                 raise PlacecatError(
                     f"compute.may_differ has {item!r}, which is not compared (valid: {', '.join(here)})"
                 )
-        if not isinstance(wait, int | float) or wait <= 0:
-            raise PlacecatError(f"compute.wait must be a number of seconds above 0, not {wait!r}")
         self._wait = float(wait)
         self._client = _connect(client, scheduler, self._wait)
         mark = paths.COMPUTE / uuid.uuid4().hex
@@ -139,8 +137,7 @@ def _result(future: Any) -> bytes:
     if future.status not in ("finished", "error"):
         raise PlacecatError(LOST)
     try:
-        result: bytes = future.result()
-        return result
+        return bytes(future.result())
     except KilledWorker as error:
         last = getattr(error.last_worker, "address", error.last_worker)
         raise PlacecatError(

@@ -17,8 +17,13 @@ import psutil
 INTERVAL, GRACE = 0.5, 10.0
 # Environment variable that tells stages DVC's process ID, since their parent may be a shell.
 DVC = "PLACECAT_DVC"
+_SIGNALS = signal.SIGINT, signal.SIGTERM
 
 _watching = False
+
+
+class Stopped(KeyboardInterrupt):
+    """A request to clean up and end; the argument is the signal number."""
 
 
 def end_with(parent: int) -> None:
@@ -31,17 +36,21 @@ def end_with(parent: int) -> None:
 
 def end_stage_with_dvc() -> None:
     """Make this stage clean up on SIGTERM, on Ctrl-C, and when DVC is gone."""
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, _stop)
+    stop_on_signals()
     if "DVC_STAGE" in os.environ:
         end_with(int(os.environ.get(DVC, os.getppid())))
 
 
+def stop_on_signals() -> None:
+    """Raise `Stopped` on Ctrl-C and SIGTERM, once: the terminal and the run may both send one."""
+    for number in _SIGNALS:
+        signal.signal(number, _stop)
+
+
 def _stop(number: int, frame: FrameType | None) -> None:
-    # Ignore further signals: the terminal and the run may both send one, and cleaning up must continue.
-    for each in (signal.SIGINT, signal.SIGTERM):
+    for each in _SIGNALS:
         signal.signal(each, lambda *_: None)
-    raise KeyboardInterrupt
+    raise Stopped(number)
 
 
 def _watch(parent: int, direct_parent: int) -> None:

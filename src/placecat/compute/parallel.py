@@ -1,11 +1,16 @@
 """Run parallel loops here or on a cluster; results and their order do not depend on the processes."""
 
 import os
+import signal
+import sys
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import lru_cache
+from multiprocessing import resource_tracker
 from typing import Any
 
 from joblib import Parallel, delayed
-from threadpoolctl import threadpool_limits
+from threadpoolctl import ThreadpoolController
 
 from placecat import compute
 from placecat.compute import lifeline
@@ -59,8 +64,25 @@ def stream(
     else:
         jobs = min(n_jobs or compute.local_workers(), max(len(tasks), 1))
         calls = (delayed(_in_worker)(os.getpid(), function, task) for task in tasks)
-        results = _explained(Parallel(n_jobs=jobs, return_as="generator")(calls), description, jobs)
+        with _without_ctrl_c():
+            done = Parallel(n_jobs=jobs, return_as="generator")(calls)
+        results = _explained(done, description, jobs)
     return iter(Progress(results, description=description, total=len(tasks), unit=unit))
+
+
+@contextmanager
+def _without_ctrl_c() -> Iterator[None]:
+    """Delay Ctrl-C until the end of a block; worker processes, which are started in it, ignore Ctrl-C.
+
+    Threads and processes inherit the blocked signals of the thread that starts them.
+    """
+    # Starting the tracker, which joblib needs too, would unblock the signal.
+    resource_tracker.ensure_running()
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _explained(results: Iterator[Any], description: str, jobs: int) -> Iterator[Any]:
@@ -90,5 +112,11 @@ def single_threaded(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
     import cv2
 
     cv2.setNumThreads(1)
-    with threadpool_limits(limits=1):
+    with _libraries(len(sys.modules)).limit(limits=1):
         return function(*task)
+
+
+@lru_cache(maxsize=1)
+def _libraries(modules: int) -> ThreadpoolController:
+    """Find the loaded libraries that have threads; only another number of imported modules changes them."""
+    return ThreadpoolController()

@@ -1,17 +1,40 @@
-"""Run tasks on a cluster's worker, after checking that it computes the same bits as other workers."""
+"""Start a cluster's workers, and run tasks on one that computes the same bits as this machine."""
 
 import contextlib
+import importlib.util
+import os
 import pickle
-from collections.abc import Mapping
+import sys
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
+from placecat import compute
 from placecat.compute.fingerprint import fingerprint
 from placecat.errors import PlacecatError
 
+# By default, Dask workers return freed memory at once, which doubles the time to describe a frame. These
+# variables override placecat.vision.memory.
+_MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": str(32 << 20)}
 # Marks that this worker has already seen.
 _seen: set[str] = set()
+
+
+def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
+    """Replace this process with ``dask worker``, with single-threaded processes, by default one per core.
+
+    Importing placecat.stages has already chosen the OpenBLAS kernels through the environment. `scheduler` is
+    an address; `options` are additional options of ``dask worker``, e.g. ``["--nworkers", "4"]``. Raises
+    PlacecatError if Dask is not installed.
+    """
+    if importlib.util.find_spec("distributed") is None:
+        raise PlacecatError(
+            "placecat worker needs the optional extra (distributed is missing): pip install -e '.[dask]'"
+        )
+    usual = ["--nthreads", "1", "--nworkers", str(compute.local_workers()), "--no-dashboard"]
+    command = [sys.executable, "-m", "distributed.cli.dask_worker", scheduler, *usual, *options]
+    os.execve(sys.executable, command, _MEMORY | os.environ)
 
 
 @dataclass(frozen=True)
@@ -78,5 +101,4 @@ def perform(expected: Expected, call: bytes) -> bytes:
     function, arguments = pickle.loads(call)
     # Loops inside a task stay in its process.
     with contextlib.chdir(expected.folder), parallel_config(backend="threading", n_jobs=1):
-        result: bytes = cloudpickle.dumps(function(*arguments))
-        return result
+        return bytes(cloudpickle.dumps(function(*arguments)))

@@ -13,7 +13,7 @@ from placecat.cues.descriptors import Descriptors
 from placecat.learning.memory import remembered
 from placecat.learning.scaling import KINDS, KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
-from placecat.ranges import Count, OneOf, Positive
+from placecat.ranges import OneOf, Positive, Two
 
 
 class OneAgainstAllCue:
@@ -82,7 +82,7 @@ def fit(
     scaling: Annotated[str, OneOf(KINDS)],
     gamma_scale: Positive = 1.0,
     reduction: Mapping[str, Any] | None = None,
-    max_rows: Count | None = None,
+    max_rows: Two | None = None,
 ) -> OneAgainstAllCue:
     """Train one two-class classifier per place and the scheme that combines them.
 

@@ -1,22 +1,21 @@
 """Resolve a combination of settings, and check that it can be computed."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from placecat import cues, files, lookup, schema, settings
+from placecat import cues, files, schema, settings
 from placecat.cues import estimators
 from placecat.errors import NotComputable, PlacecatError
-from placecat.evaluation.quality import probability_quality
 from placecat.experiment import data as data_sets
 from placecat.experiment.data import Data
 from placecat.experiment.options import TEST_HOME, classifiers
 from placecat.learning.hierarchical_kmeans import check_cluster_number
 from placecat.learning.kernel_machine import KernelMachine
-from placecat.learning.scaling import KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
+from placecat.schema import signatures
 from placecat.training import protocol, store
 from placecat.training.plan import Plan
 
@@ -68,24 +67,26 @@ def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
     mistake and the remedy.
     """
     schema.check(config, schema.Experiment)
+    # Editors also write params.yaml.
+    schema.check({name: settings.get(params, name) for name in ("protocol", "probabilities")})
     data = data_sets.find(params, config["data"])
     homes = data_sets.find_homes(data, config["test_home"])
     frames = _frames(config["frames"], settings.get(params, "protocol.cue_frames"))
     descriptor = _descriptor(config["descriptor"])
     classifier = dict(config["classifier"])
     own: dict[str, Any] = {"descriptor": descriptor, "classifier": classifier}
-    needs_codebook = _check_classifier(classifier)
-    if needs_codebook:
+    signatures.check_part(classifier, "classifier")
+    seeds: list[int | None] = [None]
+    if "clusters" in classifier:
         own["codebook"] = _codebook(config, descriptor, classifier)
+        wanted = settings.get(params, "protocol.seeds") if config["seeds"] is None else config["seeds"]
+        seeds = [wanted] if isinstance(wanted, int) else wanted
     elif config["codebook"]["cells"] is not None:
         raise PlacecatError(
             f"codebook.cells is for classifiers on clusters, not for {_name(classifier)}: leave it out"
         )
-    seeds: tuple[int | None, ...] = _seeds(config["seeds"], settings.get(params, "protocol.seeds"))
-    if not needs_codebook:
-        seeds = (None,)
-    probabilities = _probabilities(settings.get(params, "probabilities"))
-    experiment = Experiment(data, homes, config["judge"], own, frames, seeds, probabilities)
+    probabilities = dict(settings.get(params, "probabilities"))
+    experiment = Experiment(data, homes, config["judge"], own, frames, tuple(seeds), probabilities)
     _check_data(experiment, config["limits"]["kernel_rows"])
     return experiment
 
@@ -101,49 +102,18 @@ def _frames(wanted: Mapping[str, Any], default: Mapping[str, int]) -> dict[str, 
     return frames
 
 
-def _seeds(wanted: int | Sequence[int] | None, default: Sequence[int]) -> tuple[int, ...]:
-    seeds = default if wanted is None else [wanted] if isinstance(wanted, int) else wanted
-    if not seeds or min(seeds) < 0 or len(set(seeds)) != len(seeds):
-        raise PlacecatError(f"seeds={wanted} must be different whole numbers of 0 or more: e.g. seeds=[0,1]")
-    return tuple(seeds)
-
-
-def _probabilities(own: Mapping[str, Any]) -> dict[str, Any]:
-    """Refuse invalid settings before anything runs."""
-    settings.call(probability_quality, [0], np.ones((1, 1)), settings=own, where="probabilities")
-    return dict(own)
-
-
 def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
     """Write the descriptor as the tables do, since seeds are derived from that text."""
     own = dict(wanted)
     if own["kind"] == "holistic":
         settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']}, of whole frames,")
         return own
-    if own["max_regions"] < 1:
-        raise PlacecatError(f"descriptor.max_regions={own['max_regions']} must be 1 or more")
     if own["color"] == own["name"]:
         raise PlacecatError(f"descriptor.color={own['color']} appends the descriptor to itself: use null")
     own["y_weight"] = float(own["y_weight"])
     if not own["tracked"]:
         del own["tracked"]
     return own
-
-
-def _check_classifier(classifier: Mapping[str, Any]) -> bool:
-    """Run the checks of the classifier's modules; return whether the classifier uses clusters."""
-    model = lookup.require(cues.__name__, classifier.get("model"), "classifier.model", "fit")
-    valid = list(lookup.parameters(cues.__name__, model, "fit"))
-    options = {name: value for name, value in classifier.items() if name != "model"}
-    settings.refuse_unknown(options, valid, f"classifier {_name(classifier)}")
-    base = _base(classifier)
-    if "scheme" in valid:
-        estimators.build(classifier["scheme"], "classifier.scheme", base=base)
-        KernelScaling(kind=classifier["scaling"]).fit(np.eye(2, dtype=np.float32))
-        rows = classifier.get("max_rows")
-        if rows is not None and (not isinstance(rows, int) or rows < 2):
-            raise PlacecatError(f"classifier.max_rows={rows} must be a whole number of at least 2, or null")
-    return "clusters" in valid
 
 
 def _base(classifier: Mapping[str, Any]) -> Any:
@@ -156,26 +126,19 @@ def _codebook(
 ) -> dict[str, Any]:
     tree, cells = dict(config["codebook"]["tree"]), config["codebook"]["cells"]
     clustering = estimators.build(tree, "codebook.tree")
-    clusters = classifier["clusters"]
-    if not isinstance(clusters, int) or isinstance(clusters, bool) or clusters < 1:
-        raise PlacecatError(f"classifier.clusters={clusters} must be a whole number of at least 1")
     if hasattr(clustering, "branching"):
-        check_cluster_number(clusters, clustering.branching)
-    model = str(classifier["model"])
+        check_cluster_number(classifier["clusters"], clustering.branching)
+    model = str(settings.get(classifier, "model"))
     if descriptor["kind"] != "local" and cues.of_regions_only(model):
         raise PlacecatError(
             f"{_name(classifier)} decides from salient regions, but descriptor {descriptor['name']} is for "
             "whole frames: use a descriptor of regions, or another classifier"
         )
-    of_frames = config["cells_of_frames"]
-    if descriptor["kind"] == "local" or model not in of_frames:
-        usual, whose = 1, "salient regions"
-    else:
-        usual, whose = int(of_frames[model]), "whole frames"
+    usual, whose = 1, "salient regions"
+    if descriptor["kind"] == "holistic" and model in config["cells_of_frames"]:
+        usual, whose = config["cells_of_frames"][model], "whole frames"
     if cells is None:
         cells = usual
-    if cells < 1:
-        raise PlacecatError(f"codebook.cells={cells} must be a whole number of at least 1")
     if cells != 1 and (descriptor["kind"] == "local" or model == "knn"):
         raise PlacecatError(
             f"codebook.cells={cells}: {_name(classifier)} on descriptor {descriptor['name']} of {whose} "
@@ -267,7 +230,6 @@ def _check_length(own: Mapping[str, Any], length: int) -> None:
     reduction = own["classifier"].get("reduction")
     if reduction is None:
         return
-    settings.check(SpatialPCA, reduction, "classifier.reduction")
     try:
         # It checks its settings before it refuses to fit a single sample.
         SpatialPCA(**reduction).fit(np.zeros((1, length), np.float32))

@@ -34,7 +34,6 @@ def job(config: DictConfig) -> float:
     # Imported here, since these import scikit-learn, which `--help` does not need.
     from placecat.experiment import running
     from placecat.experiment.combination import resolve
-    from placecat.experiment.made_from import made_from
 
     hydra = HydraConfig.get()
     folder = Path(hydra.runtime.output_dir)
@@ -50,7 +49,7 @@ def job(config: DictConfig) -> float:
         # A sweep already runs its experiments in parallel, unless each of them can use a cluster.
         workers = parallel.workers() if is_single or compute.cluster() is not None else 1
         experiment = resolve(OmegaConf.to_container(config, resolve=True), settings.load())  # type: ignore[arg-type]
-        origin = made_from(experiment)
+        origin = running.made_from(experiment)
         result = running.compute(experiment, workers=workers)
     except PlacecatError as error:
         result = output.failure(str(error))
@@ -69,8 +68,8 @@ def job(config: DictConfig) -> float:
     elif output.FAILED in result:
         sys.exit(f"placecat: {result[output.FAILED]}")
     else:
-        from placecat.experiment import announce
+        from placecat.experiment import summary
 
-        if not announce.tell_one(folder, result, log=bool(config.track)):
+        if not summary.tell_one(folder, result, log=bool(config.track)):
             sys.exit(1)
     return math.nan if result["accuracy"] is None else result["accuracy"]

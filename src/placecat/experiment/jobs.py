@@ -2,35 +2,19 @@
 
 import math
 import os
-import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from joblib.externals.loky.process_executor import TerminatedWorkerError
 
-from placecat.errors import PlacecatError
 from placecat.experiment import job, output
 from placecat.experiment.combination import Experiment
-from placecat.experiment.made_from import is_finished, made_from
-from placecat.runs import lock
+from placecat.experiment.running import is_finished, made_from
 
-_NO_RESULT = "no result"
 # A function that runs one job for each list of overrides.
 Launch = Callable[[Sequence[Sequence[str]]], Any]
-
-
-@contextmanager
-def alone(folder: Path) -> Iterator[None]:
-    """Create and lock a sweep's folder, waiting for any other process; on Ctrl-C, print how to continue."""
-    folder.mkdir(parents=True, exist_ok=True)
-    with lock.waiting(folder / ".lock", f"Another process is running this sweep ({folder}): waiting for it."):
-        try:
-            yield
-        except KeyboardInterrupt:
-            print(f"placecat: stopped; the same command continues {folder}", file=sys.stderr, flush=True)
-            raise
 
 
 def run(
@@ -63,28 +47,19 @@ def run(
         # Number the jobs here, since Hydra counts only the jobs of this call.
         launch([[*lines[number - first], f"hydra.sweep.subdir={number}"] for number in some])
 
-    def failed(number: int) -> str | None:
-        return _result(folder, number).get(output.FAILED)
-
     while todo:
         try:
             start(todo)
             break
         except TerminatedWorkerError:
             # A killed job takes all running jobs down with it: run each of them again alone.
-            killed = [number for number in todo if failed(number) == output.KILLED]
+            found = {number: output.read(folder / str(number)) for number in todo}
+            killed = [number for number in todo if found[number].get(output.FAILED) == output.KILLED]
             if not killed:
                 raise
             for number in killed:
                 with suppress(TerminatedWorkerError):
                     start([number])
-            todo = [number for number in todo if failed(number) == _NO_RESULT]
-    accuracies = [_result(folder, number)["accuracy"] for number in numbers]
+            todo = [number for number in todo if not (folder / str(number) / output.RESULT).exists()]
+    accuracies = [output.read(folder / str(number))["accuracy"] for number in numbers]
     return [math.nan if accuracy is None else float(accuracy) for accuracy in accuracies]
-
-
-def _result(folder: Path, number: int) -> dict[str, Any]:
-    try:
-        return output.read(folder / str(number))
-    except PlacecatError:
-        return output.failure(_NO_RESULT)

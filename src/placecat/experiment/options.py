@@ -37,15 +37,10 @@ def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
     return found
 
 
-def classifiers(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
+def classifiers() -> dict[str, dict[str, Any]]:
     """Map the name of each file in conf/classifier to its content."""
-    files = sorted((conf / "classifier").glob("*.yaml"))
+    files = sorted((paths.CONF / "classifier").glob("*.yaml"))
     return {path.stem: yaml.safe_load(path.read_text(encoding="utf-8")) for path in files}
-
-
-def splits(conf: Path = paths.CONF) -> list[str]:
-    """Names of the data sets besides the main one: the files in conf/split."""
-    return sorted(path.stem for path in (conf / "split").glob("*.yaml"))
 
 
 def register(conf: Path = paths.CONF) -> None:
@@ -53,5 +48,5 @@ def register(conf: Path = paths.CONF) -> None:
     store = ConfigStore.instance()
     for name, own in descriptors(conf).items():
         store.store(group="descriptor", name=name, node=own)
-    for name in (MAIN, *splits(conf)):
+    for name in (MAIN, *sorted(path.stem for path in (conf / "split").glob("*.yaml"))):
         store.store(group="data", name=name, node={"data": name}, package="_global_")

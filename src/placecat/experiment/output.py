@@ -4,7 +4,6 @@ from pathlib import Path
 from typing import Any
 
 from placecat import files
-from placecat.errors import PlacecatError
 
 RESULT = "result.json"
 SECONDS = "seconds.json"
@@ -23,14 +22,14 @@ def failure(message: str) -> dict[str, Any]:
 
 
 def read(folder: Path) -> dict[str, Any]:
-    """Read result.json in a job's folder; raises PlacecatError if it is missing or not JSON."""
+    """Read result.json in a job's folder; a failure if it is missing or not JSON."""
     path = folder / RESULT
     try:
         result: dict[str, Any] = files.read_json(path)
     except FileNotFoundError:
-        raise PlacecatError(f"it left no result in {folder}") from None
+        return failure(f"it left no result in {folder}")
     except ValueError:
-        raise PlacecatError(f"{path} is damaged: remove it and run again") from None
+        return failure(f"{path} is damaged: remove it and run again")
     return result
 
 

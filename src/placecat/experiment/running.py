@@ -1,21 +1,28 @@
-"""Compute one experiment with the functions behind the tables."""
+"""Compute one experiment with the functions behind the tables; describe the origin of its result."""
 
+import hashlib
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from placecat import paths, settings
 from placecat.compute import cluster, parallel
+from placecat.compute.fingerprint import PACKAGES, fingerprint
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.quality import probability_quality
+from placecat.experiment import output
 from placecat.experiment.combination import Experiment
 from placecat.experiment.output import MEASURES
 from placecat.results.quality import FILE_DECIMALS
-from placecat.training import trial
+from placecat.runs import items
+from placecat.training import store, trial
 from placecat.training.cue import Cue
 from placecat.training.plan import Plan
 
+# The items of `fingerprint` that are part of a result's origin.
+_OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
 # The measures and confusion of one tested home and seed, or the reason why there are none.
 Outcome = dict[str, Any] | str
 
@@ -86,3 +93,40 @@ def _means(measured: list[dict[str, Any]]) -> dict[str, float | None]:
         measure: float(np.mean([one[measure] for one in measured])) if measured else None
         for measure in MEASURES
     }
+
+
+def made_from(experiment: Experiment) -> dict[str, Any]:
+    """Describe a result's inputs as JSON types, for result.json.
+
+    The keys are ``settings``; ``plans``, a checksum of the training and test plans; ``data``, a checksum of
+    each sequence's labels and descriptors; and ``code``, the versions of placecat, Python and the libraries.
+    """
+    plans = [plan for of_home in experiment.plans().values() for plan in of_home]
+    sequences = sorted({part.home for plan in plans for part in (*plan.cues, *plan.tested)})
+    versions = fingerprint()
+    return {
+        "settings": experiment.described(),
+        "plans": _short(repr(plans)),
+        "data": {name: _data(name, experiment.settings["descriptor"]) for name in sequences},
+        "code": {name: versions[name] for name in _OF_CODE},
+    }
+
+
+def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
+    """Extract the origin from a result; it is incomplete if the job failed early."""
+    return {name: result[name] for name in ("settings", "plans", "data", "code") if name in result}
+
+
+def is_finished(folder: Path, wanted: dict[str, Any]) -> bool:
+    """Whether a job's folder holds a result, an accuracy or a reason, with the wanted origin."""
+    found = output.read(folder)
+    return output.FAILED not in found and made_from_of(found) == wanted
+
+
+def _data(sequence: str, descriptor: dict[str, Any]) -> str:
+    read = [paths.sequences(sequence) / "labels.csv", *store.files_of(sequence, descriptor)]
+    return _short("\n".join(items.checksum(path) for path in read))
+
+
+def _short(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()[:16]

@@ -1,6 +1,8 @@
-"""Readable tables of a sweep's or an experiment's results."""
+"""Tables of a sweep's or an experiment's results; print, write and log them."""
 
-from collections.abc import Sequence
+import math
+import sys
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -64,15 +66,11 @@ class Ran:
 
 def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
     """Collect a sweep's results; `combinations` has each experiment's values of the swept keys."""
-    found = []
-    for number, values in enumerate(combinations):
-        own = folder / str(number)
-        try:
-            result = output.read(own)
-        except PlacecatError as error:
-            result = output.failure(str(error))
-        found.append(Ran(number, dict(values), own, result))
-    return found
+    folders = [folder / str(number) for number in range(len(combinations))]
+    return [
+        Ran(number, dict(values), own, output.read(own))
+        for number, (values, own) in enumerate(zip(combinations, folders, strict=True))
+    ]
 
 
 def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
@@ -113,7 +111,8 @@ def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
     """Tabulate a measure over the swept keys, as text.
 
     The columns are the values of the first numeric key or, without one, of the last key, but never of the
-    test home. If several test homes were swept, their average follows them.
+    test home. If several test homes were swept, their average follows them. If some combinations of values
+    were not run, as in a search, each experiment has a row instead.
     """
     swept, frame = list(ran[0].values), _values(ran, measure)
     others = [key for key in swept if key != HOME]
@@ -122,7 +121,8 @@ def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
         means = groups[measure].mean().reset_index()
         frame = pd.concat([frame, means.assign(**{HOME: AVERAGE})])[[*swept, measure]]
     numbers = [key for key in others if pd.to_numeric(frame[key], errors="coerce").notna().all()]
-    across = (numbers[:1] or others[-1:]) if len(swept) > 1 else []
+    is_complete = len(frame) == math.prod(frame[swept].nunique())
+    across = (numbers[:1] or others[-1:]) if len(swept) > 1 and is_complete else []
     across = [key for key in across if frame[key].nunique() <= _MOST_COLUMNS]
     # The homes come last, to keep the rows that are averaged together.
     down = [key for key in others if key not in across] + [key for key in swept if key == HOME]
@@ -238,3 +238,39 @@ def confusion(result: dict[str, Any]) -> np.ndarray:
 def label(values: dict[str, str]) -> str:
     """Format keys and values on one line."""
     return " ".join(f"{key}={value}" for key, value in values.items())
+
+
+def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
+    """Print, write and log a sweep's results; return whether all experiments and the logging succeeded.
+
+    `combinations` has the swept keys and values of each started experiment. `log` has the sweep's overrides,
+    for MLflow; None turns logging off.
+    """
+    ran = read(folder, combinations)
+    if not ran:
+        return True
+    files.write_csv(folder / output.SUMMARY, as_frame(ran))
+    print(f"\n{text(ran)}\n\nDetails: {folder / output.SUMMARY}")
+    is_logged = log is None or _log(lambda tracking: tracking.log_sweep(ran, folder, log))
+    return is_logged and not any(one.has_failed for one in ran)
+
+
+def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
+    """Print and log a single experiment's result; return whether the logging succeeded."""
+    print(f"\n{text_of_one(result)}\n\nDetails: {folder / output.RESULT}")
+    return not log or _log(lambda tracking: tracking.log_one(result, folder))
+
+
+def _log(write: Callable[[Any], str]) -> bool:
+    """Log to MLflow; print where, or why it failed. The results are already on disk."""
+    # Imported here, since it imports MLflow.
+    from placecat.experiment import tracking
+
+    try:
+        print(f"Logged: {write(tracking)}")
+    except PlacecatError as error:
+        print(
+            f"placecat: nothing was logged to MLflow: {error}; track=false turns logging off", file=sys.stderr
+        )
+        return False
+    return True

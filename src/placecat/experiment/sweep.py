@@ -1,6 +1,7 @@
 """A sweep: list its experiments, and check all of them before any runs."""
 
 import itertools
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -15,8 +16,9 @@ from omegaconf.errors import OmegaConfBaseException
 
 from placecat import settings
 from placecat.errors import PlacecatError
-from placecat.experiment import announce, jobs, output, summary
+from placecat.experiment import output, summary
 from placecat.experiment.combination import Experiment, resolve
+from placecat.runs import lock
 
 _REFUSALS = (PlacecatError, HydraException, OmegaConfBaseException)
 # A message lists at most this many refused combinations per reason.
@@ -94,15 +96,22 @@ def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -
 
 @contextmanager
 def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
-    """Lock and yield the sweep's folder, with its finished jobs; if the block fails, report the results."""
+    """Lock and yield the sweep's folder, with its finished jobs; if the block fails, report the results.
+
+    Waits while another process has the lock. On Ctrl-C, prints how to continue.
+    """
     folder = Path(config.hydra.sweep.dir)
-    with jobs.alone(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    with lock.waiting(folder / ".lock", f"Another process is running this sweep ({folder}): waiting for it."):
         # Remove the old summary, since some of its jobs may run again.
         (folder / output.SUMMARY).unlink(missing_ok=True)
         OmegaConf.save(config, folder / "multirun.yaml")
         try:
             yield folder
+        except KeyboardInterrupt:
+            print(f"placecat: stopped; the same command continues {folder}", file=sys.stderr, flush=True)
+            raise
         except Exception:
             # Do not log yet, since the same command will continue the sweep.
-            announce.tell(folder, combinations, log=None)
+            summary.tell(folder, combinations, log=None)
             raise

@@ -13,7 +13,7 @@ import pandas as pd
 from placecat import files, settings
 from placecat.errors import PlacecatError
 from placecat.experiment import output, summary
-from placecat.experiment.made_from import made_from_of
+from placecat.experiment.running import made_from_of
 from placecat.experiment.summary import Ran
 from placecat.mlflow_log import store
 from placecat.mlflow_log.params import params_of_cue
@@ -47,12 +47,12 @@ def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str
         if not any(one.info.status == "FINISHED" for one in earlier):
             for one in earlier:
                 delete(client, experiment, one.info.run_id)
-            _log_sweep(client, experiment, name, ran, folder, {_SWEEP: identity})
+            _log_sweep(client, experiment, name, ran, folder, identity)
     return f"run {name!r} of {where}"
 
 
 def _log_sweep(
-    client: Any, experiment: str, name: str, ran: Sequence[Ran], folder: Path, tags: dict[str, str]
+    client: Any, experiment: str, name: str, ran: Sequence[Ran], folder: Path, identity: str
 ) -> None:
     swept = list(ran[0].values)
     top = summary.highest(ran)
@@ -71,7 +71,7 @@ def _log_sweep(
         name,
         params=own_params,
         metrics=metrics,
-        tags={_KIND: "sweep"} | tags | _versions(),
+        tags={_KIND: "sweep", _SWEEP: identity} | _versions(),
         files=[path for name in _FILES if (path := folder / name).is_file()],
         description=summary.markdown(ran),
     )

@@ -60,15 +60,12 @@ class _Left(logging.Filter):
         if running and running[1] in self._left:
             number = self._count - len(self._left) + 1
             seconds = sum(self._seconds.get(name, 0.0) for name in self._left)
-            record.msg, record.args = f"{text} {number} of {self._count}, {_written(seconds)}", ()
+            left = f"{seconds / 60:.0f} min" if seconds >= 90 else f"{seconds:.0f} s"
+            record.msg, record.args = f"{text} {number} of {self._count}, at most {left} left", ()
         for found in filter(None, (running, passed)):
             if found[1] in self._left:
                 self._left.remove(found[1])
         return True
-
-
-def _written(seconds: float) -> str:
-    return f"at most {seconds / 60:.0f} min left" if seconds >= 90 else f"at most {seconds:.0f} s left"
 
 
 def _stop(number: int, frame: FrameType | None) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from placecat.errors import PlacecatError
-from placecat.runs.lockfile import DEFINITION, defined_stages
+from placecat.runs.lockfile import defined_stages
 
 
 def link(folder: Path, paths: Iterable[Path]) -> None:
@@ -24,9 +24,9 @@ def link(folder: Path, paths: Iterable[Path]) -> None:
         there.symlink_to(os.path.relpath(path, there.parent))
 
 
-def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, list[str]]:
+def commands(stages: Sequence[str]) -> dict[str, list[str]]:
     """Return the command of each stage in dvc.yaml; PlacecatError if a stage is missing there."""
-    defined = defined_stages(definition)
+    defined = defined_stages()
     for stage in stages:
         if stage not in defined:
             raise PlacecatError(f"dvc.yaml has no stage {stage!r}: it has {', '.join(defined)}")

@@ -4,8 +4,9 @@ import json
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
+from typing import Any
 
 from placecat.errors import PlacecatError
 
@@ -15,6 +16,7 @@ TEMPORARY = Path(".dvc/tmp")
 DVC_IN_USE = TEMPORARY / "rwlock"
 # Seconds that DVC and its stage may take to end after their run was killed.
 _ENDING = 12.0
+_FOREVER = -1.0
 
 
 @contextmanager
@@ -26,70 +28,55 @@ def alone() -> Iterator[None]:
     if not TEMPORARY.parent.is_dir():
         yield
         return
-    from filelock import FileLock, Timeout
-
     TEMPORARY.mkdir(exist_ok=True)
-    lock = FileLock(TEMPORARY.resolve() / "placecat.lock", is_singleton=True)
-    is_first = not lock.is_locked
-    try:
-        lock.acquire(timeout=1)
-    except Timeout:
-        raise PlacecatError(_goes_on("placecat")) from None
-    try:
-        if is_first:
+    held = _acquired(TEMPORARY.resolve() / "placecat.lock", 1, is_singleton=True)
+    if held is None:
+        raise PlacecatError(_goes_on("placecat"))
+    with held as lock:
+        if lock.lock_counter == 1:
             _wait_for_dvc()
         yield
-    finally:
-        lock.release()
 
 
-@contextmanager
-def one_at_a_time(stage: str) -> Iterator[None]:
+def one_at_a_time(stage: str) -> AbstractContextManager[object]:
     """Wait while another process runs the same stage; it may be cleaning up after its DVC was killed."""
     if not TEMPORARY.parent.is_dir():
-        yield
-        return
+        return nullcontext()
     TEMPORARY.mkdir(exist_ok=True)
     said = f"Another process is running the stage {stage} here: waiting for it."
-    with waiting(TEMPORARY / f"placecat.{stage}.lock", said):
-        yield
+    return waiting(TEMPORARY / f"placecat.{stage}.lock", said)
 
 
-@contextmanager
-def waiting(path: Path, said: str) -> Iterator[None]:
+def waiting(path: Path, said: str) -> AbstractContextManager[object]:
     """Hold a lock during a block; print `said` if this process must wait for it."""
-    from filelock import FileLock, Timeout
-
-    lock = FileLock(path)
-    try:
-        lock.acquire(timeout=2)
-    except Timeout:
+    held = _acquired(path, 2)
+    if held is None:
         print(said, file=sys.stderr, flush=True)
-        lock.acquire()
-    try:
-        yield
-    finally:
-        lock.release()
+        held = _acquired(path, _FOREVER)
+    return held
 
 
-@contextmanager
-def of_folder(folder: Path, work: str) -> Iterator[None]:
+def of_folder(folder: Path, work: str) -> AbstractContextManager[object]:
     """Lock a folder, made if missing, during a block.
 
     Raises PlacecatError, which says what another process does there (`work`), if it holds the lock.
     """
+    folder.mkdir(parents=True, exist_ok=True)
+    held = _acquired(folder / ".lock", 2)
+    if held is None:
+        raise PlacecatError(f"another process {work} {folder}: wait until it ends, or stop it")
+    return held
+
+
+def _acquired(path: Path, seconds: float, *, is_singleton: bool = False) -> Any:
+    """Acquire a lock, which is released at the end of a block; None if another process holds it so long."""
+    # Imported late: it takes longer than the rest of a short command.
     from filelock import FileLock, Timeout
 
-    folder.mkdir(parents=True, exist_ok=True)
-    lock = FileLock(folder / ".lock")
     try:
-        lock.acquire(timeout=2)
+        return FileLock(path, is_singleton=is_singleton).acquire(timeout=seconds)
     except Timeout:
-        raise PlacecatError(f"another process {work} {folder}: wait until it ends, or stop it") from None
-    try:
-        yield
-    finally:
-        lock.release()
+        return None
 
 
 def _goes_on(who: str) -> str:

@@ -6,22 +6,15 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from placecat import paths, settings
 from placecat.errors import PlacecatError
 
 LOCK, DEFINITION = Path("dvc.lock"), Path("dvc.yaml")
 
 
-def defined_stages(definition: Path = DEFINITION) -> dict[str, Any]:
+def defined_stages() -> dict[str, Any]:
     """Return the stages of dvc.yaml by name; empty in a folder without a pipeline."""
-    if not definition.is_file():
-        return {}
-    stages: dict[str, Any] = yaml.load(definition.read_text(encoding="utf-8"), Loader=settings.Loader)[
-        "stages"
-    ]
-    return stages
+    return dict(settings.read_yaml(DEFINITION)["stages"]) if DEFINITION.is_file() else {}
 
 
 def data_version(stage: str = "sequences") -> str:
@@ -31,16 +24,15 @@ def data_version(stage: str = "sequences") -> str:
     has not run the stage.
     """
     try:
-        lock = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)
-        return str(lock["stages"][stage]["outs"][0]["md5"])
-    except (FileNotFoundError, KeyError, TypeError):
+        return str(settings.read_yaml(LOCK)["stages"][stage]["outs"][0]["md5"])
+    except (PlacecatError, KeyError, TypeError):
         raise PlacecatError(f"{LOCK} has no stage {stage}: run `dvc repro` to make it") from None
 
 
 def check_data(params: Mapping[str, Any]) -> None:
     """Raise PlacecatError if, according to DVC, the features belong to another ``dataset`` than `params`."""
     version = data_version()
-    stages = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
+    stages = settings.read_yaml(LOCK)["stages"]
     listed = stages["sequences"].get("params", {}).get("params.yaml", {}).get("dataset")
     described = {dep["path"]: dep.get("md5") for dep in stages.get("features", {}).get("deps", [])}
     if listed != params["dataset"] or described.get(paths.SEQUENCES.as_posix()) != version:

@@ -5,7 +5,6 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from types import FrameType
 
 import psutil
 
@@ -17,10 +16,6 @@ from placecat.runs.lockfile import LOCK, defined_stages
 
 # Seconds that DVC and its stage have to end after Ctrl-C, which the terminal also sends to them.
 _CTRL_C = 3.0
-
-
-class _Stopped(BaseException):
-    """A request to end this process; the argument is the signal number."""
 
 
 def run(*, force: bool = False, **environment: str) -> int:
@@ -38,14 +33,15 @@ def run(*, force: bool = False, **environment: str) -> int:
         _check_git()
         for line in mend.mend():
             print(line, file=sys.stderr, flush=True)
-        before = {each: signal.signal(each, _stop) for each in (signal.SIGINT, signal.SIGTERM)}
+        before = {each: signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)}
+        lifeline.stop_on_signals()
         dvc = None
         try:
             dvc = subprocess.Popen(
                 [*command, *(["--force"] if force else [])], env=os.environ | {"PATH": path} | environment
             )
             return dvc.wait()
-        except _Stopped as stopped:
+        except lifeline.Stopped as stopped:
             return 1 if dvc is None else _end(dvc, stopped.args[0])
         finally:
             mend.keep()
@@ -83,12 +79,6 @@ def _check_git() -> None:
             "this folder is not a git repository, but DVC needs one: run `git init`, or, without git, "
             "`dvc config --local core.no_scm true`"
         )
-
-
-def _stop(number: int, frame: FrameType | None) -> None:
-    for each in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(each, lambda *_: None)
-    raise _Stopped(number)
 
 
 def _end(dvc: subprocess.Popen[bytes], number: int) -> int:

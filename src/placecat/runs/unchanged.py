@@ -4,11 +4,11 @@ DVC records settings and dependencies when a stage has ended. Without this check
 made while the stage ran, although its results do not depend on them.
 """
 
-import hashlib
+import contextlib
 from collections.abc import Iterator
 from pathlib import Path
 
-from placecat import paths, settings
+from placecat import files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.runs import lockfile
 
@@ -44,15 +44,14 @@ def state(stage: str) -> dict[str, str]:
     found = {}
     for dep in [str(paths.PARAMS), *_dependencies(stage)]:
         by_content = dep == str(paths.PARAMS) or dep.startswith("src/")
-        for file in _files(Path(dep)):
-            try:
-                if by_content:
-                    found[str(file)] = hashlib.sha256(file.read_bytes()).hexdigest()
-                else:
-                    stat = file.stat()
-                    found[str(file)] = f"{stat.st_size} {stat.st_mtime_ns}"
-            except FileNotFoundError:
-                pass
+        for file in (Path(dep), *Path(dep).rglob("*")):
+            if not file.is_file() or "__pycache__" in file.parts:
+                continue
+            # Another process may remove it now.
+            with contextlib.suppress(FileNotFoundError):
+                stat = file.stat()
+                content = files.checksum(file) if by_content else f"{stat.st_size} {stat.st_mtime_ns}"
+                found[str(file)] = content
     return found
 
 
@@ -60,12 +59,3 @@ def _dependencies(stage: str) -> Iterator[str]:
     for dep in lockfile.defined_stages().get(stage, {}).get("deps", []):
         # The path of the data set is a setting: ${dataset.root}.
         yield str(settings.get(settings.load(), dep[2:-1])) if dep.startswith("${") else dep
-
-
-def _files(path: Path) -> Iterator[Path]:
-    if not path.is_dir():
-        yield path
-        return
-    for inner in path.rglob("*"):
-        if inner.is_file() and "__pycache__" not in inner.parts:
-            yield inner

@@ -1,19 +1,22 @@
 """A search space, read from Hydra's overrides, and the settings that the search starts with."""
 
+import importlib.util
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.core.override_parser.types import IntervalSweep, Override, RangeSweep
-from omegaconf import DictConfig
+from omegaconf import DictConfig, OmegaConf
 
 from placecat.errors import PlacecatError
-from placecat.search import starts
 
 if TYPE_CHECKING:
     from optuna.distributions import BaseDistribution
 
+JUDGE = "training_homes"
+# Source of the first start.
+SETTINGS = "the settings without a search"
 # Only the method's settings are searched; data, homes, seeds and judge belong to the measurement.
 _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
@@ -55,6 +58,27 @@ class Space:
         return [self.overrides(chosen) for chosen in found]
 
 
+def check(config: Mapping[str, Any]) -> None:
+    """Refuse a search whose result would be meaningless.
+
+    Raises PlacecatError if Optuna is not installed, if ``judge`` is not ``training_homes``, or unless there
+    is exactly one test home.
+    """
+    if importlib.util.find_spec("optuna") is None:
+        raise PlacecatError("a search needs Optuna: install it with `pip install -e .[search]`")
+    judge, home = config["judge"], config["test_home"]
+    if judge != JUDGE:
+        raise PlacecatError(
+            f"judge={judge}: a search is judged on training homes only, since a setting "
+            f"chosen by its accuracy on the test home says nothing about new homes; use judge={JUDGE}"
+        )
+    if home == "all" or (not isinstance(home, str | int) and len(home) != 1):
+        raise PlacecatError(
+            f"test_home={home}: a search leaves out one test home, since a setting chosen on all folds has "
+            "seen every home; name one, e.g. test_home=home_1, and search once for each"
+        )
+
+
 def values(overrides: Sequence[str]) -> dict[str, str]:
     """Map the overrides' keys to their values."""
     return dict(one.split("=", 1) for one in overrides)
@@ -73,7 +97,7 @@ def read(
     `spans` maps keys to spans as in conf/search, e.g. ``interval(0.1, 2)`` or ``choice(a, b)``. `arguments`
     are overrides; a key that has a single value there is not searched. `config` is the first start: the
     experiment composed without the searched settings, but with Hydra's. `params` is the content of
-    params.yaml; see :func:`placecat.search.starts.find`. Raises PlacecatError if nothing is searched, a key
+    params.yaml; see :func:`find_starts`. Raises PlacecatError if nothing is searched, a key
     does not belong to the method, or a start lies outside the space.
     """
     parser = OverridesParser.create()
@@ -91,7 +115,7 @@ def read(
                 f"{one.input_line}: a search chooses only settings of {', '.join(_OF_THE_METHOD)}; {key} "
                 "belongs to the measurement and has one value"
             )
-    found = starts.find(list(searched), config, params)
+    found = find_starts(list(searched), config, params)
     distributions = {}
     for key, one in searched.items():
         distributions[key], chosen = _distribution(
@@ -141,3 +165,51 @@ def _distribution(
                 "tried first, so the result is at least as good: widen the range"
             ) from None
     return distribution, as_known
+
+
+def find_starts(
+    keys: Sequence[str], config: DictConfig, params: Mapping[str, Any]
+) -> dict[str, dict[str, Any]]:
+    """Find the settings to start a search with; map each start's source to its values of the searched keys.
+
+    `config` is the first start: the experiment composed without the searched settings, but with Hydra's.
+    Raises PlacecatError for a key that it lacks. Cues of `params` that have the experiment's descriptor and
+    classifier but other settings are also starts, since conf/cue has the thesis's best settings.
+    """
+    first = {key: _value(key, config) for key in keys}
+    found = {SETTINGS: first}
+    for name, cue in params.get("cues", {}).items():
+        own = first | _of_cue(cue, params, config, keys)
+        if own not in found.values():
+            found[f"conf/cue/{name}.yaml"] = own
+    return found
+
+
+def _value(key: str, config: DictConfig) -> Any:
+    """Return a setting's value, or a group's chosen option."""
+    choices = config.hydra.runtime.choices
+    if key in choices:
+        return choices[key]
+    missing = object()
+    found = OmegaConf.select(config, key, default=missing)
+    if found is missing:
+        raise PlacecatError(f"{key} cannot be searched: the experiment has no such setting")
+    return OmegaConf.to_container(found) if OmegaConf.is_config(found) else found
+
+
+def _of_cue(
+    cue: Mapping[str, Any], params: Mapping[str, Any], config: DictConfig, keys: Sequence[str]
+) -> dict[str, Any]:
+    """Return a cue's searched classifier settings; {} if its descriptor or classifier is another one."""
+    codebook = cue.get("codebook")
+    descriptor = cue["descriptor"] if codebook is None else params["codebooks"][codebook]["descriptor"]
+    wanted = {f"descriptor.{name}": value for name, value in descriptor.items()}
+    if descriptor["kind"] == "local":
+        wanted["descriptor.tracked"] = descriptor.get("tracked", False)
+    wanted["classifier.model"] = cue["classifier"]["model"]
+    wanted["classifier.base.name"] = cue["classifier"]["base"]["name"]
+    if any(OmegaConf.select(config, key) != value for key, value in wanted.items()):
+        return {}
+    own = OmegaConf.create({"classifier": cue["classifier"]})
+    found = {key: OmegaConf.select(own, key) for key in keys if key.startswith("classifier.")}
+    return {key: value for key, value in found.items() if value is not None}

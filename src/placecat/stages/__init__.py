@@ -11,7 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 
-from placecat import compute
+from placecat import compute, paths, settings
 from placecat.compute import lifeline
 from placecat.errors import PlacecatError, exiting
 from placecat.runs import lock, mend, shadowed, unchanged
@@ -54,15 +54,6 @@ if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
     unchanged.start(os.environ["DVC_STAGE"])
 
 
-def _check_settings() -> None:
-    """Refuse invalid settings again, since `dvc exp run` and editors also write params.yaml."""
-    from placecat import paths, settings
-    from placecat.config.check import check
-
-    if paths.PARAMS.exists():
-        check(settings.load())
-
-
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
@@ -71,6 +62,8 @@ def run(stage: Callable[[], None]) -> None:
     with a message and status 1, without a traceback. On success, it writes its running time to data/times
     (:mod:`placecat.runs.times`).
     """
+    from placecat.config.check import check
+
     argparse.ArgumentParser(description=(stage.__doc__ or "").splitlines()[0]).parse_args()
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
@@ -79,7 +72,9 @@ def run(stage: Callable[[], None]) -> None:
     with exiting(), lock.one_at_a_time(name):
         unchanged.start(name)
         mend.keep()
-        _check_settings()
+        # Check again, since `dvc exp run` and editors also write params.yaml.
+        if paths.PARAMS.exists():
+            check(settings.load())
         with compute.as_set():
             stage()
         unchanged.check()

@@ -34,14 +34,9 @@ def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, An
         yield paths.CODEBOOKS / cue["codebook"]
     for home in homes:
         yield paths.sequences(home) / "labels.csv"
-    for home in [*homes, *(_extra_homes(params) if cue["extra"] else [])]:
+    extra = settings.get(params, "protocol.extra") if cue["extra"] else {"sequences": []}
+    for home in [*homes, *(f"{extra['split']}/{sequence}" for sequence in extra["sequences"])]:
         yield from store.files_of(home, descriptor)
-
-
-def _extra_homes(params: Mapping[str, Any]) -> list[str]:
-    """Return the sequences of another data set that may also train the integration (thesis 4.5)."""
-    extra = settings.get(params, "protocol.extra")
-    return [f"{extra['split']}/{sequence}" for sequence in extra["sequences"]]
 
 
 def plan(name: str, params: Mapping[str, Any]) -> items.Work:

@@ -51,16 +51,9 @@ def plan(
 ) -> items.Work:
     """Plan the tasks for :func:`describe` that cover all frames of a home.
 
-    Parameters
-    ----------
-    home
-        As in :func:`placecat.paths.features`.
-    root
-        Folder of the data set.
-    options
-        From :func:`feature_options`.
-    variants
-        Variants of the salient regions, and the frames to describe with them, as in conf/region_variants.
+    `home` is as in :func:`placecat.paths.features`, `root` the folder of the data set, and `options` from
+    :func:`feature_options`. `variants` holds variants of the salient regions, and the frames to describe with
+    them, as in conf/region_variants.
     """
     frames = listing.read_frames(home)
     also, rows = {}, np.arange(0)
@@ -93,16 +86,9 @@ def plan(
     return tasks, write
 
 
-def describe_home(
-    home: str,
-    root: Path,
-    options: Mapping[str, Any],
-    folder: Path,
-    *,
-    variants: Mapping[str, Any] | None = None,
-) -> None:
+def describe_home(home: str, root: Path, options: Mapping[str, Any], folder: Path) -> None:
     """Write the descriptors of one home's frames to a folder; parameters are as in :func:`plan`."""
-    tasks, write = plan(home, root, options, variants)
+    tasks, write = plan(home, root, options)
     write(folder, parallel.in_parallel(describe, tasks, f"features of {home}"))
 
 

@@ -16,9 +16,6 @@ from placecat.sequences import listing
 from placecat.stages import run
 from placecat.training import fold_file, protocol
 
-# Arrays that smoothing needs besides the test home's distributions; they are not filtered.
-STATISTICS = ("cross_validated", "cross_validated_truth")
-
 
 def main() -> None:
     """Apply every filter to its cues and systems, for every test home and seed."""
@@ -65,25 +62,17 @@ def _information(home: str) -> NDArray[np.float32]:
 
 def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str, Path]:
     """Return the folders of the results that a filter names."""
-    found = {}
-    for cue in options["cues"]:
-        scheme = settings.get(params, f"cues.{cue}.schemes")[0]
-        found[cue] = paths.CUES / cue / scheme
-    for system in options["systems"]:
-        settings.get(params, f"systems.{system}")
-        found[system] = paths.INTEGRATION / system
-    return found
+    cues = {cue: paths.CUES / cue / settings.get(params, f"cues.{cue}.schemes")[0] for cue in options["cues"]}
+    return cues | {system: paths.INTEGRATION / system for system in options["systems"]}
 
 
 def filter_home(source: Path, home: str, threshold: float) -> dict[str, np.ndarray]:
-    """Return one home's filtered distributions, and the arrays that smoothing needs."""
-    proba = fold_file.read(source, "test")
-    held = hold(proba, _information(home), threshold=threshold, sequences=listing.sequence_slices(home))
-    found = {"test": held}
-    for name in STATISTICS:
-        if fold_file.has(source, name):
-            found[name] = fold_file.read(source, name)
-    return found
+    """Return one home's filtered distributions, and the unfiltered arrays that smoothing needs."""
+    found = files.read_arrays(source)
+    sequences = listing.sequence_slices(home)
+    held = hold(found["test"], _information(home), threshold=threshold, sequences=sequences)
+    needed = ("cross_validated", "cross_validated_truth")
+    return {"test": held, **{name: found[name] for name in needed if name in found}}
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """Stage `report`: write one page with all results."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -59,10 +60,10 @@ def main() -> None:
         findings=files.read_table(paths.FINDINGS, _TEXT),
         comparisons=comparisons,
         settings=paths.PARAMS.read_text(encoding="utf-8"),
-        replication=_replication(),
-        times=_times(),
-        speed=_speed(),
-        scale=_scale(),
+        replication=_if_kept(_replication, paths.REPLICATION_FACTS, paths.REPLICATED_FINDINGS),
+        times=_if_kept(_times, paths.KEPT_TIMES_FACTS, paths.KEPT_TIMES),
+        speed=_if_kept(_speed, paths.BENCHMARKS.with_suffix(".json"), paths.BENCHMARKS),
+        scale=_if_kept(_scale, paths.SCALE_FACTS, paths.SCALE_STAGES, paths.SCALE_GROWTH),
         explanations=explained | {"stages": {stage: recorded[stage] for stage in named if stage in recorded}},
     )
     files.write_text(paths.PAGE, page_html(report))
@@ -95,41 +96,30 @@ def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
     )
 
 
-def _replication() -> dict[str, Any] | None:
-    """Return the findings on many homes, as kept in git; None if missing."""
-    if not (paths.REPLICATION_FACTS.is_file() and paths.REPLICATED_FINDINGS.is_file()):
-        return None
-    findings = files.read_table(paths.REPLICATED_FINDINGS, _TEXT)
-    return files.read_json(paths.REPLICATION_FACTS) | {"findings": findings}
+def _if_kept(show: Callable[..., dict[str, Any] | None], *kept: Path) -> dict[str, Any] | None:
+    """Show results kept in git, given the files of their facts and tables; None if one is missing."""
+    facts, *tables = kept
+    return show(files.read_json(facts), *tables) if all(path.is_file() for path in kept) else None
 
 
-def _times() -> dict[str, Any] | None:
-    """Return the times kept in git; None if missing or empty."""
-    if not (paths.KEPT_TIMES.is_file() and paths.KEPT_TIMES_FACTS.is_file()):
-        return None
-    by_stage, facts = files.read_csv(paths.KEPT_TIMES), files.read_json(paths.KEPT_TIMES_FACTS)
-    if by_stage.empty:
-        return None
-    return facts | {"stages": by_stage}
+def _replication(facts: dict[str, Any], findings: Path) -> dict[str, Any]:
+    return facts | {"findings": files.read_table(findings, _TEXT)}
 
 
-def _speed() -> dict[str, Any] | None:
-    """Return the benchmarks kept in git; None if missing."""
-    facts = paths.BENCHMARKS.with_suffix(".json")
-    if not (paths.BENCHMARKS.is_file() and facts.is_file()):
-        return None
-    benchmarks = files.read_table(paths.BENCHMARKS, BENCHMARK_TEXT)
-    return shown_speed(benchmarks, files.read_json(facts)) | {"chart": png_of(speed_chart, benchmarks)}
+def _times(facts: dict[str, Any], table: Path) -> dict[str, Any] | None:
+    by_stage = files.read_csv(table)
+    return None if by_stage.empty else facts | {"stages": by_stage}
 
 
-def _scale() -> dict[str, Any] | None:
-    """Return the run kept in git, at the real home database's scale; None if missing."""
-    kept = (paths.SCALE_STAGES, paths.SCALE_GROWTH, paths.SCALE_FACTS)
-    if not all(path.is_file() for path in kept):
-        return None
-    measured, growth = (files.read_table(path, SCALE_TEXT) for path in kept[:2])
-    shown = shown_scale(measured, growth, files.read_json(paths.SCALE_FACTS))
-    return shown | {"chart": png_of(growth_chart, measured)}
+def _speed(facts: dict[str, Any], table: Path) -> dict[str, Any]:
+    benchmarks = files.read_table(table, BENCHMARK_TEXT)
+    return shown_speed(benchmarks, facts) | {"chart": png_of(speed_chart, benchmarks)}
+
+
+def _scale(facts: dict[str, Any], *tables: Path) -> dict[str, Any]:
+    """Show the run at the real home database's scale."""
+    measured, growth = (files.read_table(path, SCALE_TEXT) for path in tables)
+    return shown_scale(measured, growth, facts) | {"chart": png_of(growth_chart, measured)}
 
 
 if __name__ == "__main__":

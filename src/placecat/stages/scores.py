@@ -70,8 +70,7 @@ def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quali
 
 def measure_stays(source: Source) -> Measured:
     """Count one result's decisions in each stay in its test homes."""
-    names, by_seed = [], []
-    stays = {}
+    names, by_seed, stays = [], [], {}
     for home in source.homes:
         name = source.listed(home)
         labels = listing.read_labels(name)

@@ -2,7 +2,7 @@
 
 import copy
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -16,16 +16,6 @@ from placecat.results.measured import SCORE_COLUMNS, Measured, score_rows
 from placecat.stages import run
 
 
-class Task(NamedTuple):
-    """One problem: its points, and the schemes to compare, by name."""
-
-    schemes: dict[str, Any]
-    points: dict[str, float]
-    training: int
-    testing: int
-    seed: int
-
-
 def main() -> None:
     """Train the schemes on each seed's points and test them on new ones, also with other radii and decisions.
 
@@ -34,18 +24,18 @@ def main() -> None:
     """
     toy = settings.get(settings.load(), "toy")
     numbers = toy["training"], toy["testing"]
-    tasks = [Task(toy["schemes"], toy["points"], *numbers, seed) for seed in toy["seeds"]]
+    tasks = [(toy["schemes"], toy["points"], *numbers, seed) for seed in toy["seeds"]]
     for radius in toy["sensitivity"]["radii"]:
         own = _deciding(toy["schemes"], toy["sensitivity"]["decisions"], float(radius))
         points = toy["points"] | {"radius": radius}
-        tasks += [Task(own, points, *numbers, seed) for seed in toy["sensitivity"]["seeds"]]
+        tasks += [(own, points, *numbers, seed) for seed in toy["sensitivity"]["seeds"]]
     found: dict[str, dict[str, np.ndarray]] = {}
     done = parallel.in_parallel(compare, tasks, "toy problem")
-    for task, (confusions, last) in zip(tasks, done, strict=True):
-        seed = paths.seed_name(task.seed)
+    for (schemes, *_, number), (confusions, last) in zip(tasks, done, strict=True):
+        seed = paths.seed_name(number)
         for name, counts in confusions.items():
             found.setdefault(f"toy/{name}", {})[seed] = counts
-            if task.schemes is toy["schemes"]:
+            if schemes is toy["schemes"]:
                 of_last = counts * (np.arange(len(NAMES)) == last)[:, None]
                 found.setdefault(f"toy/last/{name}", {})[seed] = of_last
     rows = []
