@@ -97,7 +97,7 @@ def test_nearest_neighbours_take_regions_and_whole_frames():
     [
         (
             {"model": "magic"},
-            "'magic' does not exist: use one of discriminative_regions, knn, one_against_all",
+            "'magic' does not exist: use one of discriminative_regions, joint_probability, knn",
         ),
         ({"model": "joint_probability", "cluster": 3}, "no setting 'cluster'; did you mean 'clusters'"),
         ({**naive_bayes(13), "base": {"name": "nave_bayes"}}, r"base\.name 'nave_bayes' does not exist"),

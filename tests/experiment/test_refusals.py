@@ -18,6 +18,8 @@ WRONG = (PlacecatError, HydraException)
         ("descriptor=sift", "sift of salient regions was not computed .* use one of color_mv, hog"),
         ("descriptor=hog", "max_regions=25, but at most 4 regions"),
         ("descriptor.kind=x", "kind"),
+        ("descriptor.max_regions=null", "max_regions is missing: give descriptor hog a number"),
+        ("descriptor.y_weight=null", "y_weight is missing"),
         ("descriptor.color=hog", "color=hog appends the descriptor to itself"),
         ("descriptor.y_pos=often", "y_pos=often"),
         ("descriptor.tracked=true", "tracked salient regions was not computed"),
@@ -65,9 +67,9 @@ def test_incompatible_settings_are_refused(project, overrides, message):
 
 def test_a_kernel_on_many_regions_needs_a_limit(project):
     svm = [SMALL[0], "classifier=nu_svm", "limits.kernel_rows=50"]
-    with pytest.raises(PlacecatError, match=r"\+\+classifier.max_rows=1000, .*naive_bayes"):
+    with pytest.raises(PlacecatError, match=r"classifier\.max_rows=1000, .*naive_bayes"):
         resolved(*svm)
-    resolved(*svm, "++classifier.max_rows=50")
+    resolved(*svm, "classifier.max_rows=50")
     resolved(SMALL[0], "classifier=gentle_adaboost", "limits.kernel_rows=50")
 
 

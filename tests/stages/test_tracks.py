@@ -127,7 +127,6 @@ def test_the_number_of_workers_changes_no_byte(home, monkeypatch, two_workers):
     [
         ({"windows": 3}, r"tracking has no setting 'windows'; did you mean 'window'"),
         ({"descriptors": ["hog", "surf"]}, r"'descriptors.local.surf' does not exist.*hog"),
-        ({"window": 4}, r"window odd"),
     ],
 )
 def test_impossible_settings_give_a_message_and_leave_nothing(home, wrong, message):

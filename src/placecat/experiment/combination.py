@@ -110,6 +110,9 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
         return own
     if own["color"] == own["name"]:
         raise PlacecatError(f"descriptor.color={own['color']} appends the descriptor to itself: use null")
+    for name in ("max_regions", "y_weight"):
+        if own[name] is None:
+            raise PlacecatError(f"descriptor.{name} is missing: give descriptor {own['name']} a number")
     own["y_weight"] = float(own["y_weight"])
     if not own["tracked"]:
         del own["tracked"]
@@ -175,15 +178,16 @@ def _check_data(experiment: Experiment, kernel_rows: int) -> None:
             raise PlacecatError(f"{tested.sequence} has no labelled frame to test on")
     classifier, descriptor = experiment.settings["classifier"], experiment.settings["descriptor"]
     is_kernel = isinstance(_base(classifier), KernelMachine)
-    if is_kernel and descriptor["kind"] == "local" and classifier.get("max_rows") is None:
+    if is_kernel and descriptor["kind"] == "local":
         counts = {home: _counts(home, descriptor)[rows].sum() for home, (rows, _) in training.items()}
         most = int(max(sum(counts[part.home] for part in plan.cues) for plan in plans))
+        most = min(most, classifier.get("max_rows") or most)
         if most > kernel_rows:
             known = classifiers().items()
             without = [name for name, own in known if not isinstance(_base(own), KernelMachine)]
             raise PlacecatError(
                 f"classifier {_name(classifier)} would train on {most} salient regions, and its Gram matrix "
-                "grows with their square: add ++classifier.max_rows=1000, use a classifier without a kernel "
+                "grows with their square: set classifier.max_rows=1000, use a classifier without a kernel "
                 f"({', '.join(without)}), or raise limits.kernel_rows={kernel_rows}"
             )
 
