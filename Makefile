@@ -1,9 +1,9 @@
-# `make` lists the targets. Each first installs its pinned packages into .venv; the tests also need the renderer, and
-# `make bench` the libraries to compare with.
+# `make` lists the targets. Each target first installs the pinned packages that it needs into .venv; the tests also need
+# the renderer's packages, and `make bench` needs the libraries to compare with.
 PYTHON ?= python3
 # Hydra overrides that choose other data or settings, e.g. SET="dataset=vpc2009 dataset.root=PATH".
 SET ?=
-# Pieces to measure, e.g. PIECE="dependency_tree rvm"; by default all.
+# Pieces that `make bench` measures, e.g. PIECE="dependency_tree rvm"; by default all.
 PIECE ?=
 # Settings that `make choose` judges: cues, systems or smoothing; by default all.
 KIND ?=
@@ -19,7 +19,7 @@ WORKERS := -n 2 --dist loadgroup --no-loadscope-reorder
 unexport PYTHONPATH PYTHONHOME
 export PYTHONNOUSERSITE := 1
 
-# If the project was moved, its environment is made again.
+# If the project was moved, .venv must be created again.
 ifneq ($(shell $(PYTHON) install.py --moved),)
 .PHONY: $(READY) $(READY_TEST) $(READY_BENCH)
 endif
@@ -27,17 +27,17 @@ endif
 .PHONY: help demo repro replicate test test-quick campaign choose bench bench-scale docs lint ui lock clean
 .DEFAULT_GOAL := help
 
-help: ## list the targets
+help: ## list these targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{printf "%-20s%s\n", $$1, $$2}'
 
-demo: $(READY) ## a first result in a minute: train on five homes, walk through the sixth
+demo: $(READY) ## show a first result in a minute: train on five homes, walk through the sixth
 	$(BIN)/placecat demo
 
-repro: $(READY) ## regenerate every table, figure and number; SET="dataset=..." chooses other data or settings
+repro: $(READY) ## compute every table, figure and number; SET="dataset=..." chooses other data or settings
 	$(BIN)/placecat repro $(SET)
 
-# Homes that are rendered already are not rendered again.
-replicate: $(READY_TEST) ## render 24 homes, run them in groups of six, judge the findings on all; SET="dataset=..." takes others
+# Homes that already exist are not rendered again.
+replicate: $(READY_TEST) ## render 24 homes, run them in groups of six, judge the findings on all; SET="dataset=..." uses others
 ifeq ($(SET),)
 	$(BIN)/placecat-homes --homes 24 --seed 1 --to data/homes_of_seed_1
 endif
@@ -46,23 +46,23 @@ endif
 test: $(READY_TEST) lint ## run every test
 	$(BIN)/python -m pytest $(WORKERS) tests
 
-test-quick: $(READY_TEST) ## run the tests that take seconds at most, without DVC, servers, browsers and the renderer
+test-quick: $(READY_TEST) ## run only the quick tests: none with DVC, servers, browsers or the renderer
 	$(BIN)/python -m pytest $(WORKERS) -m "not slow" --hypothesis-profile quick tests
 
-bench: $(READY_BENCH) $(VENV)/contributed ## time each piece against alternatives; PIECE="..." chooses some
+bench: $(READY_BENCH) $(VENV)/contributed ## compare the speed of each piece with alternatives; PIECE="..." chooses some
 	$(BIN)/python -m placecat_bench $(PIECE)
 
 bench-scale: $(READY) ## measure how time and memory grow with the data; needs `make repro`, takes about an hour
 	$(BIN)/python -m placecat_bench.scale
 
-# Counts go to reports/robustness.csv.
+# The counts are written to reports/robustness.csv.
 SECONDS ?= 1800
 SEED ?= 0
-campaign: $(READY_TEST) ## damage inputs, kill runs, fill disks for SECONDS, and count the outcomes
+campaign: $(READY_TEST) ## test robustness for SECONDS: damage inputs, kill runs, fill disks, and count the outcomes
 	$(BIN)/python tests/campaign/campaign.py --seconds $(SECONDS) --seed $(SEED)
 
 # conf/choice.yaml lists the candidates.
-choose: $(READY) ## judge settings that the thesis leaves open, on training homes; needs `make repro`
+choose: $(READY) ## compare, on training homes, settings that the thesis leaves open; needs `make repro`
 	$(BIN)/python -m placecat.choice $(KIND)
 
 docs: $(READY_TEST) ## update the numbers in README.md and docs/ from the result files, and build site/
@@ -82,7 +82,7 @@ $(READY_BENCH): requirements-bench.lock pyproject.toml
 $(READY) $(READY_TEST) $(READY_BENCH):
 	$(PYTHON) install.py $< $@
 
-# OpenCV with its contributed modules, in a separate folder, since it would replace placecat's OpenCV.
+# OpenCV with its contributed modules goes to a separate folder, since it would replace placecat's OpenCV.
 $(VENV)/contributed: $(READY_BENCH)
 	$(BIN)/python -m pip install -qq --no-deps --upgrade --target $@ opencv-contrib-python-headless==4.14.0.94
 
@@ -93,7 +93,7 @@ ui: $(READY) ## open MLflow with the runs that `make repro` logged
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade
 TESTED := --extra build --extra cluster --extra dask --extra docs --extra render --extra rerun --extra robot \
 	--extra search --extra test
-lock: ## write the lock files; needs uv, after a change of the dependencies in pyproject.toml
+lock: ## write the lock files, after a change to the dependencies in pyproject.toml; needs uv
 	$(COMPILE) $(TESTED) -o requirements-test.lock
 	$(COMPILE) --extra build -c requirements-test.lock -o requirements.lock
 	$(COMPILE) $(TESTED) --extra bench -c requirements-test.lock -o requirements-bench.lock

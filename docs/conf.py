@@ -1,7 +1,7 @@
-"""Settings of Sphinx for `make docs`, which makes a site of README.md and docs/.
+"""Settings of Sphinx for `make docs`, which builds a site from README.md and docs/.
 
-Sphinx with MyST and Furo is maintained and reads the same Markdown as a forge; its pages load nothing from
-the network.
+We use Sphinx with MyST and Furo because they are maintained, read the same Markdown as a forge such as
+GitHub, and make pages that load nothing from the network.
 """
 
 import shutil
@@ -20,7 +20,7 @@ html_theme = "furo"
 html_title = "placecat"
 html_show_sphinx = False
 html_copy_source = False
-# The sidebar, which a forge does not have.
+# The pages in the sidebar.
 PAGES = (
     "docs/method docs/usage docs/experiments docs/own-data docs/robots docs/cluster docs/benchmarks "
     "docs/adding docs/embedding docs/results docs/replication docs/security data/README CONTRIBUTING "

@@ -1,11 +1,11 @@
 """Fill the numbers of README.md and docs/ from result files: ``python docs/fill.py``.
 
-An HTML comment, invisible to readers, names the source of a number or a table:
+An HTML comment, invisible to readers, states where a number or a table comes from:
 
-- ``12.3<!-- = EXPRESSION -->`` is a number with these decimals;
+- ``12.3<!-- = EXPRESSION -->`` is a number, which keeps its number of decimals;
 - ``<!-- block: EXPRESSION -->``, lines, ``<!-- end -->`` is a table.
 
-An expression calls the functions below. Every path is relative to the project's folder.
+An expression calls the functions below. All paths are relative to the project's folder.
 """
 
 import re
@@ -42,7 +42,7 @@ _BLOCK = re.compile(r"<!-- block: (.+?) -->\n(.*?)<!-- end -->", re.DOTALL)
 
 
 def fill(text: str) -> str:
-    """Replace every number and table that names its source by the values in the files."""
+    """Replace every number and table that has such a comment with the values in the result files."""
 
     def number(match: re.Match[str]) -> str:
         value, decimals = _value(match[3]), len(match[2] or "")
@@ -74,7 +74,7 @@ def _read(path: str) -> pd.DataFrame:
 
 
 def _markdown(head: Sequence[str], rows: Iterable[Sequence[str]], texts: int = 1) -> str:
-    """A table whose first columns are text and whose others are numbers."""
+    """Write a Markdown table whose first `texts` columns are text and whose other columns are numbers."""
     rule = "|" + "---|" * texts + "---:|" * (len(head) - texts)
     return "\n".join(["| " + " | ".join(head) + " |", rule, *("| " + " | ".join(row) + " |" for row in rows)])
 
@@ -87,22 +87,22 @@ def table(name: str, group: str, row: str, column: str = "Average", folder: str 
 
 
 def total(file: str, column: str) -> int:
-    """Sum a column."""
+    """Sum a column of a CSV file."""
     return int(_read(file)[column].sum())
 
 
 def run_minutes() -> float:
-    """Minutes of a complete `make repro`."""
+    """Look up how many minutes a complete `make repro` took."""
     return pd.read_json(ROOT / "reports/times.json", typ="series")["total"] / 60
 
 
 def verdicts(verdict: str, folder: str = "reports") -> int:
-    """Count the findings with a verdict."""
+    """Count the findings that have this verdict."""
     return int((_read(f"{folder}/findings.csv")["verdict"] == verdict).sum())
 
 
 def table_26(folder: str) -> str:
-    """Averages of Table 26: one column per protocol, one row per cue."""
+    """Tabulate the averages in Table 26: one column per protocol, one row per cue."""
     cells = _read(f"{folder}/table_26.csv")
     averages = cells[cells["column"] == "Average"].pivot(index="row", columns="group", values="measured")
     groups = {"4-5-1, all cues": "4-5-1", ALL: "5-5-1", BEST: "5-5-1, five best cues"}
@@ -120,7 +120,7 @@ def table_26(folder: str) -> str:
 
 
 def findings() -> str:
-    """Numbers of the findings by verdict."""
+    """Tabulate how many findings have each verdict and, if fewer than ten, which."""
     data = [_read(f"{folder}/findings.csv") for folder in ("reports", MORE, REAL)]
 
     def cell(ledger: pd.DataFrame, verdict: str) -> str:
@@ -139,12 +139,12 @@ def _options() -> options.Options:
 
 
 def power() -> str:
-    """Number of homes that decide each finding."""
+    """Tabulate each finding's power with 24 homes, and how many homes it needs."""
     return needed.markdown(needed.power_table(_read(str(needed.COMPARISONS)), 24, _options()))
 
 
 def replicated() -> str:
-    """Verdicts on six and on 24 homes, and how many homes the undecided findings need."""
+    """Tabulate the verdicts on six and on 24 homes, and how many homes the undecided findings need."""
     few, more = (_read(f"{folder}/findings.csv").set_index("number") for folder in ("reports", MORE))
 
     def row(number: int, one: pd.Series) -> list[str]:
@@ -168,13 +168,13 @@ def replicated() -> str:
 
 
 def _homes_needed(number: int) -> float:
-    """Homes for a power of 0.8, if what the 24 homes measured is the truth; NaN if unknown."""
+    """Look up how many homes give a power of 0.8 if the 24 homes' difference is true; NaN if unknown."""
     of_findings = _read(f"{MORE}/power.csv").set_index("number")["needed_measured"]
     return float(of_findings.get(number, np.nan))
 
 
 def too_small() -> int:
-    """Count the undecided findings that more than the largest number of homes would not decide."""
+    """Count the undecided findings that need more than the largest number of homes (`needed.MOST`)."""
     more = _read(f"{MORE}/findings.csv")
     return sum(
         np.isinf(_homes_needed(number)) for number in more.loc[more["verdict"] == "undecided", "number"]
@@ -182,13 +182,13 @@ def too_small() -> int:
 
 
 def marked() -> int:
-    """Count the verdicts on 24 homes where groups share more variance than the rule allows for."""
+    """Count the verdicts on 24 homes for which a group's homes share more variance than the rule allows."""
     more = _read(f"{MORE}/findings.csv")
     return int(((more["verdict"] != "undecided") & (more["shared"] > _options().shared)).sum())
 
 
 def averages(name: str) -> str:
-    """Averages over homes of a table with one such column, group by group."""
+    """Tabulate the column of averages over homes, group by group, from a CSV file of a table."""
     cells = _read(name)
     cells = cells[cells["column"] == "Average"]
     rows = ([line.group, line.row, f"{line.measured:.2f}"] for line in cells.itertuples(index=False))
@@ -196,7 +196,7 @@ def averages(name: str) -> str:
 
 
 def embedding() -> str:
-    """Results of a network's cue and its integrations on six real homes, as means over homes."""
+    """Tabulate the network's cue and its integrations on six real homes, as means over homes."""
     lines = _read(f"{REAL}/embedding.csv")
     means = lines.groupby("system", sort=False).mean(numeric_only=True)
     digits = {"frames": 1, "stays": 1, "log_loss": 2, "covered": 1, "wrong": 0}
@@ -208,7 +208,7 @@ def embedding() -> str:
 
 
 def embedding_by_home() -> str:
-    """The same by home: smoothed accuracies on frames."""
+    """Tabulate the smoothed accuracies on frames of the same systems, by home."""
     lines = _read(f"{REAL}/embedding.csv")
     lines = lines[lines["system"].str.endswith("smoothed")]
     homes = list(lines["home"].unique())
@@ -220,21 +220,21 @@ def embedding_by_home() -> str:
 
 
 def tried(candidate: str, column: str, networks: str = "Lite1") -> float:
-    """A result on six real homes of a candidate in docs/embedding.md."""
+    """Look up a result on six real homes of a candidate in docs/embedding.md."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     chosen = lines[(lines["candidate"] == candidate) & (lines["networks"] == networks)]
     return float(chosen[column].item())
 
 
 def several(column: str, largest: bool) -> float:
-    """The lowest or highest result of pools and votes of several networks."""
+    """Return the highest or the lowest result among pools and votes of several networks."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     values = lines.loc[lines["networks"].str.contains(",") & (lines["candidate"] != BOTH), column]
     return float(values.max() if largest else values.min())
 
 
 def rendered_model() -> str:
-    """Accuracies of the project's model in real homes."""
+    """Tabulate the accuracies of the project's model in real homes."""
     lines = _read(f"{REAL}/rendered_model.csv").set_index("home").T
     lines["average"] = lines.mean(axis=1)
     titles = {"accuracy": "Smoothed", "frame_alone": "Each frame alone", "named": "Named, not unknown"}
@@ -243,14 +243,14 @@ def rendered_model() -> str:
 
 
 def bench(piece: str, input_part: str, quantity_part: str) -> float:
-    """A measured value of `make bench`."""
+    """Look up a value that `make bench` measured."""
     lines = _read("reports/benchmarks.csv")
     is_it = lines["input"].str.contains(input_part) & lines["quantity"].str.contains(quantity_part)
     return float(lines.loc[(lines["piece"] == piece) & is_it, "ours"].item())
 
 
 def benchmarks() -> str:
-    """Speed against alternatives; missed targets are bold."""
+    """Tabulate the speed compared with alternatives; missed targets are bold."""
     rows = []
     for line in _read("reports/benchmarks.csv").itertuples(index=False):
         if "second" not in line.quantity and "frames/s" not in line.quantity:
@@ -274,7 +274,7 @@ def benchmarks() -> str:
 
 
 def robustness() -> str:
-    """Count the outcomes of damaged inputs and disturbed runs."""
+    """Tabulate the outcomes of damaged inputs and disturbed runs."""
     counts = _read("reports/robustness.csv")
     columns = ["part", "tried", "right", "message", "traceback", "wrong"]
     rows = ([str(cell).replace("_", " ") for cell in row] for row in counts[columns].itertuples(index=False))
@@ -282,23 +282,23 @@ def robustness() -> str:
 
 
 def scale(quantity: str) -> float:
-    """A quantity at the largest size of `make bench-scale`."""
+    """Look up a quantity at the largest size of `make bench-scale`."""
     return pd.read_json(ROOT / "reports/scale.json", typ="series")["largest"][quantity]
 
 
 def growth(column: str) -> float:
-    """Growth of the whole with the number of frames."""
+    """Look up how all stages together grow with the number of frames."""
     lines = _read("reports/scale_growth.csv")
     return float(lines.loc[lines["stage"] == "all", column].item())
 
 
 def full_run_hours() -> float:
-    """Estimated hours of a complete run on VPC-2009."""
+    """Look up the estimated hours of a complete run on VPC-2009."""
     return pd.read_json(ROOT / "reports/scale.json", typ="series")["full_run"]["hours"]
 
 
 def sweep() -> str:
-    """The output of the sweep in README.md, from the same trials in Table 12."""
+    """Tabulate the results of the sweep in README.md, taken from the same trials in Table 12."""
     clusters, homes = ("46", "196", "496"), {"Home 1": "home_1", "Home 6": "home_6", "Average": "average"}
     rows = [
         [name, homes[home], *(f"{table('table_12', group, home, column):.2f}" for column in clusters)]
@@ -309,7 +309,7 @@ def sweep() -> str:
 
 
 def _judged(kind: str, name: str, candidate: str) -> dict[str, str]:
-    """Means of a candidate over homes, real and rendered."""
+    """Format a candidate's means over the real and over the rendered homes."""
     lines = _read("reports/cross_validation.csv")
     lines = lines[(lines["kind"] == kind) & (lines["name"] == name) & (lines["candidate"] == candidate)]
     means = lines.groupby("data").mean(numeric_only=True).loc[["own homes", "rendered homes"]]
@@ -321,7 +321,7 @@ _JUDGED = ["training homes, real / rendered", "log-loss there", "test homes, rea
 
 
 def chosen_cues() -> str:
-    """Candidates for the whole-frame cues: calibration, scaling, scale of gamma; the chosen one first."""
+    """Tabulate calibrations, scalings and gamma scales for the whole-frame cues, the chosen ones first."""
     by_home = "homes_centred {0} 1.0, homes_averaged {0} 1.0, samples distance 1.0, samples standard"
     candidates = {
         "gist": f"samples standard 0.7, consecutive standard 0.7, {by_home.format('standard')} 2.0",
@@ -339,7 +339,7 @@ def chosen_cues() -> str:
 
 
 def chosen_systems() -> str:
-    """Candidates for the integration."""
+    """Tabulate the candidates for the integration."""
     rows = []
     for title, name, temperature, calibrations in (
         ("all cues", "das_551_all", False, ("samples", "consecutive", "homes_centred", "homes_averaged")),
@@ -355,7 +355,7 @@ def chosen_systems() -> str:
 
 
 def chosen_delays() -> str:
-    """Candidates for the delay."""
+    """Tabulate the candidates for the delay."""
     rows = []
     for name, title in (("gist", "Gist"), ("spatial_pact", "Centrist")):
         for seconds in (0.0, 1.0, 2.0, 4.0, 8.0):

@@ -1,4 +1,4 @@
-"""A node of ROS 2 that names the place: python3 ros2_node.py --ros-args -r image:=/camera/image_raw."""
+"""A ROS 2 node that names the place: python3 ros2_node.py --ros-args -r image:=/camera/image_raw."""
 
 import rclpy
 from rclpy.node import Node
@@ -13,7 +13,7 @@ from placecat.footage.image_messages import raw_image
 
 
 class PlaceNode(Node):
-    """Subscribes to `image`; publishes `classification` per frame, and `place`, latched, when it changes."""
+    """Subscribe to `image`; publish `classification` for each frame, and latched `place` when it changes."""
 
     def __init__(self) -> None:
         super().__init__("placecat")
@@ -26,7 +26,7 @@ class PlaceNode(Node):
         self.create_subscription(Image, "image", self.see, newest)
 
     def see(self, message: Image) -> None:
-        """Categorize a frame, unless it came late. A clock that goes back by more than 1 s causes a reset."""
+        """Categorize a frame unless it is late; reset if the clock goes back by more than 1 s."""
         now = message.header.stamp.sec + message.header.stamp.nanosec / 1e9
         if self.last - 1 <= now <= self.last:
             return

@@ -77,7 +77,7 @@ def test_a_second_call_waits_and_has_nothing_to_do(folder):
     first = install(folder)
     made_pipeline.wait_for((folder / ".venv").exists, 20)
     second = install(folder)
-    assert "Another make installs into .venv: this one waits for it." in second.communicate()[1]
+    assert "Another make is installing into .venv: waiting for it." in second.communicate()[1]
     assert first.communicate()[1] == ""
     assert (first.returncode, second.returncode) == (0, 0)
     assert len(calls(folder)) == LINES_OF_ONE
