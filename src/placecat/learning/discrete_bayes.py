@@ -133,5 +133,5 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         sample, variable = np.argwhere((codes < 0) | (codes >= self.n_values_))[0]
         raise PlacecatError(
             f"code {codes[sample, variable]} of sample {sample}, variable {variable} is outside "
-            f"[0, {self.n_values_}): set n_values to the codebook's cluster number (2 for activations)"
+            f"[0, {self.n_values_}): set n_values to the codebook's number of clusters (2 for activations)"
         )

@@ -54,7 +54,7 @@ class KernelMachine(TwoClass):
         )
 
     def decide_rows(self, shared: NDArray[Any], rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Evaluate for rows of the Gram matrix `shared` (n, n): (len(rows),) float64."""
+        """Return decision values, (len(rows),) float64, for rows of the Gram matrix `shared` (n, n)."""
         weights = np.zeros(len(shared), dtype=shared.dtype)
         weights[self.support_] = self.dual_coef_
         # A slice of the matrix is a view; an index list would make a copy.

@@ -1,10 +1,10 @@
 """Matrix products in which each result row depends only on the matching input row, to the bit.
 
 BLAS does not guarantee this: it multiplies in tiles, sums in a different order at a matrix's edges, and uses
-different routines for one row and for many. The last bits of a frame's result would depend on the other
-frames. Here every product has one of a few fixed row counts (the last product is padded with zeros), and zero
-margins surround the columns. Whether this works depends on the processor's kernels, so each shape is tested
-once; if the test fails, rows are multiplied one by one.
+different routines for one row and for many. With it, the last bits of a frame's result would depend on the
+other frames. Here every product has one of a few fixed row counts (the last product is padded with zeros),
+and zero margins surround the columns. Whether this works depends on the processor's kernels, so each shape is
+tested once; if the test fails, rows are multiplied one by one.
 """
 
 from collections.abc import Iterator

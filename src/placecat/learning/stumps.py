@@ -59,7 +59,7 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
             place = place[place > 0]
             cuts = _midpoints(distinct[place - 1], distinct[place])
         thresholds.append(cuts)
-        # Searching the few thresholds in the values is faster than every value in the thresholds.
+        # Searching the values for the few thresholds is faster than searching the thresholds for every value.
         ends = np.searchsorted(values, cuts, side="right")
         sizes = np.diff(ends, prepend=0, append=n)
         bins[feature, order] = np.repeat(np.arange(len(sizes), dtype=bins.dtype), sizes)
@@ -159,7 +159,7 @@ def _gain(
     total_signed: NDArray[np.float64],
     dust: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Return each cut's weighted squared error reduction, up to a constant; -inf if one side is empty."""
+    """Return the fall in weighted squared error at each cut, plus a constant; -inf if one side is empty."""
     above = total - below
     impossible = np.minimum(below, above) <= dust
     above_signed = total_signed - below_signed
