@@ -58,7 +58,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """Return the histograms, (n, 256) float32, rows sum to 1, of (n, h, w) uint8 codes from `census`."""
+    """Compute histograms of (n, h, w) uint8 codes from `census`: (n, 256) float32; rows sum to 1."""
     count = len(codes)
     if count == 0:
         return np.zeros((0, CODES), np.float32)

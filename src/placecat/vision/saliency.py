@@ -37,7 +37,7 @@ class Channel(NamedTuple):
 
 
 class Saliency(NamedTuple):
-    """A frame's saliency map, (h, w) float32, >= 0, and the channels by name whose weighted sum it is.
+    """A frame's saliency map, (h, w) float32, >= 0: the weighted sum of its channels, listed by name.
 
     The maps have the size of the pyramid level `scale`: pixel (x, y) lies at (x, y) 2**scale in the frame.
     """
@@ -90,9 +90,9 @@ def saliency(
         Side of the neighbourhood that a local maximum dominates, odd. The thesis does not specify this.
     intensity_unit, color_unit, orientation_unit, residual_unit
         Divisors of the conspicuity maps, since each channel's largest local maximum has the channel's units.
-        The units are black to white, pure red, and a wave from black to white. Unlike the others, the
-        residual reaches 1 in every frame and at every scale; 4 makes it comparable in photographs of homes.
-        The thesis does not specify these.
+        By default, the units are black against white, pure red, and a wave from black to white. Unlike the
+        others, the residual reaches 1 in every frame and at every scale; 4 makes it comparable in photographs
+        of homes. The thesis does not specify these.
 
     Raises
     ------
