@@ -18,8 +18,8 @@ Task = tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]
 class Boosting:
     """Boosted machines for several two-class problems on the same samples; more rounds can be added.
 
-    To the bit, a machine does not depend on the other machines, and its first stumps do not depend on the
-    number of rounds.
+    A machine does not depend on the other machines, not even in the last bit, and its first stumps do not
+    depend on the number of rounds.
 
     `binned` holds the n samples, and `tasks` the two-class problems. Raises PlacecatError if a problem's
     training samples all have the same class. `weight_trim` is as in

@@ -66,7 +66,7 @@ class Problem:
 
     #: Name in messages.
     name: str
-    #: (n,)
+    #: (n,), true for the positive samples.
     positive: NDArray[np.bool_]
     #: (n,), true for the samples used in training and calibration.
     member: NDArray[np.bool_]
@@ -82,7 +82,7 @@ class FittedProblem:
     sigmoids: NDArray[np.float64]
     #: (n,) held-out p(o|x).
     outputs: NDArray[np.float64]
-    #: nu of each held-out part's machine; NaN if the base has no nu.
+    #: nu of each machine that leaves out a part; NaN if the base has no nu.
     nu: NDArray[np.float64]
     #: Number of sigmoids that are flat because decision values were uninformative or reversed.
     flat: int

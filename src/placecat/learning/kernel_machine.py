@@ -23,11 +23,11 @@ class KernelMachine(TwoClass):
     classes_, support_vectors_
         The two labels, and (s, D) float32. Set only by `fit`.
     support_
-        (s,) ascending indices into the Gram matrix's samples.
+        (s,) the support vectors' ascending indices into the Gram matrix's samples.
     dual_coef_
-        (s,) float64.
+        (s,) float64, the support vectors' weights in the sum.
     intercept_
-        float.
+        float, added to the sum.
     """
 
     gamma: float

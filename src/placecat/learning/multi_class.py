@@ -50,7 +50,7 @@ class MultiClass:
         Parameters
         ----------
         X
-            (n, D) real.
+            (n, D) real numbers.
         y
             (n,) labels; every class occurs at least twice.
         groups

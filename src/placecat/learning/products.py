@@ -29,7 +29,7 @@ _TRIED = 256
 class RowProducts:
     """Compute left @ right.T for a fixed `right`; a row's bits do not depend on other rows.
 
-    `right` is (m, k) float32 or float64, copied; m may be 0.
+    `right`, (m, k) float32 or float64, is copied; m may be 0.
 
     Examples
     --------

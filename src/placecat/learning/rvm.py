@@ -34,7 +34,8 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     Parameters
     ----------
     gamma
-        Inverse squared kernel width, > 0. The thesis gives none for the RVM; the default is the nu-SVM's 2.0.
+        Inverse squared kernel width, > 0. The thesis gives no value for the RVM; the default is the nu-SVM's
+        2.0.
     tol
         Stop when further rounds raise the log evidence by less than this, in nats per sample.
     max_iter

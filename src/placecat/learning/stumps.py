@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 # Number of features per block, so that the histograms of a few machines fit in the level-2 cache.
 BLOCK_FEATURES = 32
-# Histograms with more columns than this are cumulated row by row.
+# Histograms with more columns than this are accumulated row by row.
 _NARROW = 192
 
 
@@ -142,7 +142,7 @@ def _histograms(
 
 
 def _cumulated(histogram: NDArray[np.float64], width: int) -> NDArray[np.float64]:
-    """Cumulate the bins of histograms (width * B, G), and return them as (width, B * G)."""
+    """Accumulate the bins of histograms (width * B, G), and return the sums as (width, B * G)."""
     bins = histogram.reshape(width, -1)
     if bins.shape[1] <= _NARROW:
         return np.add.accumulate(bins, axis=0)
