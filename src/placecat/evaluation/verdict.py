@@ -25,7 +25,7 @@ class Range:
         return f"between {self.low:g} and {self.high:g}"
 
     def margin(self, interval: Interval) -> float:
-        """Return how far the interval is from the nearer end of the range; negative if it extends beyond."""
+        """Return how far the interval is from the nearer end of the range; negative if it extends past it."""
         return min(interval.low - self.low, self.high - interval.high)
 
 
