@@ -72,7 +72,7 @@ def test_frames_come_at_the_rate_of_the_model_unless_their_times_are_given(categ
 
 @pytest.mark.parametrize("seconds", [-1.0, float("nan")])
 def test_impossible_times_are_refused(categorizer, seconds):
-    with pytest.raises(PlacecatError, match="s between two frames"):
+    with pytest.raises(PlacecatError, match="the time between two frames is"):
         categorizer.update(frames(1)[0], seconds)
 
 
@@ -113,7 +113,7 @@ def test_invalid_frames_are_refused_and_skipped(categorizer):
     [
         ({"time": 0.5}, "a frame is 1.5 s older than the last one"),
         ({"time": float("inf")}, "time of a frame is inf"),
-        ({"seconds": -0.1}, "s between two frames"),
+        ({"seconds": -0.1}, "the time between two frames is"),
         ({"seconds": 0.1, "time": 3.0}, "not both"),
         ({"seconds": "0.1"}, "'0.1': give it as a number of seconds"),
         ({"time": "now"}, "'now': give it as a number of seconds"),

@@ -54,7 +54,7 @@ def test_a_failed_experiment_does_not_lose_the_others(sweep):
     assert table["note"].str.contains("n_neighbors=1000").tolist() == [False, False, True, True]
     for line in result.stdout.splitlines():
         if line.startswith("classifier.base.n_neighbors=1000"):
-            assert "failed: n_neighbors=1000: use 1 to" in line
+            assert "failed: n_neighbors=1000 exceeds n_clusters=" in line
 
 
 def test_two_workers_give_the_bytes_of_one(sweep, tmp_path, monkeypatch):

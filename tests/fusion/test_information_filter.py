@@ -72,7 +72,7 @@ def test_without_a_threshold_nothing_changes():
 
 
 def test_another_number_of_measures_is_refused():
-    with pytest.raises(PlacecatError, match="5 distributions, but 4 measures"):
+    with pytest.raises(PlacecatError, match="5 distributions, but 4 information measures"):
         hold(np.eye(5), np.zeros(4), threshold=0.1, sequences=[slice(0, 5)])
 
 

@@ -186,7 +186,7 @@ def test_a_frame_counts_for_its_time_up_to_a_second_but_always_as_one(rate, seco
 def test_impossible_times_are_refused_and_change_nothing(seconds):
     smoother, other = Smoother(model()), Smoother(model())
     proba = np.array([0.8, 0.1, 0.1])
-    with pytest.raises(PlacecatError, match="s between two frames"):
+    with pytest.raises(PlacecatError, match="the time between two frames is"):
         smoother.step(proba, seconds)
     np.testing.assert_array_equal(smoother.step(proba), other.step(proba))
 

@@ -26,9 +26,9 @@ def test_padded_against_a_loop(frames):
 @pytest.mark.parametrize(
     ("codewords", "arguments", "message"),
     [
-        ([[0, 3]], {"counts": [2]}, r"\[0, 3\], outside \[0, 3\)"),
-        ([[0, -1]], {"counts": [2]}, "outside"),
-        ([[0, 1]], {"counts": [3]}, r"counts\[0\]=3 lies outside \[0, 2\]"),
+        ([[0, 3]], {"counts": [2]}, r"from 0 to 3, not within \[0, 3\)"),
+        ([[0, -1]], {"counts": [2]}, "from -1 to 0, not within"),
+        ([[0, 1]], {"counts": [3]}, r"counts\[0\]=3 is invalid: a frame has 0 to 2 regions"),
         ([[0, 1]], {"counts": [-1]}, r"counts\[0\]=-1"),
         ([[0, 1]], {"counts": [1.5]}, "whole number"),
         ([[0, 1]], {"counts": [1, 1]}, "shape"),

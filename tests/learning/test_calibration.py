@@ -92,7 +92,10 @@ def test_decisions_that_say_the_contrary_are_flat_counted_and_logged_once(caplog
         assert (fitted.sigmoids[:, 0] == 0.0).all()
         assert fitted.flat == len(fitted.sigmoids)
         assert [(record.levelname, record.message) for record in caplog.records] == [
-            ("INFO", "held-out decision values of it are uninformative or reversed: its sigmoid is flat")
+            (
+                "INFO",
+                "the held-out decision values of it are uninformative or reversed, so the sigmoid is flat",
+            )
         ]
 
 

@@ -217,7 +217,7 @@ def test_update_of_a_single_cluster():
 
 def test_wrong_updates():
     model = line_model()
-    with pytest.raises(PlacecatError, match="class 'c' was not trained: use one of a, b"):
+    with pytest.raises(PlacecatError, match="class 'c' is not a trained class: use one of a, b"):
         model.update([0.0], "c")
     with pytest.raises(PlacecatError, match="X has 2 features"):
         model.update([0.0, 1.0], "a")
@@ -227,7 +227,7 @@ def test_wrong_updates():
     ("settings_", "message"),
     [
         ({"n_neighbors": 0}, "n_neighbors=0"),
-        ({"n_neighbors": 17, "n_clusters": 16}, "use 1 to n_clusters=16"),
+        ({"n_neighbors": 17, "n_clusters": 16}, "n_neighbors=17 exceeds n_clusters=16"),
         ({"smoothing": -0.1}, "smoothing=-0.1"),
         ({"class_weighting": "twice"}, "class_weighting=twice: it must be 'once' or 'per_region'"),
         ({"n_clusters": 100}, "91 or 106"),

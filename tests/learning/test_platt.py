@@ -75,7 +75,7 @@ def test_literal_sigmoid():
 
 
 def test_messages():
-    with pytest.raises(PlacecatError, match="at least one finite held-out decision"):
+    with pytest.raises(PlacecatError, match="held-out decision values, all of them finite"):
         fit_sigmoid([], [])
-    with pytest.raises(PlacecatError, match="at least one finite held-out decision"):
+    with pytest.raises(PlacecatError, match="held-out decision values, all of them finite"):
         fit_sigmoid([np.nan], [True])

@@ -42,9 +42,9 @@ def test_plain_reduction_by_a_factor(factor, width):
 @pytest.mark.parametrize(
     ("pca", "message"),
     [
-        (SpatialPCA(cells=5), "12 dimensions cannot be divided into 5 cells"),
-        (SpatialPCA(cells=3, components=5), "PCA to 5 components is impossible for cells of 4"),
-        (SpatialPCA(cells=3, components=2, factor=2.0), "give either `components` or `factor`"),
+        (SpatialPCA(cells=5), "12 dimensions cannot be divided into 5 equal cells"),
+        (SpatialPCA(cells=3, components=5), "the PCA cannot keep 5 components: use 1 to 4"),
+        (SpatialPCA(cells=3, components=2, factor=2.0), "set either `components` or `factor`"),
         (
             SpatialPCA(cells=1, components=None, factor=0.5),
             "factor=0.5: it must be greater than or equal to 1",

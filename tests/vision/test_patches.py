@@ -70,7 +70,7 @@ def test_no_regions() -> None:
 
 
 def test_refusals() -> None:
-    with pytest.raises(PlacecatError, match=r"scale 7, but the pyramid has the levels 0"):
+    with pytest.raises(PlacecatError, match=r"scale 7, but the pyramid has only the levels 0"):
         cut({0: LEVEL}, region(1, 1, 7), 3)
     with pytest.raises(PlacecatError, match=r"scale 0\.5"):
         cut({0: LEVEL}, region(1, 1, 0.5), 3)

@@ -80,7 +80,7 @@ def test_maps_of_some_scales_are_the_same_maps():
 
 @pytest.mark.parametrize("scales", [[], [2, 6]])
 def test_scales_that_there_are_not_are_refused(scales):
-    with pytest.raises(PlacecatError, match="only maps of the scales 2, 3, 4, 5"):
+    with pytest.raises(PlacecatError, match="maps exist only for the scales 2, 3, 4, 5"):
         compute_maps(PICTURE).at_scales(scales)
 
 

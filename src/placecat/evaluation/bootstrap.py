@@ -34,7 +34,7 @@ def paired_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Compute the interval of a statistic over units, e.g. the mean difference of two results over homes.
+    """Compute the interval of a statistic over units, such as two results' mean difference over homes.
 
     Units are drawn with replacement, each with all its measurements, so effects common to both sides of a
     difference cancel.
@@ -63,10 +63,10 @@ def paired_bootstrap(
     The stretched interval's median length is 0.54 (n = 4) and 0.85 (n = 6) times that of the bootstrap-t
     interval.
 
-    Two homes with two seeds are four dependent units. If homes and seeds vary equally, the interval covers
-    the mean over these two homes in 0.96 of the simulations, and more often if seeds matter less. It covers
-    the mean over all possible homes in only 0.89, and in 0.70 if seeds do not matter. So the interval is
-    valid for these homes only.
+    Two homes with two seeds each are four dependent units. If homes and seeds vary equally, the interval
+    covers the mean over these two homes in 0.96 of the simulations, and more often if seeds matter less. It
+    covers the mean over all possible homes in only 0.89, and in 0.70 if seeds do not matter. So the interval
+    is valid for these homes only.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def stratified_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Compute the interval of a statistic over blocks, e.g. stays, with a fixed number of blocks per stratum.
+    """Compute the interval of a statistic over blocks, such as stays, with a fixed number per stratum.
 
     A mean over places has one stratum per place. From the n blocks of a stratum, n - 1 are drawn with
     replacement (Rao and Wu). The variance of the stratum's mean then divides by n - 1, which matters most for
@@ -134,7 +134,7 @@ def stratified_bootstrap(
     sizes = np.bincount(strata)
     free = int((sizes - 1).sum())
     if free < 1:
-        raise ValueError("every stratum has a single block: there is no interval")
+        raise ValueError("every stratum has a single block: an interval needs a stratum with at least 2")
     rng = np.random.default_rng(seed)
     weights = np.empty((resamples, len(strata)))
     for stratum, size in enumerate(sizes):

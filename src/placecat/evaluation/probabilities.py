@@ -85,7 +85,7 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
 
 def pooled(diagrams: Sequence[Reliability]) -> Reliability:
-    """Merge diagrams that have the same bins, e.g. one per home; all diagrams weigh the same."""
+    """Merge diagrams that have the same bins, such as one per home; all diagrams weigh the same."""
     weights = np.array([one.weight for one in diagrams])
     confidence, accuracy = (
         _ratio(np.nansum(weights * values, axis=0), weights.sum(axis=0))

@@ -52,13 +52,13 @@ def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
 def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
     """Choose the lowest threshold that keeps the share of wrong decisions at or below `risk`, 0 to 1.
 
-    `homes` holds the decisions in each home of a system that was not trained on it. Returns one of their
-    confidences, or infinity if none is high enough.
+    `homes` holds, for each home, the decisions of a system that was not trained on it. Returns one of the
+    decisions' confidences, or infinity if none is high enough.
 
     References
     ----------
     Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. This function
-    does not use their bound, which assumes independent frames: the frames of a walk are dependent.
+    does not use their bound, which assumes independent frames; the frames of a walk are not.
     """
     confidence, wrong, weight = (np.concatenate(parts) for parts in zip(*homes, strict=True))
     order = np.argsort(-confidence, kind="stable")

@@ -1,4 +1,4 @@
-"""Stays: visits to a place, each named by the decisions on its frames (an addition to the thesis)."""
+"""Stays: visits to a place, each named by the decisions on its frames (not in the thesis)."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -14,13 +14,14 @@ _NODES = 200
 
 
 def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95) -> Interval:
-    """Estimate the share, 0 to 1, of cases at or below a threshold, in the known and all other units.
+    """Estimate the share, 0 to 1, of cases at or below a threshold, in all units, known or not.
 
-    A unit, e.g. a home, has several cases, e.g. the gains of some methods. Cases are modelled as normal: the
-    mean is the mean of the unit means, and the variance is their variance plus the mean variance within
-    units. Counting cases could never show that a share is small: for six homes without such a case, the upper
-    limit is 46 % (Clopper and Pearson). The limits come from the noncentral t distribution. They are exact if
-    each unit has one case or identical cases, and wide otherwise, since each unit then counts as one case.
+    A unit, such as a home, has several cases, such as the gains of some methods. Cases are modelled as
+    normal: the mean is the mean of the unit means, and the variance is their variance plus the mean variance
+    within units. Counting cases could never show that a share is small: for six homes without such a case,
+    the upper limit is 46 % (Clopper and Pearson). The limits come from the noncentral t distribution. They
+    are exact if each unit has one case or identical cases, and wide otherwise, since each unit then counts as
+    one case.
 
     `units` holds at least 2 arrays of (cases,) values; if all values are identical, the interval is the point
     0 or 1. `level` is the interval's level, between 0 and 1.

@@ -17,7 +17,7 @@ HOMES = "homes"
 class Trial:
     """A cue to train and test in some homes.
 
-    `name` consists of the table's name and a label per axis, empty for the axis of homes, e.g.
+    `name` consists of the table's name and a label per axis, empty for the axis of homes, as in
     ``trials/table_12/HOG + y-Pos||196``. `settings` are ``descriptor``, ``classifier`` and, for classifiers
     on clusters, ``codebook``. `homes` are the test homes.
     """
@@ -48,13 +48,15 @@ def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]
 def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]:
     """List a table's trials in the data set's homes.
 
-    `name` is the table's name, e.g. ``table_12``, and `table` its configuration: ``trial``, ``homes`` and
+    `name` is the table's name, such as ``table_12``, and `table` its configuration: ``trial``, ``homes`` and
     ``axes`` (see data/thesis/tables). Raises PlacecatError for an unknown axis, or an override of a setting
     that the trial lacks.
     """
     unknown = set(table["axes"]) - set(AXES)
     if unknown:
-        raise PlacecatError(f"{name} has an axis {sorted(unknown)[0]!r}: an axis is one of {', '.join(AXES)}")
+        raise PlacecatError(
+            f"{name} has the unknown axis {sorted(unknown)[0]!r}: use one of {', '.join(AXES)}"
+        )
     choices: list[list[tuple[str, Mapping[str, Any]]]] = []
     for axis in AXES:
         labels = table["axes"].get(axis)

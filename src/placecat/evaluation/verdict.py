@@ -25,15 +25,15 @@ class Range:
         return f"between {self.low:g} and {self.high:g}"
 
     def margin(self, interval: Interval) -> float:
-        """Return how far the interval is from the nearer end of the range; negative if it extends beyond."""
+        """Return how far the interval is from the nearer end of the range; negative if it extends past it."""
         return min(interval.low - self.low, self.high - interval.high)
 
 
 def corrected_level(level: float, comparisons: int) -> float:
     """Return the level that each interval needs for a joint level of `level` (Bonferroni).
 
-    Holm's procedure starts at the same level, so it finds a failing comparison exactly when this does. In
-    12000 simulations, with intervals over four or six units and every comparison exactly on the edge of
+    Holm's procedure starts at the same level, so it finds a failing comparison exactly when this level does.
+    In 12000 simulations, with intervals over four or six units and every comparison exactly on the edge of
     failing, at least one of 2, 5 or 14 independent comparisons fails in 3 to 5 % if units are normal and in 2
     to 4 % if they follow Student's t with 3 degrees of freedom. The share is 15 to 36 % if units are
     exponential with the long tail on the claim's side: intervals over so few skewed units are too short.
@@ -59,9 +59,9 @@ def judge(interval: Interval, claimed: Range, corrected: Interval | None = None)
 def combine(verdicts: Collection[str]) -> str:
     """Combine the verdicts on a claim's comparisons: the claim holds if all hold, and fails if any fails.
 
-    "All hold" needs no correction for the number of comparisons: if one is false, that very one must hold by
-    chance (an intersection-union test). "Any fails" needs it: each of k true comparisons may fail by chance,
-    so `judge` uses the corrected interval.
+    "All hold" needs no correction for the number of comparisons: for a wrong conclusion, the very comparison
+    that is false must hold by chance (an intersection-union test). "Any fails" needs a correction: each of k
+    true comparisons may fail by chance, so `judge` uses the corrected interval.
     """
     if FAILS in verdicts:
         return FAILS
@@ -69,12 +69,12 @@ def combine(verdicts: Collection[str]) -> str:
 
 
 def judge_shares(worse: Interval, better: Interval, rare: float) -> str:
-    """Judge whether something both hurts and helps.
+    """Judge whether a change both hurts and helps.
 
-    `worse` and `better` are intervals for the shares of cases, 0 to 1, that it makes worse and better; `rare`
-    is the largest share that counts as an exception. The verdict is `HOLDS` if both intervals lie entirely
-    above `rare`, `FAILS` if either lies entirely below it, and otherwise `UNDECIDED`. With two 95 %
-    intervals, a false `FAILS` occurs at most 5 % of the time, since each is too low 2.5 % of the time.
+    `worse` and `better` are intervals for the shares of cases, 0 to 1, that the change makes worse and
+    better; `rare` is the largest share that counts as an exception. The verdict is `HOLDS` if both intervals
+    lie entirely above `rare`, `FAILS` if either lies entirely below it, and otherwise `UNDECIDED`. With two
+    95 % intervals, a false `FAILS` occurs at most 5 % of the time, since each is too low 2.5 % of the time.
     """
     if worse.low > rare and better.low > rare:
         return HOLDS

@@ -29,8 +29,8 @@ def transition_matrix(
 
     `sequences` holds (frames,) class indices in temporal order, -1 for unlabelled frames. `frame_rates` are
     in frames per second, above 0; None if they are all equal. `smoothing` (not given in the thesis) is added
-    to every count; without it, a transition never seen in training could never happen. It must be finite and
-    above 0, else PlacecatError. Returns (n_classes, n_classes): row q', column q is p(l_t = q | l_{t-1} =
+    to every count; without it, a transition never seen in training could never happen. Raises PlacecatError
+    unless it is finite and above 0. Returns (n_classes, n_classes): row q', column q is p(l_t = q | l_{t-1} =
     q'). Rows sum to 1.
     """
     counts = np.full((n_classes, n_classes), above_zero("smoothing.transition_counts", smoothing))
@@ -112,7 +112,7 @@ class ForwardFilter:
         else:
             predicted = self._filtered @ self._transitions(steps)
         if weight != 1.0:
-            # The factor keeps high powers above 0.
+            # Dividing by the maximum keeps high powers above 0.
             likelihood = (likelihood / likelihood.max()) ** weight
         joint = likelihood * predicted
         filtered: Float = joint / joint.sum()

@@ -41,8 +41,8 @@ def hold(
     """Give each frame with little information the last accepted frame's distribution (thesis 4.6).
 
     A frame is accepted if its information reaches the threshold. The thesis uses 0.09766, and 0.13021 in a
-    check; :func:`threshold_of` computes another. Frames before a sequence's first accepted frame keep their
-    distributions (not given in the thesis). Frame t uses only frames up to t.
+    check; :func:`threshold_of` computes one from a share of frames. Frames before a sequence's first accepted
+    frame keep their distributions (not given in the thesis). Frame t uses only frames up to t.
 
     `proba` holds (frames, classes) distributions; the result has the same shape. `information` holds the
     (frames,) measures from `placecat.vision.information.information`; a different length raises
@@ -50,7 +50,9 @@ def hold(
     each.
     """
     if len(information) != len(proba):
-        raise PlacecatError(f"{len(proba)} distributions, but {len(information)} measures of information")
+        raise PlacecatError(
+            f"{len(proba)} distributions, but {len(information)} information measures: pass one per frame"
+        )
     said_by = np.arange(len(proba))
     for part in sequences:
         own = said_by[part]

@@ -1,4 +1,4 @@
-"""Integration of cues: SVM-DAS or a plain vote (thesis 3.3.3), or a log-opinion pool (an addition).
+"""Integration of cues by SVM-DAS or a vote (thesis 3.3.3), or by a logarithmic opinion pool (our addition).
 
 SVM-DAS is the discriminative accumulation scheme of Nilsback and Caputo, and of Pronobis et al.
 """
@@ -29,8 +29,8 @@ class Integrator:
     """A trained integration that uses one of `METHODS`.
 
     `model` is the integrating classifier of SVM-DAS. `weights` are the (cues,) weights of the logarithmic
-    opinion pool, and `smallest` is its floor (:func:`placecat.fusion.log_pool.pool`). They are None for other
-    methods. `temperatures` are (cues,) numbers that first temper the cues' distributions
+    opinion pool, and `smallest` is its floor (:func:`placecat.fusion.log_pool.pool`). For other methods,
+    these are None. `temperatures` are (cues,) numbers that first temper the cues' distributions
     (:func:`placecat.fusion.temperature.temper`); None leaves them unchanged.
     """
 
@@ -56,7 +56,8 @@ class Trained:
     """A trained integration, with facts about its training in JSON types.
 
     `cross_validated` holds (n, n_classes) distributions for the training frames, home by home, each from a
-    model that saw neither the frame nor its home; None if not requested. `truth` holds their (n,) classes.
+    model that saw neither the frame nor its home; None if not requested. `truth` holds the frames' (n,)
+    classes.
     """
 
     integrator: Integrator
@@ -87,7 +88,7 @@ def fit(
     truth
         Maps each home to the (n,) class indices of the same frames; may contain additional homes.
     classes, method
-        Names of the places, and one of `METHODS`: ``das`` is SVM-DAS.
+        Names of the places, and one of `METHODS`; ``das`` is SVM-DAS.
     classifier
         Classifier of SVM-DAS, as in :func:`placecat.cues.fit`.
     shrinkage, smallest
@@ -95,7 +96,8 @@ def fit(
     temperatures
         One per cue, as in :class:`Integrator`.
     cross_validated
-        Whether an integration trained on the other homes also predicts each home's frames.
+        Whether to predict each home's frames with an integration trained on the other homes; the logarithmic
+        opinion pool always does.
     """
     if method not in METHODS:
         raise PlacecatError(f"integrator.method {method!r} does not exist: use one of {', '.join(METHODS)}")
@@ -107,11 +109,11 @@ def fit(
     if method == "log_pool":
         return _fit_pool(tempered, labels, homes, own, shrinkage, smallest)
     if method != "das":
-        # A vote does not train, so its statistics need no cross-validation.
+        # A vote is not trained, so its statistics need no cross-validation.
         vote = Integrator(method, None, own)
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     if classifier is None:
-        raise PlacecatError("integrator.classifier is missing: SVM-DAS needs one, such as nu_svm")
+        raise PlacecatError("integrator.classifier is missing: set the classifier of SVM-DAS, such as nu_svm")
     frames = _joined(tempered)
     model = cues.fit(frames, labels, homes, classifier=classifier, classes=classes)
     held_out = None

@@ -15,7 +15,7 @@ SMALLEST = 1e-6
 
 
 def pool(proba: Float, weights: Float, smallest: float = SMALLEST) -> Float:
-    """Raise each distribution to the power of its cue's weight, multiply them and normalise.
+    """Raise each distribution to the power of its cue's weight, multiply the powers and normalise.
 
     `proba` holds (n, cues, n_classes) distributions; probabilities below `smallest`, in (0, 1), become
     `smallest`. `weights` are (cues,), 0 or more; if all are 0, the result is uniform. Returns (n, n_classes);

@@ -37,9 +37,9 @@ class Smoother:
     """Smooth one sequence, frame by frame; frame t uses only frames up to t.
 
     Any frame rate works, and it may change: transitions, evidence and delay are measured in seconds. A frame
-    counts as the number of frames at the model's rate that fit into the time since the last frame: doubling
-    the rate repeats the same views and adds no evidence. A frame is not evidence for all of a long gap, so it
-    counts for at most `evidence_seconds` (or one frame of the model, if that is longer).
+    counts as the number of frames at the model's rate that fit into the time since the last frame, so
+    doubling the rate, which only repeats the same views, adds no evidence. A frame is not evidence for all of
+    a long gap, so it counts for at most `evidence_seconds` (or one frame of the model, if that is longer).
     """
 
     def __init__(self, model: SmoothingModel) -> None:
@@ -53,8 +53,8 @@ class Smoother:
         """Return the filter's and the delay's distributions for the next frame.
 
         `proba` is the integrator's (n_classes,) distribution. `seconds` is the time since the last frame (for
-        the first frame, its duration); it must be finite and 0 or more, else PlacecatError. None means one
-        frame at the model's rate; passing that time explicitly returns the same bits.
+        the first frame, its duration); a negative or non-finite time raises PlacecatError. None means one
+        frame at the model's rate; passing that time explicitly returns the same result, to the bit.
         """
         steps = 1.0
         check_elapsed(seconds)
@@ -71,7 +71,7 @@ class Smoother:
 def check_elapsed(seconds: float | None) -> None:
     """Refuse a time between two frames that is negative or not finite."""
     if seconds is not None and not (math.isfinite(seconds) and seconds >= 0):
-        raise PlacecatError(f"{seconds:g} s between two frames: give a finite number, 0 or more")
+        raise PlacecatError(f"the time between two frames is {seconds:g} s: pass a finite number, 0 or more")
 
 
 def fit(
@@ -88,7 +88,7 @@ def fit(
     transition_counts: float,
     emission_counts: float,
 ) -> SmoothingModel:
-    """Estimate training homes' statistics; raise PlacecatError for a setting of the wrong type or range.
+    """Estimate the training homes' statistics; raise PlacecatError for an invalid setting.
 
     The transitions use `training_sequences`, the labels of the training homes in temporal order (-1 for
     unlabelled), and `training_frame_rates`, their frames per second; the model uses the highest rate, see

@@ -29,8 +29,8 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
 
     It is rounded to four significant digits.
 
-    The thesis does not use temperatures. Naive Bayes multiplies codewords as if they were independent and is
-    far too certain; the parallel scheme averages and is not certain enough.
+    The thesis does not use temperatures. Naive Bayes multiplies probabilities as if codewords were
+    independent, so it is far too certain; the parallel scheme averages, so it is not certain enough.
 
     `proba` holds (n, n_classes) distributions from a model that saw neither the frame nor its home; `truth`
     holds (n,) class indices; all classes present have equal weight.

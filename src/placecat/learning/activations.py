@@ -12,8 +12,8 @@ _BLOCK = 1 << 26
 def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
     """Mark the rows of padded arrays that hold a region: (frames, max_regions) bool.
 
-    `counts` holds each frame's number of regions, (frames,) integers; they fill the first rows. Raises
-    PlacecatError for a count outside [0, max_regions].
+    `counts` holds each frame's number of regions, (frames,) integers; a frame's regions fill its first rows.
+    Raises PlacecatError for a count outside [0, max_regions].
 
     Examples
     --------
@@ -26,7 +26,7 @@ def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
     wrong = np.flatnonzero((numbers < 0) | (numbers > max_regions))
     if len(wrong):
         raise PlacecatError(
-            f"counts[{wrong[0]}]={numbers[wrong[0]]} lies outside [0, {max_regions}], the regions of a frame"
+            f"counts[{wrong[0]}]={numbers[wrong[0]]} is invalid: a frame has 0 to {max_regions} regions"
         )
     return np.arange(max_regions) < numbers[:, None]
 
@@ -34,10 +34,10 @@ def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
 def activations(codewords: NDArray[np.integer], n_clusters: int, counts: ArrayLike) -> NDArray[np.uint8]:
     """Mark the clusters that each frame's regions activate: q_k of thesis section 3.3.2.
 
-    `codewords` holds (frames, max_regions) integers, of which the first are used: as many as the frame's
-    number of regions in `counts`, (frames,) integers. Returns (frames, n_clusters) uint8, 1 where at least
-    one region of the frame has the codeword. Raises PlacecatError if the shapes do not match, or a codeword
-    is out of range.
+    `codewords` holds (frames, max_regions) integers, and `counts` each frame's number of regions, (frames,)
+    integers; codewords after a frame's last region are ignored. Returns (frames, n_clusters) uint8, 1 where
+    at least one region of the frame has the codeword. Raises PlacecatError if the shapes do not match, or a
+    codeword is out of range.
 
     Examples
     --------
@@ -45,12 +45,13 @@ def activations(codewords: NDArray[np.integer], n_clusters: int, counts: ArrayLi
     [[1, 0, 1], [0, 1, 0]]
     """
     if codewords.ndim != 2 or len(codewords) != len(np.asarray(counts)):
-        raise PlacecatError("codewords with counts must have the shape (frames, max_regions)")
+        raise PlacecatError("codewords must have the shape (frames, max_regions), and counts (frames,)")
     mask = region_mask(counts, codewords.shape[1])
     words = codewords[mask]
     if len(words) and (words.min() < 0 or words.max() >= n_clusters):
         raise PlacecatError(
-            f"codewords lie in [{words.min()}, {words.max()}], outside [0, {n_clusters}): check n_clusters"
+            f"codewords range from {words.min()} to {words.max()}, not within [0, {n_clusters}): "
+            "check n_clusters"
         )
     active = np.zeros((len(mask), n_clusters), np.uint8)
     active[np.nonzero(mask)[0], words.astype(np.intp)] = 1
@@ -61,8 +62,8 @@ def check_regions(X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.bool
     """Return the `region_mask` of padded descriptors; raises PlacecatError if X and counts disagree."""
     if X.ndim != 3 or len(X) != len(np.asarray(counts)):
         raise PlacecatError(
-            f"X has shape {X.shape}, counts {np.shape(counts)}: "
-            "(frames, max_regions, D) and (frames,) are needed"
+            f"X has the shape {X.shape} and counts {np.shape(counts)}: "
+            "they must be (frames, max_regions, D) and (frames,)"
         )
     return region_mask(counts, X.shape[1])
 

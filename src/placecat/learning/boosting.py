@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.learning.stumps import BinnedFeatures, Stump, best_stumps
 
-# Number of machines per pass over the samples' bins; one pass sums the histograms of them all.
+# Number of machines that share one pass over the samples' bins, which sums all their histograms.
 _TOGETHER = 8
 
 # A two-class problem: (n,) bool labels, indices of the training samples (None: all), name in messages.
@@ -18,11 +18,11 @@ Task = tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]
 class Boosting:
     """Boosted machines for several two-class problems on the same samples; more rounds can be added.
 
-    A machine's bits do not depend on the other machines, and its first stumps do not depend on the number of
-    rounds.
+    A machine does not depend on the other machines, not even in the last bit, and its first stumps do not
+    depend on the number of rounds.
 
-    `binned` are the n samples, `tasks` the two-class problems. Raises PlacecatError if a problem's training
-    samples all have the same class. `weight_trim` is as in
+    `binned` holds the n samples, and `tasks` the two-class problems. Raises PlacecatError if a problem's
+    training samples all have the same class. `weight_trim` is as in
     :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`.
     """
 
@@ -66,7 +66,7 @@ class _Machine:
             used[rows] = True
         if len(np.unique(positive[used])) < 2:
             raise PlacecatError(
-                f"{context}: boosting needs samples of both classes; add some or drop the class"
+                f"{context}: boosting needs samples of both classes: add the missing ones or drop the class"
             )
         self.target = np.where(positive, 1.0, -1.0)
         self.stumps: list[Stump] = []

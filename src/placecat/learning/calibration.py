@@ -32,24 +32,26 @@ Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 class Calibration:
     """Conversion of decision values to probabilities.
 
-    If each machine leaves out a different home, the machines' values are not comparable: if a home has many
-    positives, the machine that judges it saw few, so its values are low. Such values are never pooled
-    unchanged, because a sigmoid fitted to them can fall where it should rise.
+    If each machine leaves out a different home, the machines' values are not comparable: a machine that
+    leaves out a home with many positives sees few of them, so its values for that home are low. Such values
+    are never pooled unchanged, because a sigmoid fitted to them can fall where it should rise.
 
     Attributes
     ----------
     kind
         Which samples are held out, and how their values are used. ``samples``: `folds` random parts of each
-        class, as dlib does for the thesis (3.3.1.2). ``consecutive``: `folds` parts of consecutive samples,
-        as dlib does without shuffling. Both fit one sigmoid to all values. ``homes_centred``: one home at a
-        time; each home's values are shifted to a common mean, then one sigmoid is fitted to all.
-        ``homes_averaged``: one home at a time; one sigmoid per machine, whose probabilities are averaged.
+        class, as in dlib, which the thesis uses (3.3.1.2). ``consecutive``: `folds` parts of consecutive
+        samples, as in dlib without shuffling. Both fit one sigmoid to all values. ``homes_centred``: one home
+        at a time; each home's values are shifted to a common mean, then one sigmoid is fitted to all.
+        ``homes_averaged``: one home at a time; each machine has a sigmoid, and the machines' probabilities
+        are averaged.
     folds
         Number of parts, at least 2. Ignored if homes are held out.
     own
         Use the base classifier's sigmoid instead of Platt's.
     balanced
-        Weight the classes equally in Platt's sigmoid, see :func:`placecat.learning.platt.fit_sigmoid`.
+        Weight the classes equally when fitting Platt's sigmoid; see
+        :func:`placecat.learning.platt.fit_sigmoid`.
     """
 
     kind: str = SAMPLES
@@ -64,9 +66,9 @@ class Problem:
 
     #: Name in messages.
     name: str
-    #: (n,)
+    #: (n,), true for the positive samples.
     positive: NDArray[np.bool_]
-    #: (n,) marks the samples for training and calibration.
+    #: (n,), true for the samples used in training and calibration.
     member: NDArray[np.bool_]
 
 
@@ -80,9 +82,9 @@ class FittedProblem:
     sigmoids: NDArray[np.float64]
     #: (n,) held-out p(o|x).
     outputs: NDArray[np.float64]
-    #: nu of each held-out part's machine; NaN if the base has no nu.
+    #: nu of each machine that leaves out a part; NaN if the base has no nu.
     nu: NDArray[np.float64]
-    #: Number of flat sigmoids, where decision values were uninformative or reversed.
+    #: Number of sigmoids that are flat because decision values were uninformative or reversed.
     flat: int
 
 
@@ -97,7 +99,8 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
         (n,) the home of each sample, or None. Raises PlacecatError if `kind` needs homes and there is not
         exactly one per sample.
     kind
-        Kind of :class:`Calibration`. If there is only one home, consecutive samples are held out instead.
+        Kind of :class:`Calibration`. If it holds out homes but there is only one, consecutive samples are
+        held out instead.
     folds
         Number of stratified parts; reduced to the size of the smallest class.
 
@@ -119,7 +122,7 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
             )
         if home.max() > 0:
             return [(np.flatnonzero(home != g), np.flatnonzero(home == g)) for g in range(home.max() + 1)]
-        logger.warning("all samples are of one home: consecutive samples are held out instead of homes")
+        logger.warning("all samples come from one home, so consecutive samples are held out instead of homes")
     from sklearn.model_selection import StratifiedKFold
 
     counts = np.bincount(y)
@@ -141,10 +144,10 @@ def fit_problems(
 ) -> list[FittedProblem]:
     """Fit, cross-validate and calibrate two-class problems that share samples.
 
-    Each (problem, fold) pair is a task for the threads.
+    Each (problem, fold) pair is a separate task, so that threads can share the work.
 
-    If a fold's training part lacks positives or negatives (e.g. only one home has the class), a warning is
-    logged and stratified parts of consecutive samples are held out instead. `shared` comes from
+    If a fold's training part lacks positives or negatives (for example if only one home has the class), a
+    warning is logged and stratified parts of consecutive samples are held out instead. `shared` comes from
     ``base.prepare`` and `folds` from :func:`make_folds`; `base` itself is not fitted.
     """
     n = len(problems[0].positive)
@@ -174,7 +177,7 @@ def fit_problems(
     if flat_names:
         # A stage has thousands of these, so the caller warns once with their total.
         logger.info(
-            "held-out decision values of %s are uninformative or reversed: its sigmoid is flat",
+            "the held-out decision values of %s are uninformative or reversed, so the sigmoid is flat",
             ", ".join(flat_names),
         )
     return fitted
@@ -185,7 +188,7 @@ def _fit_all(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | N
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
         return _fit_missing(base, shared, tasks, n_jobs)
-    # Keep the machines of only the latest preparation, since it may be large.
+    # Keep only the latest preparation's machines, since a preparation may be large.
     machines: dict[Any, Any] = remembered("machines", (shared,), dict, latest=True)
     of_base = type(base).__name__, tuple(sorted(settings.items()))
     keys = [(of_base, positive.tobytes(), bytes_of(rows)) for positive, rows, _ in tasks]
@@ -252,7 +255,7 @@ def _sigmoid(
         return base.own_sigmoid, False
     positive = positive[member]
     sigmoid = fit_sigmoid(decided[member], positive, calibration.balanced)
-    # A home with only one of the two classes does not determine a slope.
+    # A home with only one of the two classes cannot determine a slope, so it does not count as flat.
     return sigmoid, bool(sigmoid[0] == 0.0 and positive.any() and not positive.all())
 
 
@@ -268,7 +271,7 @@ def _plan(
     if all(trainable(train) for train, _ in folds):
         return list(folds), calibration
     logger.warning(
-        "%s: homes cannot be held out, one of them has all its positive or negative samples; "
+        "%s: homes cannot be held out, because one home has all the positive or all the negative samples; "
         "consecutive samples are held out instead",
         problem.name,
     )

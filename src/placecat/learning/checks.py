@@ -28,23 +28,23 @@ def check_samples(X: ArrayLike, least: int = 1) -> NDArray[np.float32]:
     wrong = np.flatnonzero(~np.isfinite(samples).all(axis=1))
     if len(wrong):
         raise PlacecatError(
-            f"X holds NaN or infinite values, first in row {wrong[0]}; drop or fix these samples"
+            f"X has NaN or infinite values, the first in row {wrong[0]}: drop or correct these samples"
         )
     return samples
 
 
 def check_width(X: NDArray[Any], estimator: Any) -> None:
-    """Refuse samples whose number of features differs from the training data."""
+    """Refuse samples that do not have as many features as the training data."""
     expected = estimator.n_features_in_
     if X.shape[1] != expected:
         raise PlacecatError(
             f"X has {X.shape[1]} features, but {type(estimator).__name__} is expecting {expected} features "
-            "as input: it was fitted on them"
+            "as input, as in its training data"
         )
 
 
 def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
-    """Return `y` as class labels (n,); refuses missing labels, and those that cannot be classes, e.g. 0.5."""
+    """Return `y` as class labels (n,); refuse missing labels and non-classes such as 0.5."""
     if y is None:
         raise PlacecatError("a classifier requires y to be passed, but the target y is None")
     try:
@@ -63,6 +63,6 @@ def encode_two_classes(y: ArrayLike | None, n: int) -> tuple[NDArray[Any], NDArr
     if len(classes) != 2:
         held = f"{len(classes)} class{'es' if len(classes) > 1 else ''}"
         raise PlacecatError(
-            f"Only binary classification is supported: 2 classes are needed, the labels hold {held}"
+            f"Only binary classification is supported: the labels must have 2 classes, not {held}"
         )
     return classes, index == 1

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-# Up to this many cells per sample, a pair's table is filled; beyond it, sorting is used.
+# A pair's table is filled if it has at most this many cells per sample; otherwise the samples are sorted.
 _CELLS_PER_SAMPLE = 16
 # float32 represents every whole number up to this one.
 _EXACT_FLOAT32 = 1 << 24

@@ -25,17 +25,18 @@ _BLOCK = 1 << 18
 class DependencyTree(DiscreteBayes):
     """Model of p(c_1, ..., c_V | l_i) by each class's optimal dependency tree (equation 11).
 
-    It is p(c_r | l_i) for the root r times p(c_k | c_parent(k), l_i) for all other variables. A class's tree
-    is the maximum spanning tree of the mutual information within the class; it maximises the likelihood of
-    the class's samples among all trees (Chow and Liu). The mutual information uses relative frequencies; only
-    the conditional probabilities are smoothed.
+    The model is p(c_r | l_i) for the root r times p(c_k | c_parent(k), l_i) for each other variable. A
+    class's tree is the maximum spanning tree of the mutual information within the class; it maximises the
+    likelihood of the class's samples among all trees (Chow and Liu). The mutual information uses relative
+    frequencies; only the conditional probabilities are smoothed.
 
     Parameters
     ----------
     alpha, n_values, prior
-        See `DiscreteBayes`. The counts are those of each (parent value, value).
+        See `DiscreteBayes`. `alpha` is added to the count of each pair (parent value, value).
     root
-        The variable r. Without smoothing, it would make no difference. The thesis does not give it.
+        The root variable r. Without smoothing, the choice would make no difference. The thesis does not give
+        it.
 
     Attributes
     ----------

@@ -38,13 +38,13 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     classes_
         (n_classes,) labels, sorted.
     class_count_
-        (n_classes,) int64.
+        (n_classes,) int64, the number of training samples of each class.
     class_log_prior_
-        (n_classes,) float64.
+        (n_classes,) float64, log p(l_i).
     n_values_
         The number of values in use.
     n_features_in_
-        V.
+        V, the number of variables.
     """
 
     alpha: float
@@ -123,7 +123,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         if codes.dtype.kind == "b":
             return codes.astype(np.uint8)
         if codes.dtype.kind != "f" or not np.array_equal(codes, np.floor(codes)):
-            raise PlacecatError("X must hold codes: whole numbers from 0")
+            raise PlacecatError("X must hold codes, which are whole numbers from 0")
         return codes.astype(np.int64)
 
     def _narrow(self, codes: NDArray[np.integer]) -> NDArray[np.integer]:
@@ -133,5 +133,5 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         sample, variable = np.argwhere((codes < 0) | (codes >= self.n_values_))[0]
         raise PlacecatError(
             f"code {codes[sample, variable]} of sample {sample}, variable {variable} is outside "
-            f"[0, {self.n_values_}): set n_values to the codebook's cluster number (2 for activations)"
+            f"[0, {self.n_values_}): set n_values to the codebook's number of clusters (2 for activations)"
         )

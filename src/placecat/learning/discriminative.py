@@ -18,13 +18,13 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     y
         (frames,) classes.
     keep
-        Share of codewords to mark; raises PlacecatError outside (0, 1]. At least one codeword is marked.
-        Lower numbers win ties.
+        Share of codewords to mark; raises PlacecatError outside (0, 1]. At least one codeword is marked. In a
+        tie, lower codewords are marked.
 
     Returns
     -------
-    (N,) bool, true for the codewords whose presence has the greatest mutual information with the class, from
-    relative frequencies.
+    (N,) bool, true for the codewords whose presence has the greatest mutual information with the class,
+    estimated from relative frequencies.
 
     Examples
     --------
@@ -41,6 +41,6 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     information = (joint * np.log(ratio)).sum(axis=(0, 2))
     kept = np.zeros(len(information), bool)
     number = max(1, round(keep * len(information)))
-    # Round, so that the last bits of the sums do not decide.
+    # Round, so that the last bits of the sums do not decide ties.
     kept[np.argsort(-information.round(12), kind="stable")[:number]] = True
     return kept

@@ -18,7 +18,7 @@ from placecat.schema.signatures import check_parameters
 
 
 class FlatKMeans(BaseEstimator):
-    """scikit-learn's k-means (k-means++ seeds, Lloyd's iterations), run once per cluster number.
+    """scikit-learn's k-means (k-means++ seeds, Lloyd's iterations), run once for each number of clusters.
 
     Classifiers use it through the same interface as
     :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans`.
@@ -31,12 +31,12 @@ class FlatKMeans(BaseEstimator):
         Maximum number of Lloyd iterations (not given in the thesis); 11 as in the hierarchical clustering, so
         that only the hierarchy differs.
     seed : int
-        Random seed, at least 0. Clusterings with different numbers of clusters draw independently.
+        Random seed, at least 0. Random draws are independent for each number of clusters.
 
     Attributes
     ----------
     centers_ : dict of int to ndarray of shape (number, D), float32
-        Lacks numbers of clusters that exceed the number of training points.
+        Has no entry for a number of clusters above the number of training points.
     n_points_ : int
         Number of training points.
     n_features_in_ : int
@@ -102,9 +102,11 @@ class FlatKMeans(BaseEstimator):
         if n_clusters in self.centers_:
             return self.centers_[n_clusters]
         if n_clusters in self.numbers:
-            raise NotComputable(f"{n_clusters} clusters need as many points, but there are {self.n_points_}")
+            raise NotComputable(
+                f"{n_clusters} clusters need as many points, but there are only {self.n_points_}"
+            )
         raise PlacecatError(
-            f"n_clusters={n_clusters} was not clustered: use one of {', '.join(map(str, self.numbers))}"
+            f"n_clusters={n_clusters} was not computed: use one of {', '.join(map(str, self.numbers))}"
         )
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:

@@ -54,7 +54,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         Number of weak classifiers (thesis Table 2: 20, 50, 100).
     max_bins
         Maximum number of bins per feature. If a feature has no more distinct values than this, it can be cut
-        between any two adjacent ones, as in exact boosting. The thesis does not give this.
+        between any two adjacent values, as in exact boosting. The thesis does not give this.
     weight_trim
         Each round leaves out the lightest samples, whose weights add up to 1 - weight_trim; 1 keeps all
         samples. 0.95 is the default in OpenCV, which the thesis uses.

@@ -53,9 +53,8 @@ class HierarchicalKMeans(BaseEstimator):
     (branching - 1) k + 1.
 
     A node can be split only if it has at least `branching` distinct points. An empty cluster receives the
-    point that is farthest from its own cluster's centre. A node's centre is the mean of its points. Distances
-    are computed in float32 relative to the node's centre, so a split resolves about 1/1000 of the node's
-    radius.
+    point that is farthest from its cluster's centre. A node's centre is the mean of its points. Distances are
+    computed in float32 relative to the node's centre, so a split resolves about 1/1000 of the node's radius.
 
     The tree is grown lazily, which does not change the result: a split gains at most the node's sum of
     squares, so a node is split only when this bound reaches the best known gain. A node's random draws depend
@@ -83,7 +82,7 @@ class HierarchicalKMeans(BaseEstimator):
     node_sse_ : ndarray of shape (n_nodes,), float64
         Sum of squared distances from each node's training points to its centre.
     split_nodes_ : ndarray of shape (n_splits,), int32
-        The node split at each step of the cut.
+        The node that each step of the cut splits.
     training_nodes_ : ndarray of shape (n,), int32 or None
         Each training point's node in the largest cut; None if the tree comes from `from_arrays`.
     n_features_in_ : int
@@ -146,7 +145,7 @@ class HierarchicalKMeans(BaseEstimator):
     def _grow(self, points: NDArray[np.float32], n_splits: int) -> None:
         root = make_root(points)
         nodes = [root]
-        # (minus the gain or its bound, is the gain known, node); a bound precedes an equal known gain.
+        # (minus the gain or its bound, whether the gain is known, node); bounds precede equal known gains.
         queue: list[tuple[float, bool, int]] = [(-root.sse, False, 0)]
         split_nodes: list[int] = []
         while queue and len(split_nodes) < n_splits:
@@ -204,7 +203,9 @@ class HierarchicalKMeans(BaseEstimator):
         """
         cut = self._cut(n_clusters)
         if self.training_nodes_ is None:
-            raise PlacecatError("a loaded codebook does not know its training points: use assign")
+            raise PlacecatError(
+                "the codebook was loaded without its training points, so it has no labels: use assign"
+            )
         code = np.full(len(self.node_centers_), -1, np.int32)
         code[cut] = np.arange(n_clusters, dtype=np.int32)
         # A node is split after its parent, so one pass in order reaches every node below the cut.
@@ -220,7 +221,7 @@ class HierarchicalKMeans(BaseEstimator):
         if n_clusters > self.max_clusters_:
             if self.max_clusters_ == self.max_clusters:
                 raise PlacecatError(
-                    f"n_clusters={n_clusters}: this tree was grown to max_clusters={self.max_clusters}: "
+                    f"n_clusters={n_clusters} exceeds this tree's max_clusters={self.max_clusters}: "
                     "raise max_clusters and fit again"
                 )
             raise NotComputable(

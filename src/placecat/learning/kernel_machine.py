@@ -23,11 +23,11 @@ class KernelMachine(TwoClass):
     classes_, support_vectors_
         The two labels, and (s, D) float32. Set only by `fit`.
     support_
-        (s,) ascending indices into the Gram matrix's samples.
+        (s,) the support vectors' ascending indices into the Gram matrix's samples.
     dual_coef_
-        (s,) float64.
+        (s,) float64, the support vectors' weights in the sum.
     intercept_
-        float.
+        float, added to the sum.
     """
 
     gamma: float
@@ -54,7 +54,7 @@ class KernelMachine(TwoClass):
         )
 
     def decide_rows(self, shared: NDArray[Any], rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Evaluate for rows of the Gram matrix `shared` (n, n): (len(rows),) float64."""
+        """Return decision values, (len(rows),) float64, for rows of the Gram matrix `shared` (n, n)."""
         weights = np.zeros(len(shared), dtype=shared.dtype)
         weights[self.support_] = self.dual_coef_
         # A slice of the matrix is a view; an index list would make a copy.

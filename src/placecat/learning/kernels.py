@@ -60,9 +60,10 @@ def rbf_gram(
     Parameters
     ----------
     X
-        (n, D) finite, converted to float32, else PlacecatError.
+        (n, D) finite samples, converted to float32. Raises PlacecatError for other input.
     gamma
-        Inverse squared width, > 0, in units of 1 / X^2 (thesis 4.2: 2.0, without the scale of X).
+        Inverse squared width, > 0, in units of 1 / X^2 (2.0 in thesis 4.2, which does not give the scale of
+        X).
     dtype
         dtype of the result: float32, or float64 for libsvm. Values are always computed in float32.
     n_jobs

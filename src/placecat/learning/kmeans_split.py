@@ -150,7 +150,7 @@ def _mean(points: NDArray[np.float32]) -> NDArray[np.float64]:
 
 
 def fill_empty(points: NDArray[np.float32], labels: NDArray[np.uint16], centers: NDArray[np.float64]) -> None:
-    """Move to each empty cluster the point farthest from its centre in a larger cluster, in place."""
+    """Move the point farthest from its cluster's centre to each empty cluster, without emptying others."""
     counts = np.bincount(labels, minlength=len(centers))
     empty = np.flatnonzero(counts == 0)
     if len(empty) == 0:

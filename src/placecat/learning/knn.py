@@ -44,9 +44,10 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     class_weighting : {"once", "per_region"}
         "once" divides by f(l) once, like equations (2) and (4) and the text. "per_region" divides by f(l)^n,
         which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). They agree for single points and
-        balanced classes. Otherwise "once" favours frequent classes, and more so the more regions a frame has.
+        for balanced classes. Otherwise "once" favours frequent classes, and more so the more regions a frame
+        has.
     codebook : HierarchicalKMeans or FlatKMeans, optional
-        A fitted tree to cut. Default: a new tree, grown to `n_clusters` on the training points.
+        A fitted codebook. By default, a new tree is grown to `n_clusters` on the training points.
     seed : int
         Random seed of the new tree.
 
@@ -96,11 +97,13 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         """Count the classes of the training points in each cluster.
 
         `X` holds finite descriptors (n, D), and `y` (n,) classes, strings or whole numbers. Raises
-        PlacecatError if a setting is invalid, or if `HierarchicalKMeans.centers` raises it.
+        PlacecatError if a setting is invalid, or for the reasons in `HierarchicalKMeans.centers`.
         """
         check_parameters(self)
         if self.n_neighbors > self.n_clusters:
-            raise PlacecatError(f"n_neighbors={self.n_neighbors}: use 1 to n_clusters={self.n_clusters}")
+            raise PlacecatError(
+                f"n_neighbors={self.n_neighbors} exceeds n_clusters={self.n_clusters}: use fewer neighbours"
+            )
         points = check_samples(X)
         targets = check_labels(y, len(points))
         codebook = self.codebook
@@ -160,7 +163,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         matches = np.flatnonzero(self.classes_ == label)
         if len(matches) != 1:
             raise PlacecatError(
-                f"class {label!r} was not trained: use one of {', '.join(map(str, self.classes_))}"
+                f"class {label!r} is not a trained class: use one of {', '.join(map(str, self.classes_))}"
             )
         if self._pair_distances is None:
             self._pair_distances = np.empty((len(self.centers_), len(self.centers_)))

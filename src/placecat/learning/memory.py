@@ -73,7 +73,7 @@ def bytes_of(array: NDArray[Any] | None) -> bytes | None:
 
 
 def content(array: NDArray[Any]) -> bytes:
-    """Return a checksum for use in a key if the array is created repeatedly; b"" outside `remembering`."""
+    """Return a checksum, as a key for an array that is created repeatedly; b"" outside `remembering`."""
     if _memory.get() is None:
         return b""
     head = f"{array.dtype.str}{array.shape}".encode()

@@ -50,7 +50,7 @@ class MultiClass:
         Parameters
         ----------
         X
-            (n, D) real.
+            (n, D) real numbers.
         y
             (n,) labels; every class occurs at least twice.
         groups
@@ -61,8 +61,8 @@ class MultiClass:
         Raises
         ------
         PlacecatError
-            If there are fewer than 2 classes, a class has only 1 sample, a setting is invalid, or nu is
-            infeasible under the policy ``refuse``.
+            If there are fewer than 2 classes, a class has only 1 sample, a setting is invalid, or nu leaves
+            no margin or, under the policy ``refuse``, is infeasible.
         """
         check_parameters(self)
         base = as_two_class(NuSVM() if self.base is None else self.base)
@@ -91,7 +91,7 @@ class MultiClass:
         return self
 
     def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(o_k|x) (n, K) for samples (n, D), the mean over each class's machines."""
+        """Return p(o_k|x) (n, K) for samples (n, D), averaged over each class's machines."""
         check_is_fitted(self, "scorer_")
         samples = check_samples(X)
         check_width(samples, self)
@@ -106,7 +106,7 @@ class MultiClass:
         return self.combine(self.outputs(X))
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the class (n,) of samples (n, D) that `decide` picks."""
+        """Return the classes (n,) that `decide` picks for samples (n, D)."""
         decided = self.decide(self.outputs(X))
         return self.classes_[decided]
 
@@ -115,13 +115,13 @@ class MultiClass:
         """Combine outputs p(o_k|x) (n, K) into distributions (n, K)."""
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Return the indices (n,) into `classes_` of the decisions from outputs p(o_k|x) (n, K)."""
+        """Decide from outputs p(o_k|x) (n, K), and return indices (n,) into `classes_`."""
         return self.combine(outputs).argmax(axis=1)
 
     def _uses_own_sigmoid(self, base: TwoClass) -> bool:
         if self.sigmoid == "own" and base.own_sigmoid is None:
             raise PlacecatError(
-                "sigmoid 'own' needs a base with probabilities; a nu-SVM has none, use 'platt'"
+                "sigmoid 'own' needs a base classifier with probabilities, unlike a nu-SVM: use 'platt'"
             )
         if self.sigmoid == "auto":
             return base.own_sigmoid is not None and base.prefers_own_sigmoid
@@ -150,12 +150,12 @@ def encode_classes(
     names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]
     if len(classes) < 2:
         raise PlacecatError(
-            f"all training samples are of one class, {names[0]!r}; a multi-class scheme needs 2 or more"
+            f"all training samples are of one class, {names[0]!r}: a multi-class scheme needs at least 2"
         )
     counts = np.bincount(index)
     if counts.min() < 2:
         name = names[int(counts.argmin())]
         raise PlacecatError(
-            f"class {name!r} has 1 training sample; cross-validation needs 2 or more, or drop it"
+            f"class {name!r} has 1 training sample, but cross-validation needs 2: add one or drop the class"
         )
     return samples, classes, index, names

@@ -34,8 +34,8 @@ def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
 def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
     """Return `nu`, limited to just below the largest feasible nu.
 
-    At the limit, every sample of the smaller class is at its bound. libsvm needs a sample that is not at its
-    bound to compute the margin, and would divide by zero or infinity.
+    At the limit, every sample of the smaller class is at its bound. To compute the margin, libsvm needs a
+    sample that is not at its bound; otherwise it would divide by zero or infinity.
     """
     return min(nu, largest_feasible_nu(n_positive, n_negative) * (1.0 - 1e-7))
 
@@ -103,7 +103,8 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ) -> Self:
         """Fit on some rows of a Gram matrix without copying it; see `TwoClass.fit_rows`.
 
-        Also raises PlacecatError if, under the policy ``refuse``, nu is infeasible or leaves no margin.
+        Under the policy ``refuse``, also raises PlacecatError if nu is infeasible or leaves no margin; under
+        ``lower``, only if even the largest feasible nu leaves no margin.
         """
         import sklearn
         from sklearn.svm import NuSVC
@@ -113,7 +114,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         n_negative = len(chosen) - n_positive
         if min(n_positive, n_negative) == 0:
             raise PlacecatError(
-                f"{context}: a nu-SVM needs samples of both classes; add some or drop the class"
+                f"{context}: a nu-SVM needs samples of both classes: add the missing ones or drop the class"
             )
         largest = largest_feasible_nu(n_positive, n_negative)
         counts = f"{n_positive} of {len(chosen)} samples positive"
@@ -142,13 +143,14 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                     machine.fit(shared, positive, sample_weight=weights)
                 break
             except ValueError as error:
-                # If samples of both classes coincide, a small nu leaves a 0 margin, and libsvm divides by it.
+                # If samples of both classes coincide, a small nu leaves a margin of 0, by which libsvm
+                # divides.
                 if "not finite" not in str(error):
                     raise
                 if self.nu_policy == "refuse" or nu >= largest:
                     raise PlacecatError(
                         f"nu = {nu:.6g} leaves no margin for {context} ({counts}), since descriptors of both "
-                        f"classes coincide: use a nu up to {largest:.6g}, or another descriptor or scaling"
+                        f"classes coincide: use a nu nearer {largest:.6g}, or another descriptor or scaling"
                     ) from None
                 logger.info("nu raised from %g for %s: no margin", nu, context)
                 nu = min(2 * nu, largest)

@@ -28,15 +28,16 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     ----------
     base
         Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any scikit-learn classifier
-        (without sharing the preparation).
+        (which shares no preparation).
     calibration
         Which samples are held out for the sigmoids and reliabilities, see
         :class:`~placecat.learning.calibration.Calibration`: ``samples`` (the default), ``consecutive``,
         ``homes_centred`` or ``homes_averaged``.
     sigmoid
         Source of p(o_k|x): ``platt`` fits a sigmoid to held-out decision values; ``own`` uses the base's
-        probability: equation (8) for boosting, the logistic likelihood for the RVM. ``auto`` uses equation
-        (8) for boosting and Platt for nu-SVM and RVM, like dlib and therefore the thesis.
+        probability, which is equation (8) for boosting and the logistic likelihood for the RVM. ``auto`` uses
+        equation (8) for boosting and ``platt`` for the nu-SVM and the RVM, like dlib and therefore the
+        thesis.
     sigmoid_weights
         ``balanced`` gives positives and negatives equal total weight in Platt's sigmoid; ``none``, as in
         Platt's paper, does not.
@@ -51,11 +52,12 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         the share with p(o_k|x) >= 0.5 or, if `exclusive`, the share where p(o_k|x) is the largest. The thesis
         says only "statistics from cross-validating".
     reliability_smoothing
-        Added to each count. With 0, a classifier that never says yes has a uniform p(l_i|o_k). The thesis
-        does not give this.
+        Added to each count. With 0, p(l_i|o_k) is uniform if classifier k never answers yes. The thesis does
+        not give this.
     prior
-        p(l_i): ``training`` for the training frequencies, as in the thesis, or ``uniform``, as in its nearest
-        neighbours (3.3.1.1). ``uniform`` suits the accuracy measure, which is a mean over places.
+        p(l_i): ``training`` for the training frequencies, as in the thesis, or ``uniform``, as in the
+        thesis's nearest neighbours (3.3.1.1). ``uniform`` suits the accuracy measure, which is a mean over
+        places.
     uncertainty
         gamma in equation (9). beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the classes before
         normalisation. 0 turns this off.
@@ -86,7 +88,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     nu_
         (K,) smallest nu in use for each class; NaN if the base has no nu.
     fold_nu_
-        K arrays with the nu for each held-out part.
+        K arrays, each with the nu in use for every held-out part.
     scorer_
         One object that evaluates all M decision functions.
     n_features_in_

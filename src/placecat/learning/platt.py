@@ -6,7 +6,7 @@ from scipy.special import expit
 
 from placecat.errors import PlacecatError
 
-# Maximum number of Newton steps, and the gradient per sample, for standardised decisions, at which to stop.
+# Newton's method stops after this many steps, or at this gradient per sample, for standardised decisions.
 _STEPS, _TOLERANCE = 100, 1e-10
 
 
@@ -49,7 +49,7 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
     d = np.asarray(decisions, dtype=np.float64).ravel()
     is_positive = np.asarray(positive, dtype=bool).ravel()
     if len(d) == 0 or not np.isfinite(d).all():
-        raise PlacecatError("the sigmoid needs at least one finite held-out decision value; check the folds")
+        raise PlacecatError("the sigmoid needs held-out decision values, all of them finite: check the folds")
     n_positive = int(is_positive.sum())
     n_negative = len(d) - n_positive
     target = np.where(is_positive, (n_positive + 1.0) / (n_positive + 2.0), 1.0 / (n_negative + 2.0))

@@ -1,10 +1,10 @@
 """Matrix products in which each result row depends only on the matching input row, to the bit.
 
 BLAS does not guarantee this: it multiplies in tiles, sums in a different order at a matrix's edges, and uses
-different routines for one row and for many. The last bits of a frame's result would depend on the other
-frames. Here every product has one of a few fixed row counts (the last product is padded with zeros), and zero
-margins surround the columns. Whether this works depends on the processor's kernels, so each shape is tested
-once; if the test fails, rows are multiplied one by one.
+different routines for one row and for many. With it, the last bits of a frame's result would depend on the
+other frames. Here every product has one of a few fixed row counts (the last product is padded with zeros),
+and zero margins surround the columns. Whether this works depends on the processor's kernels, so each shape is
+tested once; if the test fails, rows are multiplied one by one.
 """
 
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ _TRIED = 256
 class RowProducts:
     """Compute left @ right.T for a fixed `right`; a row's bits do not depend on other rows.
 
-    `right` is (m, k) float32 or float64, copied; m may be 0.
+    `right`, (m, k) float32 or float64, is copied; m may be 0.
 
     Examples
     --------

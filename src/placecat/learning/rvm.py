@@ -28,13 +28,14 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     The model has a basis function per training sample and a bias, with weights w ~ N(0, diag(1/alpha)) and a
     logistic likelihood. It maximises the evidence over alpha by adding, re-estimating or deleting one basis
     function at a time (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the problem
-    Gaussian. Each approximation is followed by many such steps on the functions in the model and the most
-    promising others, and updates statistics that rank all functions.
+    Gaussian. Each approximation updates statistics that rank all functions, and is followed by many such
+    steps on the functions in the model and the most promising others.
 
     Parameters
     ----------
     gamma
-        Inverse squared kernel width, > 0. The thesis gives none for the RVM; the default is the nu-SVM's 2.0.
+        Inverse squared kernel width, > 0. The thesis gives no value for the RVM; the default is the nu-SVM's
+        2.0.
     tol
         Stop when further rounds raise the log evidence by less than this, in nats per sample.
     max_iter
@@ -94,7 +95,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         target = positive[chosen].astype(np.float64)
         if target.min() == target.max():
             raise PlacecatError(
-                f"{context}: an RVM needs samples of both classes; add some or drop the class"
+                f"{context}: an RVM needs samples of both classes: add the missing ones or drop the class"
             )
         gram = shared if rows is None else shared[np.ix_(rows, rows)]
         with single_blas_thread():
@@ -158,7 +159,7 @@ class _Mode(NamedTuple):
     curvature: NDArray[np.float64]
     # Lower Cholesky factor of basis B basis' + diag(alpha).
     factor: NDArray[np.float64]
-    # -inf if the functions are too similar for a factor; such a mode is never kept.
+    # -inf if the functions are so similar that factorisation fails; such a mode is never kept.
     evidence: float
 
 
@@ -197,7 +198,7 @@ def _laplace_mode(
         try:
             factor = cho_factor(hessian, lower=True)
         except LinAlgError:
-            # The approximation is too inaccurate if functions are nearly identical.
+            # If functions are nearly identical, float32 is too inaccurate, so use float64.
             factor = _factor(basis, p * (1.0 - p), alpha)
             if factor is None:
                 return _Mode(weights, alpha, target - p, p, hessian, -np.inf)
@@ -251,7 +252,7 @@ class _Statistics:
         self.current = False
 
     def promising(self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool) -> NDArray[np.intp]:
-        """Return up to `count` functions, ascending, that would each raise the evidence most if added."""
+        """Return the (at most `count`) functions whose addition raises the evidence most, ascending."""
         gram, n = self.gram, len(self.gram)
         squared_quality = np.empty(n + 1)
         squared_quality[:n] = gram @ mode.error.astype(np.float32)
@@ -278,14 +279,14 @@ class _Statistics:
 
 
 class _Surrogate:
-    """Gaussian problem at a Laplace mode, for the model's functions and promising others.
+    """Gaussian problem at a Laplace mode, for the functions in the model and other promising ones.
 
     With C = B^-1 + sum_a phi_a phi_a' / alpha_a, changing 1/alpha_i by d is a rank-one change of
     R = Phi' C^-1 Phi and Q = Phi' C^-1 z for the pool's functions Phi:
     R -= R_i R_i' d / (1 + d R_ii), Q -= R_i Q_i d / (1 + d R_ii), and the log evidence gains
     (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting differ only in d.
 
-    The pool has (u,) basis functions, the model's first.
+    The pool holds u basis functions, beginning with those in the model.
     """
 
     def __init__(

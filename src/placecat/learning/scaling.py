@@ -1,4 +1,4 @@
-"""Scale descriptors before the kernel, which fixes the unit of gamma."""
+"""Scale descriptors before they enter the kernel; this fixes the unit of gamma."""
 
 from typing import Annotated, Self
 
@@ -18,17 +18,17 @@ KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 class KernelScaling(TransformerMixin, BaseEstimator):
     """Scale descriptors so that the same gamma fits descriptors of any unit and length.
 
-    The thesis gives gamma = 2 but not its scale. These are the kinds, with the resulting mean of ||x - y||^2
-    over distinct training pairs (D: number of dimensions that vary):
+    The thesis gives gamma = 2 but not its scale. These are the kinds of scaling, each with the resulting mean
+    m of ||x - y||^2 over pairs of different training samples (D is the number of dimensions that vary):
 
     - ``none``: leave x unchanged.
-    - ``minmax``: scale each dimension to [0, 1] on the training data; the mean depends on the data.
-    - ``standard``: scale each dimension to mean 0 and variance 1 / D; the mean is 2 n / (n - 1).
+    - ``minmax``: scale each dimension to [0, 1] on the training data; m depends on the data.
+    - ``standard``: scale each dimension to mean 0 and variance 1 / D; m is 2 n / (n - 1).
     - ``root``: divide each dimension by the root of its standard deviation, halfway between ``standard`` and
-      ``distance``, then scale like ``distance``; the mean is 1.
+      ``distance``, then scale like ``distance``; m is 1.
     - ``distance``: subtract the mean of x, then divide by the root of the mean ||x - y||^2, which keeps the
-      dimensions' relative weights; the mean is 1.
-    - ``unit``: scale each sample to Euclidean length 1 (a zero sample stays zero); the mean is at most 4.
+      dimensions' relative weights; m is 1.
+    - ``unit``: scale each sample to Euclidean length 1 (a zero sample stays zero); m is at most 4.
 
     Test samples outside the training range are not clipped.
 
@@ -37,7 +37,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     kind
         One of the kinds above.
     gamma_scale
-        Additional factor for squared distances, > 0; 1 keeps the means above.
+        Additional factor for squared distances, > 0; 1 keeps the values of m above.
 
     Attributes
     ----------

@@ -23,9 +23,10 @@ OUTPUTS = ("product", "decision")
 class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     """Decision list over two-class classifiers, the baseline of thesis 4.8.
 
-    The strongest class's node decides first. If it rejects a sample, the next node decides; if all nodes
-    reject the sample, it is assigned the last class. The probability-like output for the class at position k
-    is p(o_k|x) prod_{j before k} (1 - p(o_j|x)); the last class receives the remainder.
+    Each node of the list is one class's classifier, the strongest first. If a node rejects a sample, the next
+    one decides; if all nodes reject the sample, it is assigned the last class. The probability-like output
+    for the class at position k is p(o_k|x) prod_{j before k} (1 - p(o_j|x)); the last class receives the
+    remainder.
 
     Parameters
     ----------
@@ -41,9 +42,10 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         compares combinations of their outputs), or only samples of the ``remaining`` classes, which exclude
         those of earlier nodes. The thesis does not give this.
     decision
-        Rule of `predict`. ``sign`` and ``probability`` pick the first node that says yes, else the last
-        class; yes is a positive two-class decision value, or p(o_k|x) above 0.5. ``product`` picks the
-        largest probability-like output. The thesis mentions negative decisions, which implies the sign.
+        Rule of `predict`. ``sign`` and ``probability`` pick the first class whose node accepts the sample, or
+        else the last class; a node accepts a sample with a positive decision value, or with p(o_k|x) above
+        0.5. ``product`` picks the class with the largest probability-like output. The thesis mentions
+        negative decisions, which implies the sign.
     output
         Result of `predict_proba`: the probability-like ``product``, whose largest entry may differ from
         `predict`, or ``decision``, 1 for the class that `predict` returns and 0 for the others.
@@ -127,8 +129,8 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return fitted
 
     def _threshold(self, sigmoids: NDArray[np.float64]) -> float:
-        # For the sign: p at decision value 0. A flat sigmoid returns exactly this for every sample, so it
-        # never says yes.
+        # For the sign, the threshold is p at decision value 0. A flat sigmoid returns exactly this for every
+        # sample, so its node never accepts one.
         return float(expit(-sigmoids[:, 1]).mean()) if self.decision == "sign" else 0.5
 
     def _strength(self, outputs: NDArray[np.float64], threshold: float, positive: NDArray[np.bool_]) -> float:

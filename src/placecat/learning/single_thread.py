@@ -18,7 +18,7 @@ _limit: Any = None
 
 @cache
 def _libraries() -> ThreadpoolController:
-    # Listing the libraries takes 30 times as long as setting their thread numbers.
+    # Listing the libraries takes 30 times as long as setting their numbers of threads.
     return ThreadpoolController()
 
 

@@ -71,23 +71,27 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
 
     def _kept(self, width: int) -> int:
         if (self.components is None) == (self.factor is None):
-            raise PlacecatError("give either `components` or `factor` of the PCA, and None for the other")
+            raise PlacecatError("set either `components` or `factor` of the PCA, and the other to None")
         kept = round(width / self.factor) if self.factor is not None else int(self.components or 0)
         if not 1 <= kept <= width:
-            raise PlacecatError(f"PCA to {kept} components is impossible for cells of {width} dimensions")
+            raise PlacecatError(
+                f"the PCA cannot keep {kept} components: use 1 to {width}, the dimensions of a cell"
+            )
         return kept
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
         """Learn one PCA per cell from real X (n, D). `y` is ignored.
 
-        Raises PlacecatError if D is not divisible by `cells`, the number of components is invalid, or n does
-        not exceed it.
+        Raises PlacecatError if D is not divisible by `cells`, or the number of components is invalid or not
+        below n.
         """
         check_parameters(self)
         samples = check_samples(X)
         n, total = samples.shape
         if total % self.cells:
-            raise PlacecatError(f"{total} dimensions cannot be divided into {self.cells} cells")
+            raise PlacecatError(
+                f"{total} dimensions cannot be divided into {self.cells} equal cells: change `cells`"
+            )
         width = total // self.cells
         kept = self._kept(width)
         if n <= kept:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 # Number of features per block, so that the histograms of a few machines fit in the level-2 cache.
 BLOCK_FEATURES = 32
-# Histograms with more columns than this are cumulated row by row.
+# Histograms with more columns than this are accumulated row by row.
 _NARROW = 192
 
 
@@ -59,7 +59,7 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
             place = place[place > 0]
             cuts = _midpoints(distinct[place - 1], distinct[place])
         thresholds.append(cuts)
-        # Searching the few thresholds in the values is faster than every value in the thresholds.
+        # Searching the values for the few thresholds is faster than searching the thresholds for every value.
         ends = np.searchsorted(values, cuts, side="right")
         sizes = np.diff(ends, prepend=0, append=n)
         bins[feature, order] = np.repeat(np.arange(len(sizes), dtype=bins.dtype), sizes)
@@ -142,7 +142,7 @@ def _histograms(
 
 
 def _cumulated(histogram: NDArray[np.float64], width: int) -> NDArray[np.float64]:
-    """Cumulate the bins of histograms (width * B, G), and return them as (width, B * G)."""
+    """Accumulate the bins of histograms (width * B, G), and return the sums as (width, B * G)."""
     bins = histogram.reshape(width, -1)
     if bins.shape[1] <= _NARROW:
         return np.add.accumulate(bins, axis=0)
@@ -159,7 +159,7 @@ def _gain(
     total_signed: NDArray[np.float64],
     dust: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Return each cut's weighted squared error reduction, up to a constant; -inf if one side is empty."""
+    """Return the fall in weighted squared error at each cut, plus a constant; -inf if one side is empty."""
     above = total - below
     impossible = np.minimum(below, above) <= dust
     above_signed = total_signed - below_signed

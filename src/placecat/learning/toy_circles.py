@@ -45,9 +45,9 @@ def toy_circles(
     ((800, 2), [103, 98, 90, 101, 408])
     """
     if not radius > 0:
-        raise PlacecatError(f"the toy problem's radius is {radius}, but must be above 0")
+        raise PlacecatError(f"the toy problem's `radius` is {radius}, but must be above 0")
     if not 0 < inside < math.pi / 4:
-        raise PlacecatError(f"the toy problem's inside is {inside}, but must be above 0 and below pi / 4")
+        raise PlacecatError(f"the toy problem's `inside` is {inside}, but must be above 0 and below pi / 4")
     half = radius * math.sqrt(math.pi / inside)
     X = np.random.default_rng(seed).uniform(-half, half, (n, 2))
     y = np.full(n, len(_MIDDLES), np.int16)

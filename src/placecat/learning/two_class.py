@@ -1,4 +1,4 @@
-"""Two-class classifiers, whose preparation several fits share, and an adapter for those of scikit-learn."""
+"""Two-class classifiers whose fits share a preparation, and an adapter for scikit-learn's classifiers."""
 
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
@@ -28,9 +28,9 @@ class TwoClass:
         D.
     """
 
-    #: A and B of its own probability 1 / (1 + exp(A d + B)) for a decision value d; None: it has none.
+    #: A and B of the classifier's own probability 1 / (1 + exp(A d + B)) for decision value d, or None.
     own_sigmoid: tuple[float, float] | None = None
-    #: Whether the scheme's setting ``auto`` uses this sigmoid, if there is one.
+    #: Whether a multi-class scheme with sigmoid ``auto`` uses `own_sigmoid`, if there is one.
     prefers_own_sigmoid = True
     classes_: NDArray[Any]
     n_features_in_: int
@@ -67,7 +67,7 @@ class TwoClass:
     ) -> Self:
         """Fit on some of the prepared samples.
 
-        Raises PlacecatError if these have only one class.
+        Raises PlacecatError if the training samples have only one class.
 
         Parameters
         ----------
@@ -108,7 +108,7 @@ class TwoClass:
 
 
 class _GenericBase(TwoClass):
-    """Adapter that turns any scikit-learn two-class classifier into one that shares nothing."""
+    """Adapter for any scikit-learn two-class classifier; its fits share no preparation."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
@@ -157,7 +157,7 @@ class _GenericScorer:
 
 
 def as_two_class(base: Any) -> TwoClass:
-    """Return a two-class classifier with valid settings, in an adapter if it shares no preparation."""
+    """Return `base` after checking its settings, or in an adapter if its fits share no preparation."""
     if not hasattr(base, "fit_rows"):
         return _GenericBase(base)
     check_parameters(base)

@@ -54,9 +54,10 @@ def compute_maps(
 
     Raises
     ------
-    TypeError, PlacecatError
-        If the frame is not a uint8 array (TypeError) of shape (H, W, 3) or is too small for the scales, or if
-        a setting is invalid.
+    TypeError
+        If the frame is not a uint8 array.
+    PlacecatError
+        If the frame's shape is not (H, W, 3), if it is too small for the scales, or if a setting is invalid.
     """
     checked = {**settings, "scales": list(scales), "radii": list(radii)}
     gabor, residual = parts_of("attention", checked, orientation_maps, spectral_residual)

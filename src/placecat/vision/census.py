@@ -41,7 +41,9 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
     """
     *_, height, width = images.shape
     if height < 3 or width < 3:
-        raise PlacecatError(f"The census transform needs at least 3x3 pixels, not {width}x{height}.")
+        raise PlacecatError(
+            f"the census transform needs at least 3x3 pixels, not {width}x{height}: use larger frames"
+        )
     # In the flat array each neighbour is a constant step away, even across images; only borders are wrong.
     flat = np.ascontiguousarray(images).reshape(-1)
     margin = width + 1
@@ -58,7 +60,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """Return the histograms, (n, 256) float32, rows sum to 1, of (n, h, w) uint8 codes from `census`."""
+    """Compute histograms of (n, h, w) uint8 codes from `census`: (n, 256) float32; rows sum to 1."""
     count = len(codes)
     if count == 0:
         return np.zeros((0, CODES), np.float32)

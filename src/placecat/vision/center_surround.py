@@ -29,7 +29,7 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int]) -> FloatArray:
     """Return the intensity's bright-spot and dark-spot responses (thesis 3.1.1.1).
 
     `grey` is (h, w) float32, 0 to 255; `radii` are those of the centre-surround neighbourhoods. Returns
-    (radii, 2, h, w) float32, 0 to 255: the difference's positive and negative parts. Values up to
+    (radii, 2, h, w) float32, 0 to 255: how far the centre is above and below the surround. Values up to
     `GREY_ROUNDING` become 0.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)

@@ -26,9 +26,9 @@ SHIFT = np.float32(1.5)
 
 
 def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return an (H, W, 3) uint8 BGR frame C-contiguous.
+    """Return an (H, W, 3) uint8 BGR frame as a C-contiguous array.
 
-    Raises TypeError if it is not a uint8 array, PlacecatError if it is empty or not (H, W, 3).
+    Raises TypeError if it is not a uint8 array, and PlacecatError if it is empty or not (H, W, 3).
     """
     if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8:
         kind = frame.dtype if isinstance(frame, np.ndarray) else type(frame).__name__
@@ -45,7 +45,7 @@ def reduced_planes(
 ) -> tuple[FloatArray, list[FloatArray]]:
     """Return level 1 of the sum r + g + b and of the colour planes (thesis 3.1.1.1).
 
-    The frame is processed in strips of `strip_rows` rows (even, at least 4) to save memory; they do not
+    The frame is processed in strips of `strip_rows` rows (even, at least 4) to save memory; the strips do not
     affect the result.
 
     Parameters

@@ -23,7 +23,7 @@ def settings_of(function: Callable[..., Any]) -> Mapping[str, Any]:
 def parts_of(
     section: str, settings: Mapping[str, Any], *functions: Callable[..., Any]
 ) -> list[dict[str, Any]]:
-    """Check settings of a section, and return those that each function takes.
+    """Check a section's settings, and return, for each function, the settings that it takes.
 
     Raises PlacecatError if a setting is unknown or invalid.
     """
@@ -34,7 +34,7 @@ def parts_of(
 def load(kind: str, name: str) -> ModuleType:
     """Import a descriptor; `kind` is ``local`` or ``holistic``.
 
-    If it is unknown, the PlacecatError lists the valid names.
+    Raises PlacecatError with the valid names if the descriptor is unknown.
     """
     return lookup.module(f"placecat.vision.{kind}", name, f"{kind} descriptor", "describe")
 

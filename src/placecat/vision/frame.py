@@ -22,7 +22,7 @@ def check(features: Mapping[str, Mapping[str, Any]]) -> None:
     """Refuse unknown sections, descriptors and settings, and invalid values, before any frame is read.
 
     `features` has the form of the settings of `describe_frame`. The PlacecatError names the wrong setting,
-    and the valid ones if it is unknown.
+    and lists the valid ones if it is unknown.
     """
     settings.refuse_unknown(features, list(SECTIONS), "the part of the settings for features")
     for section in ("attention", "regions", "information"):
@@ -77,7 +77,9 @@ def describe_frame(
     if regions is not None:
         fields = {"grey"}.union(*(module.MAPS for module, _ in (*local.values(), *holistic.values())))
         if len(regions) > most:
-            raise PlacecatError(f"{len(regions)} regions were given, but max_regions is {most}: raise it.")
+            raise PlacecatError(
+                f"{len(regions)} regions were passed, but max_regions is {most}: raise max_regions"
+            )
     maps = compute_maps(frame_bgr, fields, **own["attention"])
     variants: dict[str, dict[str, NDArray[Any]]] = {}
     if regions is None:

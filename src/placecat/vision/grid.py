@@ -13,7 +13,7 @@ def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
     A pixel cut by a cell border counts proportionally in both cells, so all cells have the same size. The
     thesis does not say how it divides a length that is not a multiple of the number of cells.
 
-    Both are numbers along one axis, at least 1; ``length`` may be less than ``cells``. Returns
+    Both numbers count along one axis and are at least 1; ``length`` may be less than ``cells``. Returns
     (cells, length) float64, read-only; each row sums to 1.
     """
     edges = np.arange(cells + 1) * (length / cells)

@@ -1,4 +1,4 @@
-"""Measure the information in a view, for the information filter, with a band-pass."""
+"""Measure the information in a view with a band-pass, for the information filter."""
 
 import cv2
 
@@ -28,13 +28,13 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
     Returns
     -------
     float
-        0 to 255 / unit. Raises PlacecatError if there is no such level, or `coarse` is not above `fine`.
+        0 to 255 / unit. Raises PlacecatError if a level is missing, or `coarse` is not above `fine`.
     """
     last = maps.scales[-1] if coarse is None else coarse
     if fine not in maps.grey or last not in maps.grey or last <= fine:
         known = ", ".join(map(str, maps.scales))
         raise PlacecatError(
-            f"The information measure cannot use the levels {fine} and {last}: choose two of {known}."
+            f"the information measure needs two ascending levels of {known}, not {fine} and {last}"
         )
     expanded = maps.grey[last]
     for level in range(last - 1, fine - 1, -1):

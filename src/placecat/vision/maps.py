@@ -65,7 +65,7 @@ class FrameMaps:
         wanted = tuple(scale for scale in self.scales if scale in scales)
         if not wanted or len(wanted) < len(set(scales)):
             there = ", ".join(map(str, self.scales))
-            raise PlacecatError(f"there are only maps of the scales {there}, not of all of {list(scales)}")
+            raise PlacecatError(f"maps exist only for the scales {there}, not for all of {list(scales)}")
         some: dict[str, Any] = {
             name: {scale: own[scale] for scale in wanted if scale in own}
             for name, own in ((name, getattr(self, name)) for name in FIELDS)
@@ -73,7 +73,7 @@ class FrameMaps:
         return replace(self, scales=wanted, **some)
 
     def remembered(self, key: tuple[Hashable, ...], compute: Callable[[], Any]) -> Any:
-        """Return the result of `compute`, called once per frame and key; do not modify the result."""
+        """Return the result of `compute`, which runs once per frame and key; do not modify the result."""
         if key not in self._kept:
             self._kept[key] = compute()
         return self._kept[key]

@@ -72,7 +72,7 @@ def orientation_maps(
 def _bank(
     size: int, sigma: float, wavelength: float, aspect: float, phase: float | None
 ) -> tuple[tuple[Separable, ...], ...]:
-    """Return each phase's kernels at 0 and 90 degrees, and its kernel at 45 split into even and odd in x."""
+    """Return each phase's kernels at 0 and 90 degrees, and the even and odd parts (in x) of the one at 45."""
     phases = (0.0, np.pi / 2) if phase is None else (phase,)
     bank = []
     for shift in phases:

@@ -58,7 +58,9 @@ def cut(
     unknown = [scale for scale in regions[:, 2].tolist() if scale not in levels]
     if unknown:
         known = ", ".join(map(str, levels))
-        raise PlacecatError(f"A region has the scale {unknown[0]:g}, but the pyramid has the levels {known}.")
+        raise PlacecatError(
+            f"a region has the scale {unknown[0]:g}, but the pyramid has only the levels {known}"
+        )
     channels = next(iter(levels.values())).shape[:-2]
     patches = np.empty((len(regions), *channels, side, side), np.float32)
     shapes = tuple((scale, *level.shape[-2:]) for scale, level in levels.items())

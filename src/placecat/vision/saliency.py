@@ -37,7 +37,7 @@ class Channel(NamedTuple):
 
 
 class Saliency(NamedTuple):
-    """A frame's saliency map, (h, w) float32, >= 0, and the channels by name whose weighted sum it is.
+    """A frame's saliency map, (h, w) float32, >= 0: the weighted sum of its channels, listed by name.
 
     The maps have the size of the pyramid level `scale`: pixel (x, y) lies at (x, y) 2**scale in the frame.
     """
@@ -90,9 +90,9 @@ def saliency(
         Side of the neighbourhood that a local maximum dominates, odd. The thesis does not specify this.
     intensity_unit, color_unit, orientation_unit, residual_unit
         Divisors of the conspicuity maps, since each channel's largest local maximum has the channel's units.
-        The units are black to white, pure red, and a wave from black to white. Unlike the others, the
-        residual reaches 1 in every frame and at every scale; 4 makes it comparable in photographs of homes.
-        The thesis does not specify these.
+        By default, the units are black against white, pure red, and a wave from black to white. Unlike the
+        others, the residual reaches 1 in every frame and at every scale; 4 makes it comparable in photographs
+        of homes. The thesis does not specify these.
 
     Raises
     ------
@@ -159,8 +159,8 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     """Find a map's local maxima.
 
     A local maximum is above zero and not below any pixel in the window around it; pixels outside the map
-    count as low. Equal pixels that touch count once, as the first by row, then column, and only if all of
-    them are local maxima. So a flat area next to a higher pixel has no maximum, nor does a constant map.
+    count as low. Equal pixels that touch count once, as the first in row order, and only if all of them are
+    local maxima. So a flat area next to a higher pixel has no maximum, nor does a constant map.
 
     `plane` is (h, w) float32 and finite; `window` is the neighbourhood's side, odd, at least 3 (the thesis
     does not specify it). Returns flat indices in ascending order.

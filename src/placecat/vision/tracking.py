@@ -36,10 +36,10 @@ class RegionTracker:
     width
         Width in pixels to which a wider frame is reduced, with its aspect ratio preserved.
     window
-        Side of the window to compare, in pixels of the reduced frame, odd, at least 3. At a width of 320, the
-        smallest regions have the size 21.
+        Side of the window to compare, in pixels of the reduced frame, odd, at least 3. At a width of 320, 21
+        is about the size of the smallest regions.
     levels
-        How often the reduced frame is halved, for large motions; less often if a level would be smaller than
+        How many times the reduced frame is halved, for large motions; fewer if a level would be smaller than
         the window.
     iterations, epsilon
         The search on each level ends after `iterations` steps or a step shorter than `epsilon` pixels.

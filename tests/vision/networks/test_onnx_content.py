@@ -91,14 +91,14 @@ def test_the_checksum_equals_the_shell(path):
 @pytest.mark.parametrize("location", ["/etc/passwd", "../secret", "a/../../secret", "", "a\\b"])
 def test_weights_outside_the_folder_are_refused(path, location):
     path.write_bytes(scaled_mean_color(location))
-    refused("which is not in its folder", path)
+    refused("outside its folder", path)
 
 
 def test_missing_and_linked_weights_are_refused(path, tmp_path):
     path.write_bytes(scaled_mean_color("weights.bin"))
-    refused(r"weights\.bin, weights of net\.onnx, is missing", path)
+    refused(r"weights\.bin with weights of net\.onnx is missing", path)
     path.with_name("weights.bin").symlink_to(onnx_bytes.__file__)
-    refused("is a link to a file outside the folder: replace it by a copy", path)
+    refused("is a link out of the folder: replace it with a copy", path)
 
 
 def test_damaged_files_give_one_message(path):

@@ -76,9 +76,7 @@ def test_the_named_output_is_taken_in_one_thread(monkeypatch, file, output, take
 
 
 def test_a_missing_file_and_one_with_another_checksum_are_named(file):
-    one_message(
-        r"nowhere\.onnx, the network of the settings, is missing", onnx_file.load, Path("nowhere.onnx")
-    )
+    one_message(r"nowhere\.onnx from the settings is missing", onnx_file.load, Path("nowhere.onnx"))
     one_message("it is not the expected file", onnx_file.load, file, None, "0" * 64)
 
 
@@ -92,13 +90,13 @@ def test_without_onnxruntime_the_message_says_how_to_install_it(monkeypatch, fil
     [
         (
             [("tensor(float)", [1, 224, 224, 3])],
-            r"takes \(float\) \[1, 224, 224, 3\]: it must take one image",
+            r"has the input \(float\) \[1, 224, 224, 3\]: choose a network with one image",
         ),
-        ([("tensor(float16)", [1, 3, 224, 224])], r"takes \(float16\)"),
-        ([("tensor(float)", [8, 3, "h", "w"])], r"takes \(float\) \[8, 3"),
-        ([("tensor(float)", [1, 3])], "must take one image"),
-        ([TAKES, TAKES], "must take one image"),
-        ([], "takes nothing"),
+        ([("tensor(float16)", [1, 3, 224, 224])], r"has the input \(float16\)"),
+        ([("tensor(float)", [8, 3, "h", "w"])], r"has the input \(float\) \[8, 3"),
+        ([("tensor(float)", [1, 3])], "choose a network with one image"),
+        ([TAKES, TAKES], "choose a network with one image"),
+        ([], r"has the input \(none\)"),
     ],
 )
 def test_a_network_of_something_else_than_an_image_is_refused(monkeypatch, file, inputs, message):
@@ -114,7 +112,7 @@ def test_messages_of_onnxruntime_become_one_line(monkeypatch, file):
         raise RuntimeError("Got invalid dimensions for input: image")
 
     stand_in(monkeypatch, run=refuse)
-    one_message("an image of 6x4, so set width and height: Got invalid", onnx_file.load(file), IMAGE)
+    one_message(r"an image of 6x4 pixels; set width and height\. Got invalid", onnx_file.load(file), IMAGE)
     one_message("no output 'feature': choose one of vector, places", onnx_file.load, file, "feature")
 
 

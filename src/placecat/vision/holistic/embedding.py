@@ -42,7 +42,8 @@ def describe(
     frame
         (H, W, 3) uint8 BGR; no map is used.
     network
-        ``efficientnet_lite0``, ``1`` or ``2``, or an ONNX file's path, relative to the project.
+        ``efficientnet_lite0``, ``efficientnet_lite1``, ``efficientnet_lite2``, or the path of an ONNX file,
+        relative to the project.
     width, height
         Size in pixels to which the frame is scaled, even if this changes its aspect ratio. If both are None,
         the network's training size is used (224x224 for an ONNX file). If one is None, the aspect ratio is
@@ -85,7 +86,9 @@ def describe(
     except PlacecatError as error:
         raise PlacecatError(f"{_OWNER}: {error}") from None
     if features.ndim < 1 or len(features) != 1:
-        raise PlacecatError(f"{_OWNER}: {network} gives {features.shape} for one image, not (1, ...)")
+        raise PlacecatError(
+            f"{_OWNER}: {network} returns the shape {features.shape} for one image, not (1, ...)"
+        )
     return _vector(features[0], network, pool)
 
 
@@ -97,10 +100,12 @@ def _vector(features: NDArray[np.float32], network: str, pool: str | None) -> ND
     elif features.ndim == 2 and pool == "first" and len(features):
         features = features[0]
     if features.ndim != 1 or not len(features):
-        how = {2: "set pool to mean or first", 3: "set pool to mean"}.get(features.ndim, "it cannot be used")
+        how = {2: "set pool to mean or first", 3: "set pool to mean"}.get(
+            features.ndim, "use another network"
+        )
         raise PlacecatError(
-            f"{_OWNER}: {network} gives {features.shape} for a frame, not a vector: "
-            f"{how}, or name another output"
+            f"{_OWNER}: {network} returns the shape {features.shape} for a frame, not a vector: "
+            f"{how}, or choose another output"
         )
     if not np.isfinite(features).all():
         raise PlacecatError(f"{_OWNER}: {network} returns numbers that are not finite: check mean and std")

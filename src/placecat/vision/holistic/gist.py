@@ -20,7 +20,7 @@ def describe(
 
     `color` includes the colour maps (thesis 4.2 has a variant without them). `center_surround` uses the
     centre-surround maps of intensity and colour instead of their pyramids (a variant in thesis 4.2);
-    orientation has no centre-surround maps. Only the maps are read.
+    orientation has no centre-surround maps. The frame itself is not read.
 
     Returns
     -------

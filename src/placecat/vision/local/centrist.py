@@ -30,7 +30,8 @@ def describe(
     Parameters
     ----------
     image
-        The image to transform: ``intensity``, as in the thesis, or ``laplacian``, a variant in its text.
+        The image to transform: ``intensity``, as in the thesis, or ``laplacian``, a variant that the thesis
+        mentions.
     kernel
         The Laplacian's kernel, as in `placecat.vision.census.laplacian`.
     quantise

@@ -27,7 +27,7 @@ def describe(
     dimensions) in a variant in 4.4.2.
 
     Returns (n, 8 (1 + grid**2)) float32. The full region comes first, then the cells row by row from the top
-    left. Each area has 4 means, then 4 variances (>= 0). All cells have the same size; borders may cut
+    left. Each area has 4 means, then 4 variances (>= 0). All cells have the same size; cell borders may cut
     pixels.
     """
     return mean_variance(cut(maps.color, regions, region_side(maps.width), border=border), grid)

@@ -36,7 +36,7 @@ def describe(
     `cv2.HOGDescriptor.compute` on each patch, but one call handles all patches, placed side by side with
     mirrored borders.
 
-    `interpolation` is how to resize the patch; the thesis does not specify this.
+    `interpolation` is the method of resizing; the thesis does not specify this.
 
     Returns
     -------

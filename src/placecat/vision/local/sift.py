@@ -42,7 +42,7 @@ def describe(
     -------
     (n, 128) float32, whole numbers from 0 to 255; cells row by row, each with 8 bins over 360 degrees
     counter-clockwise from the x axis (or from the dominant angle). Values are clipped at 0.2 of the norm,
-    then scaled to the norm 512; a patch without gradients is 0.
+    then scaled to the norm 512; they are 0 for a patch without gradients.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Pretrained networks that compute an image's features. Each imports its packages when it is loaded.
+"""Pretrained networks that compute an image's features. Each network imports its packages when it is loaded.
 
 Nothing is downloaded: weights come from a package or from a file named in the settings.
 """
@@ -35,7 +35,7 @@ _IMAGENET = Preparation(224, 224, (0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
 
 
 def preparation(network: str) -> Preparation:
-    """Return how the network's training images were prepared; an ONNX file gets ImageNet's usual values."""
+    """Return how the network's training images were prepared; for an ONNX file, assume ImageNet's values."""
     if network not in NAMED:
         return _IMAGENET
     side = efficientnet_lite.WEIGHTS[network].side
@@ -54,9 +54,11 @@ def load(network: str, output: str | None = None, sha256: str | None = None) -> 
         return onnx_file.load(Path(network), output, sha256)
     if network not in NAMED:
         raise PlacecatError(
-            f"there is no network {network!r}: choose {', '.join(NAMED)}, or name an ONNX file ({ENDING})"
+            f"the network {network!r} is unknown: use {', '.join(NAMED)}, or an ONNX file's path ({ENDING})"
         )
     for name, value in (("output", output), ("sha256", sha256)):
         if value is not None:
-            raise PlacecatError(f"{name} is a setting of ONNX files: with network {network} it must be null")
+            raise PlacecatError(
+                f"{name} applies only to ONNX files: set it to null for the network {network}"
+            )
     return efficientnet_lite.load(network)

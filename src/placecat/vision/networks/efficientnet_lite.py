@@ -55,7 +55,7 @@ MEAN, STD = (127 / 255,) * 3, (128 / 255,) * 3
 
 
 def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
-    """Build one of `WEIGHTS` with its package's weights.
+    """Build one of the networks in `WEIGHTS`, with the weights from its package.
 
     Returns a function that maps (1, 3, H, W) float32 RGB to (1, 1280) float32. Raises PlacecatError if a
     package is missing or contains different weights.
@@ -70,7 +70,7 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
     path = Path(getattr(weights, own.file).get_model_file_path())
     if not path.is_file() or checksum(path) != own.sha256:
         raise PlacecatError(
-            f"{path} has other weights than {own.package.replace('_', '-')} 0.1.0: install that package again"
+            f"{path} lacks the weights of {own.package.replace('_', '-')} 0.1.0: install that package again"
         )
     # Without a fixed size, the network pads each image's edges as needed.
     network = package.EfficientNet.from_name(name.replace("_", "-"), image_size=None)

@@ -78,7 +78,7 @@ def check(path: Path, sha256: str | None) -> None:
 
 
 def fingerprint(path: Path, weights: list[Path]) -> str:
-    """Return a network's SHA-256 in hexadecimal, computed over its file or all its files.
+    """Return a network's SHA-256 in hexadecimal, computed over all its files.
 
     For several files, this is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...``, run in their
     folder with the weights sorted by name.
@@ -95,12 +95,12 @@ def _weights(path: Path, name: str) -> Path:
     relative, folder = PurePosixPath(name), path.parent
     file = folder / relative
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
-        raise PlacecatError(f"{path} has weights in {name!r}, which is not in its folder: put them there")
+        raise PlacecatError(f"{path} has weights in {name!r}, outside its folder: move them into its folder")
     if not file.is_file():
-        raise PlacecatError(f"{file}, weights of {path.name}, is missing: put it there")
+        raise PlacecatError(f"the file {file} with weights of {path.name} is missing: put it there")
     if not file.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
-            f"{file}, weights of {path.name}, is a link to a file outside the folder: replace it by a copy"
+            f"{file} with weights of {path.name} is a link out of the folder: replace it with a copy"
         )
     return file
 
@@ -132,9 +132,9 @@ def _content(path: Path) -> tuple[list[tuple[str, list[str]]], list[str]]:
                     elif kind == "entry" and texts.get(_KEY, [""])[-1] == "location":
                         weights.add(texts.get(_VALUE, [""])[-1])
             except ValueError as error:
-                raise PlacecatError(f"{path} is not an ONNX file, or damaged: {error}") from None
+                raise PlacecatError(f"{path} is not an ONNX file or is damaged: {error}") from None
     if not has_graph:
-        raise PlacecatError(f"{path} is not an ONNX file: it has no network")
+        raise PlacecatError(f"{path} is not an ONNX file: it contains no network")
     return operators, sorted(weights)
 
 
@@ -156,7 +156,7 @@ def _fields(content: mmap.mmap, at: int, end: int) -> Iterator[tuple[int, int, i
             yield number, at, at + length
             at += length
         else:
-            raise ValueError(f"it has a field of the kind {kind}")
+            raise ValueError(f"it has a field of the unknown kind {kind}")
     if at > end:
         raise ValueError("it is cut off")
 
@@ -171,4 +171,4 @@ def _varint(content: mmap.mmap, at: int, end: int) -> tuple[int, int]:
         value |= (byte & 127) << shift
         if byte < 128:
             return value, at
-    raise ValueError("it has a number of too many bytes")
+    raise ValueError("it has a number with too many bytes")

@@ -21,8 +21,8 @@ def load(
     """Load the network in an ONNX file and return a function that applies it to an image.
 
     The network must have one input, an image, (1, 3, height, width) float32. `output` is the name of the
-    output to use, None for the first; `sha256` the expected checksum (see `onnx_content.fingerprint`), None
-    accepts any. The function maps an image, (1, 3, H, W) float32, to the output, float32 of any shape.
+    output to use, None for the first. `sha256` is the expected checksum (see `onnx_content.fingerprint`);
+    None accepts any. The function maps an image, (1, 3, H, W) float32, to the output, float32 of any shape.
 
     Raises
     ------
@@ -34,13 +34,15 @@ def load(
     with reading(path):
         is_there = path.is_file()
     if not is_there:
-        raise PlacecatError(f"{path}, the network of the settings, is missing: put it there, or name another")
+        raise PlacecatError(
+            f"the network {path} from the settings is missing: put it there, or choose another"
+        )
     onnx_content.check(path, sha256)
     (onnxruntime,) = import_packages(PACKAGES, f"the network {path}")
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.use_deterministic_compute = True
-    # Log only fatal errors: others are raised and become one message.
+    # Log only fatal errors; other errors are raised, and each becomes one message.
     options.log_severity_level = 4
     try:
         session = onnxruntime.InferenceSession(path, options, providers=["CPUExecutionProvider"])
@@ -59,7 +61,7 @@ def load(
         except Exception as error:
             size = "x".join(map(str, image.shape[:1:-1]))
             raise PlacecatError(
-                f"{path} cannot be applied to an image of {size}, so set width and height: {_short(error)}"
+                f"{path} cannot process an image of {size} pixels; set width and height. {_short(error)}"
             ) from None
         return np.asarray(values, np.float32)
 
@@ -72,14 +74,14 @@ def _input(session: Any, path: Path) -> str:
     kinds = [f"{one.type.removeprefix('tensor')} {one.shape}" for one in inputs]
     if len(inputs) != 1 or inputs[0].type != "tensor(float)" or not _takes_image(inputs[0].shape):
         raise PlacecatError(
-            f"{path} takes {', '.join(kinds) or 'nothing'}: it must take one image, "
+            f"{path} has the input {', '.join(kinds) or '(none)'}: choose a network with one image as input, "
             f"(float) [1, {CHANNELS}, height, width]"
         )
     return str(inputs[0].name)
 
 
 def _takes_image(shape: list[int | str | None]) -> bool:
-    # A dimension that the file leaves open is a string or None.
+    # A dimension without a fixed size is a string or None.
     return len(shape) == 4 and all(
         not isinstance(found, int) or found == wanted
         for found, wanted in zip(shape[:2], (1, CHANNELS), strict=True)

@@ -6,14 +6,13 @@ from types import ModuleType
 
 from placecat.errors import PlacecatError
 
-INSTALL = "`pip install -e '.[deep]'` in the environment of placecat installs it"
+INSTALL = "run `pip install -e '.[deep]'` in placecat's environment"
 
 
 def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
     """Import modules that the extra `deep` installs.
 
-    The PlacecatError names the first package that is missing or cannot be imported, and what needs it,
-    `wanted_by`.
+    Raises PlacecatError, which names `wanted_by` and the first package that is missing or cannot be imported.
     """
     modules = []
     for name in names:
