@@ -139,7 +139,7 @@ def test_figures_of_a_revision_are_read_from_the_cache_or_asked_for(tmp_path, mo
         if path.is_file():
             path.unlink()
     missing = read_figures("HEAD").missing
-    assert "DVC has no figures of git HEAD" in missing and "placecat repro" in missing
+    assert "DVC has no figures for git HEAD" in missing and "placecat repro" in missing
 
 
 def test_a_folder_is_not_overwritten_by_the_page(tmp_path, monkeypatch):
