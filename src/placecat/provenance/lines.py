@@ -1,4 +1,4 @@
-"""Read the lines of a cell's explanation from the file of all explanations; imports little, for speed."""
+"""Read the lines that explain a cell from the file of all explanations, with few imports, for speed."""
 
 import hashlib
 import json
