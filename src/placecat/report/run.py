@@ -50,7 +50,7 @@ class Run:
     """A finished run, read from the project's folder; only this class opens files for figures.
 
     `params` are the composed settings; `homes` and `classes` name the main data set's homes and places, in
-    order. Missing data, e.g. a result that was not computed, raises PlacecatError.
+    order. If data are missing, e.g. a result that was not computed, methods raise PlacecatError.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -63,7 +63,7 @@ class Run:
         """Return an information filter's threshold; SettingError if it has a share of frames instead."""
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
-            raise SettingError(f"the filter {name} has a share of frames, but figures need a threshold")
+            raise SettingError(f"the filter {name} has no threshold, which figures need: use another filter")
         return float(value)
 
     def options(self, figure: str) -> Mapping[str, Any]:
@@ -195,8 +195,8 @@ class Run:
     def example(self) -> tuple[str, int]:
         """The home and the frame that Figures 2 to 7 show, from ``figures.example``.
 
-        The default is the labelled frame with the largest information measure, in the home set there or else
-        in any home.
+        By default, this is the labelled frame with the largest information measure, in the home set there or,
+        without one, in any home.
         """
         asked = self.options("example")
         homes = self.homes if asked.get("home") is None else (home_of(self, asked["home"]),)

@@ -63,12 +63,12 @@ def _headline(group: str, part: pd.DataFrame) -> Headline:
 
 
 def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
-    """Return the first row, or a row without numbers if there is none."""
+    """Return the first row, or a row without numbers if `rows` is empty."""
     return next(iter(rows.to_dict("records")), {"row": "", **dict.fromkeys(NUMBERS, np.nan)})
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:
-    """Map the verdict column of each other reading of the thesis to the reading's name."""
+    """Map each column with the verdicts of another reading of the thesis to the reading's name."""
     prefix = "verdict_"
     return {name: name.removeprefix(prefix) for name in findings.columns if name.startswith(prefix)}
 
