@@ -108,7 +108,7 @@ def test_it_fits_its_window_and_its_console_is_clean(outside, tmp_path, width):
 
 def test_figures_of_a_folder_are_read(tmp_path):
     (tmp_path / paths.TABLES).mkdir(parents=True)
-    assert "run `dvc repro figures` there" in read_figures(str(tmp_path)).missing
+    assert "run `dvc repro figures` in that project" in read_figures(str(tmp_path)).missing
     folder = tmp_path / paths.FIGURES
     folder.mkdir()
     entries = [

@@ -25,7 +25,7 @@ class Grade(Enum):
 
 @dataclass(frozen=True)
 class TableDifference:
-    """The differences in one table, e.g. ``table_26``.
+    """The differences in one table, such as ``table_26``.
 
     `cells` is the number of compared cells, those with an old or a new number; in `differing` of them, the
     number or the spread over seeds has changed. `largest` is the largest difference in points, and `where`

@@ -26,7 +26,7 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 class Kept:
     """The parts of a run that are compared; every table value is text.
 
-    `tables` maps each name, e.g. ``table_26``, to a filled table; ``in_text`` holds the numbers in the
+    `tables` maps names such as ``table_26`` to filled tables; ``in_text`` holds the numbers in the
     thesis's text. `findings` has the columns number and verdict, among others, and `settings` is the content
     of params.yaml; both are None if missing.
     """
@@ -117,7 +117,7 @@ def read(side: str) -> Kept:
 
 
 def read_revision(revision: str) -> Kept:
-    """Read the results in a git revision, e.g. ``HEAD~1`` or a tag; PlacecatError if they are missing."""
+    """Read the results in a git revision such as ``HEAD~1`` or a tag; PlacecatError if they are missing."""
     commit = commit_of(revision)
     wanted = [path.as_posix() for path in (*FOLDERS, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
     listed = _git("ls-tree", "-r", "-z", "--name-only", commit, "--", *wanted)
@@ -154,7 +154,7 @@ def _git(*arguments: str, message: str = "git failed") -> str:
 def read_figures(side: str) -> Figures:
     """Read one side's figures (see :func:`read`); those of a git revision come from DVC."""
     if is_folder(side):
-        remedy = f"there are no figures in {Path(side) / paths.FIGURES}: run `dvc repro figures` there"
+        remedy = f"{Path(side) / paths.FIGURES} has no figures: run `dvc repro figures` in that project"
         return _read_figures(lambda name: (Path(side) / name).read_bytes(), remedy, (OSError,))
     # Imported only here, since the import takes a second.
     from dvc.api import DVCFileSystem
@@ -211,7 +211,7 @@ def changed_settings(
 ) -> dict[str, tuple[str, str]]:
     """Map the dotted name of each setting that differs to its old and new values ("" if missing).
 
-    `without` names the sections to leave out, by default those that no table depends on.
+    `without` lists the sections to leave out, by default those that no table depends on.
     """
     new, old = (
         settings.flatten({name: value for name, value in (one or {}).items() if name not in without})
