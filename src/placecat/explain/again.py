@@ -44,7 +44,7 @@ class _Recomputed(Source):
 
 
 def compute(number: str) -> tuple[bool, str]:
-    """Recompute a cell, given by its number, e.g. ``table_26.9.3``, and compare it with the stored one.
+    """Recompute the cell of a number such as ``table_26.9.3``, and compare it with the stored one.
 
     Smoothed, filtered and integrated results are recomputed from the files of the previous step. Cues are
     trained again on their features and codebook, trials and splits on their features. Returns whether all

@@ -18,8 +18,8 @@ _LABELS = ("group", "row", "column")
 def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
     """Find the numbers of the cells that match the words.
 
-    The words are either a cell's number, e.g. ``table_26.9.3``, or a table's name followed by labels of
-    groups, rows or columns in any order, e.g. ``table_26 HMM home_3``. A word that equals no label may
+    The words are either a cell's number, such as ``table_26.9.3``, or a table's name followed by labels of
+    groups, rows or columns in any order, such as ``table_26 HMM home_3``. A word that equals no label may
     also be part of one. `content` comes from :func:`placecat.provenance.text.explanations`. Raises
     PlacecatError if no cell or more than `MOST` cells match; the message suggests what to use instead.
     """
@@ -36,7 +36,7 @@ def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
             if near or there
             else f"use one of {', '.join(tables)}"
         )
-        raise PlacecatError(f"there is no cell or table {name!r} in {paths.EXPLANATIONS}; {hint}")
+        raise PlacecatError(f"{paths.EXPLANATIONS} has no cell or table {name!r}; {hint}")
     found = {number: _labels(number, content) for number in cells if number.startswith(f"{name}.")}
     for label in labels:
         wanted = _plain(label)

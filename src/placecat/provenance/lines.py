@@ -7,7 +7,7 @@ from typing import Any
 
 # A label and a text.
 Line = tuple[str, str]
-# Label of the line that names the stages.
+# Label of the line that lists the stages.
 STAGES = "stages"
 
 

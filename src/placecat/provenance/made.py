@@ -23,9 +23,9 @@ class Made:
     """How a result was made.
 
     `title` describes it on one line, and `stages` are its DVC stages, without `scores` and `tables`. `cues`,
-    `classifiers` and `descriptors` name the cues, and each cue's classifier and descriptor. `system` and
-    `filter` are names, "" if there is none. `plan` is the protocol ("5-5-1") or the split; "" if there is
-    neither. `fuses` says whether an integration or a smoothing is trained too, and `extra` whether the
+    `classifiers` and `descriptors` are the names of the cues, and of each cue's classifier and descriptor.
+    `system` and `filter` are "" if there is none. `plan` is the protocol ("5-5-1") or the split; "" if there
+    is neither. `fuses` says whether an integration or a smoothing is trained too, and `extra` whether the
     integration is also trained on the sequences of ``protocol.extra``. `settings` maps each part to its
     settings. `clusters` maps each cue to its descriptor as text and its number of cells, which determine the
     seeds of its codebooks.
