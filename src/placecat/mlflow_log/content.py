@@ -57,8 +57,8 @@ def table_run(
     """Gather one table's content from its definition and its filled `cells`.
 
     `dataset` describes the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are the flat
-    settings that affect its numbers; `written` are the table's files, e.g. its CSV; `made` takes a result's
-    name and describes how the result was made.
+    settings that affect its numbers; `written` are the table's files, such as its CSV; `made` takes a
+    result's name and describes how the result was made.
     """
     # An addition's title already starts with this label.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"

@@ -37,8 +37,8 @@ def params_of_cue(
 ) -> dict[str, str]:
     """Return one cue's parameters, from its settings.
 
-    ``descriptor``, ``classifier`` and ``scheme`` name the choices; the others are named after the settings,
-    e.g. ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
+    ``descriptor``, ``classifier`` and ``scheme`` are the names of the choices; other parameters are named
+    after the settings, such as ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
     """
     kind, name = (str(descriptor.get(one, "")) for one in ("kind", "name"))
     params = {"descriptor": f"{kind} {name}"} | _flat(descriptor, "kind", "name") | _of_classifier(classifier)

@@ -84,7 +84,7 @@ def connect(uri: str) -> MlflowClient:
         driver = f"{error.name} is not installed" if error.name else str(error)
         raise PlacecatError(
             f"MLflow at {_shown(uri)}: the database's driver is missing ({driver}): install it with pip, or "
-            "set MLFLOW_TRACKING_URI to another database, e.g. sqlite:///mlflow.db"
+            "set MLFLOW_TRACKING_URI to another database, such as sqlite:///mlflow.db"
         ) from None
     except (OSError, ValueError) as error:
         raise PlacecatError(

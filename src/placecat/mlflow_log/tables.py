@@ -53,7 +53,7 @@ DESCRIPTION = (
 
 @dataclass(frozen=True)
 class RowRun:
-    """One row's content for MLflow, with a readable name, e.g. "Table 26: 5-5-1, all cues, Gist".
+    """One row's content for MLflow, with a readable name such as "Table 26: 5-5-1, all cues, Gist".
 
     `params` identify the row; `metrics` are its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
     and the quality of its probabilities (:meth:`placecat.results.measured.Quality.averages`). `description`
@@ -69,7 +69,7 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """One table's content for MLflow, with its name, e.g. "table_26", and its title.
+    """One table's content for MLflow, with a name such as "table_26", and a title.
 
     `content` is everything that the table shows, as text. `params` are the flat settings that affect the
     numbers; `metrics` are in percent unless the name says otherwise. `description` is Markdown; `RUN_ID` in
