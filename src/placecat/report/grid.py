@@ -131,7 +131,7 @@ def number_text(value: float | None) -> str:
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """Say which home each row or column label, e.g. "Home 1", stands for; "" if that is obvious."""
+    """State which home each label of a row or column, such as "Home 1", stands for; "" if obvious."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]

@@ -57,7 +57,7 @@ class Report:
         findings on data other than homes.
     times
         A stored record of a run's times: ``stages``, a table with the columns stage, runs (a stage may run
-        once per item, e.g. per home) and seconds; ``data``, the data set's title; ``cores``, the machine's
+        once per item, such as a home) and seconds; ``data``, the data set's title; ``cores``, the machine's
         number of cores; and ``total``, the whole run's seconds.
     speed, scale
         Stored records from :func:`placecat.report.benchmarks.shown_speed` and

@@ -22,7 +22,7 @@ WU = {"frames": 41.87, "filtered": 46.78, "sift": 39.8}
 class Headline:
     """One group of Table 26, averaged over homes: best cue, integration, and smoothed integration.
 
-    `best` and `best_published` name the best single cue here and in the thesis, or are "".
+    `best` and `best_published` are the names of the best single cues here and in the thesis, or "".
     """
 
     group: str

@@ -28,7 +28,7 @@ def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
     width, labels, bars, decisions, foot = 2.6, 1.4, 2.25, 0.78, 0.34
     found = failures(run, list(cues.values()), run.threshold(filter))[:2]
     if not found:
-        raise PlacecatError(f"there is no informative frame that all of {', '.join(cues)} get wrong")
+        raise PlacecatError(f"no informative frame is decided wrongly by all of {', '.join(cues)}")
     facts = run.home_facts(found[0].home)
     height = width * facts["height"] / facts["width"]
     row = height + 0.45
