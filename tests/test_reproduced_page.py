@@ -67,7 +67,7 @@ def test_the_page_fits_its_window(page, tmp_path, width):
 
 def test_the_page_says_that_the_data_differ(page):
     text = page.read_text()
-    assert text.count("other data, so the shading also shows a difference of the data") == 31
+    assert text.count("the data differ, and the shading also reflects this") == 31
 
 
 def test_the_page_needs_no_server(page):

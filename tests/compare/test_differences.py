@@ -210,7 +210,7 @@ def test_large_differences_have_a_remedy():
     lines = said(table(differing=1, largest=2.5, where="HOG"), table("table_13", differing=1, appeared=1))
     assert "beyond the tolerance of 2 points" in lines[0]
     assert "; 1 gained a number." in lines[0]
-    assert lines[-1].startswith("A different kind of processor does not explain this.")
+    assert lines[-1].startswith("A different processor does not explain these differences.")
     assert "commit reports/" in lines[-1]
 
 
@@ -256,5 +256,5 @@ def test_a_long_list_is_cut():
     tables = [table(f"table_{n:02d}", differing=1, largest=n / 100, where="x") for n in range(1, 16)]
     lines = said(*tables)
     assert lines[1] == "  Table 15: 1 of 84 cells differ, by at most 0.15 points"
-    assert lines[-1] == "  and 5 more tables by less"
+    assert lines[-1] == "  and 5 more tables, with smaller differences"
     assert len(lines) == 12

@@ -147,7 +147,7 @@ def test_an_unknown_revision_is_refused(folder, revision):
 def test_a_repository_without_tables_says_so(folder):
     shutil.rmtree(paths.TABLES)
     commit(folder)
-    with pytest.raises(PlacecatError, match="git HEAD has no tables in reports/tables: commit them"):
+    with pytest.raises(PlacecatError, match="git HEAD has no tables in reports/tables: use a revision"):
         kept_in_git.read_revision("HEAD")
 
 

@@ -108,7 +108,7 @@ def test_it_fits_its_window_and_its_console_is_clean(outside, tmp_path, width):
 
 def test_figures_of_a_folder_are_read(tmp_path):
     (tmp_path / paths.TABLES).mkdir(parents=True)
-    assert "run `dvc repro figures` there" in read_figures(str(tmp_path)).missing
+    assert "run `dvc repro figures` in that project" in read_figures(str(tmp_path)).missing
     folder = tmp_path / paths.FIGURES
     folder.mkdir()
     entries = [
@@ -139,7 +139,7 @@ def test_figures_of_a_revision_are_read_from_the_cache_or_asked_for(tmp_path, mo
         if path.is_file():
             path.unlink()
     missing = read_figures("HEAD").missing
-    assert "DVC has no figures of git HEAD" in missing and "placecat repro" in missing
+    assert "DVC has no figures for git HEAD" in missing and "placecat repro" in missing
 
 
 def test_a_folder_is_not_overwritten_by_the_page(tmp_path, monkeypatch):

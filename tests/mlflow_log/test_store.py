@@ -92,7 +92,7 @@ def test_sixteen_processes_start_at_once_on_a_fresh_database():
     ("address", "says"),
     [
         ("sqlite:///broken.db", "file is not a database"),
-        ("sqlite://", "does not name a file"),
+        ("sqlite://", "does not contain a file"),
         ("ftp://somewhere", "ftp"),
         ("http://me:secret@127.0.0.1:9", "127.0.0.1"),
     ],
@@ -166,7 +166,7 @@ def test_files_of_a_database_elsewhere_stay_where_they_are(tmp_path, monkeypatch
         ("http://[::1", "Invalid IPv6"),
         ("nonsense", "MLflow at nonsense: "),
         ("foo://x", "MLflow at foo://x: "),
-        ("sqlite://", "does not name a file"),
+        ("sqlite://", "does not contain a file"),
         ("sqlite:////proc/x/y.db", "MLflow at sqlite:////proc/x/y.db: "),
         (
             "mssql+pyodbc://me:secret@host/db",

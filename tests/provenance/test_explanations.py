@@ -71,7 +71,7 @@ def test_a_wrong_name_gets_the_near_ones(words, near):
 
 def test_words_that_name_many_cells_are_refused():
     many = content(*((f"table_26.{n}.1", "", f"row {n}", "Home 1") for n in range(1, 7)))
-    with pytest.raises(PlacecatError, match="names 6 cells: add a label"):
+    with pytest.raises(PlacecatError, match="matches 6 cells: add a label"):
         find(["table_26", "row"], many)
 
 

@@ -8,9 +8,9 @@ from enum import Enum
 import pandas as pd
 
 NONE = "none"
-# A row's content columns and the table's number; the other columns identify its cell.
+# Columns with a row's content or the table's number; the remaining columns identify the row's cell.
 _CONTENT = ("table", "published", "measured", "spread", "seeds", "note", "data")
-# How many differing tables, verdicts and settings to name at most.
+# Maximum numbers of tables, verdicts and settings that the report lists.
 _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 
 
@@ -25,12 +25,12 @@ class Grade(Enum):
 
 @dataclass(frozen=True)
 class TableDifference:
-    """The differences in one table, e.g. ``table_26``.
+    """The differences in one table, such as ``table_26``.
 
-    `cells` is the number of compared cells, which have an old or a new number; `differing` of these have
-    another number or spread over seeds. `largest` is the largest difference in points and `where` the labels
-    of its cell; 0 and "" if no number differs. `appeared` and `disappeared` are the numbers of cells with
-    only a new and only an old number.
+    `cells` is the number of compared cells, those with an old or a new number; in `differing` of them, the
+    number or the spread over seeds has changed. `largest` is the largest difference in points, and `where`
+    has the labels of its cell; they are 0 and "" if no two numbers differ. `appeared` counts the cells with
+    only a new number, and `disappeared` those with only an old one.
     """
 
     name: str
@@ -50,7 +50,7 @@ class TableDifference:
 
 @dataclass(frozen=True)
 class Turned:
-    """A finding whose verdict has changed; the verdict is `NONE` on a side without the finding."""
+    """A finding whose verdict has changed; a side that lacks the finding has the verdict `NONE`."""
 
     finding: str
     kept: str
@@ -62,7 +62,8 @@ class Turned:
 class Comparison:
     """The differences in all tables, sorted by name, and in all verdicts.
 
-    `data` names the data sets of the old and the new cells if they differ; such cells were not compared.
+    If some cells come from different data sets, `data` has the titles of the old and the new one; these cells
+    are not compared.
     `findings` is the number of findings, and `turned` lists those with a changed verdict.
     """
 
@@ -109,10 +110,10 @@ def compare(
     """Compare new tables with old ones.
 
     Cells whose two numbers come from different data sets are not compared; if there are any, verdicts are not
-    compared either. `now` and `kept` map names to new and old tables, whose numbers may be text, empty if
-    missing. Their columns are measured (percent), spread (points, optional), data (the data set, "" if
-    unknown), and those that identify a row's cell, e.g. group, row, column. Tables of findings have a row per
-    finding with the columns number and verdict; None if there are none.
+    compared either. `now` and `kept` map the names of the new and the old tables to the tables. Their
+    numbers may be text, empty if missing. Their columns are measured (percent), spread (points, optional),
+    data (the data set, "" if unknown), and those that identify a row's cell, such as group, row and column. A
+    table of findings has a row per finding, with the columns number and verdict, and is None if missing.
     """
     pairs = {
         name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))
@@ -134,7 +135,7 @@ def compare(
 
 
 def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
-    """Index each cell's number, spread (NaN for none) and data set ("" without a number) by its labels."""
+    """Index each cell's number, spread (NaN if missing) and data set ("" without a number) by its labels."""
     if table is None:
         table = pd.DataFrame(columns=["measured", "data"])
     labels = table[[column for column in table.columns if column not in _CONTENT]].fillna("").astype(str)
@@ -145,7 +146,7 @@ def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
 
 
 def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
-    """Join the cells of both tables, in order, with their new and old content."""
+    """Join a new and an old table by cell; the cells that only the old one has come last."""
     labels = now.index.append(kept.index.difference(now.index, sort=False))
     sides = (now.reindex(labels).add_suffix("_now"), kept.reindex(labels).add_suffix("_kept"))
     both = pd.concat(sides, axis=1)
@@ -174,7 +175,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
 
 
 def turned(now: pd.DataFrame | None, kept: pd.DataFrame | None) -> tuple[Turned, ...]:
-    """List the changed verdicts of two tables of findings; None is a table without findings."""
+    """List the findings whose verdict differs between two tables; None stands for an empty table."""
     new, old = (
         {} if table is None else {str(row["number"]): row for row in table.to_dict("records")}
         for table in (now, kept)
@@ -189,9 +190,9 @@ def turned(now: pd.DataFrame | None, kept: pd.DataFrame | None) -> tuple[Turned,
 
 
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str]) -> list[str]:
-    """Describe line by line how a run differs, given a tolerance in points.
+    """Describe how a run differs from an old one, as lines of text; the tolerance is in points.
 
-    `kept` names the source of the old tables, e.g. "git HEAD"; `settings` are the names of changed settings.
+    `kept` describes where the old tables are, e.g. "git HEAD"; `settings` are the names of changed settings.
     """
     grade = comparison.grade(tolerance)
     lines = []
@@ -211,9 +212,9 @@ def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Seq
         lines.append(f"Settings differ: {_some(settings, _SETTINGS)}. Expect differences.")
     elif grade is Grade.BEYOND:
         lines.append(
-            "A different kind of processor does not explain this. If code or data were changed on purpose, "
-            "commit reports/ with them; otherwise check `git status` and that the environment matches "
-            "requirements.lock."
+            "A different processor does not explain these differences. If you changed code or data on "
+            "purpose, commit reports/ with them; otherwise check `git status` and whether the environment "
+            "matches requirements.lock."
         )
     return lines
 
@@ -238,7 +239,7 @@ def _about_tables(comparison: Comparison, tolerance: float, kept: str) -> list[s
         more = f", by at most {one.largest:.2f} points" if one.largest else ""
         lines.append(f"  {one.label}: {one.differing} of {one.cells} cells differ{more}")
     if len(changed) > _TABLES:
-        lines.append(f"  and {len(changed) - _TABLES} more tables by less")
+        lines.append(f"  and {len(changed) - _TABLES} more tables, with smaller differences")
     return lines
 
 

@@ -24,9 +24,9 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 
 @dataclass(frozen=True)
 class Kept:
-    """The content of a run for comparison, with every table value as text.
+    """The parts of a run that are compared; every table value is text.
 
-    `tables` maps each name, e.g. ``table_26``, to a filled table; ``in_text`` holds the numbers in the
+    `tables` maps names such as ``table_26`` to filled tables; ``in_text`` holds the numbers in the
     thesis's text. `findings` has the columns number and verdict, among others, and `settings` is the content
     of params.yaml; both are None if missing.
     """
@@ -38,7 +38,7 @@ class Kept:
 
 @dataclass(frozen=True)
 class Figures:
-    """One side's PNGs and captions by figure name; without figures, `missing` is a reason and a remedy."""
+    """One side's PNGs and captions by figure name; if it has none, `missing` says why and what to do."""
 
     pictures: dict[str, bytes] = field(default_factory=dict)
     captions: dict[str, str] = field(default_factory=dict)
@@ -46,15 +46,16 @@ class Figures:
 
 
 def compare(old: str, new: str = "") -> tuple[list[str], bool]:
-    """Compare the tables of two sides, named as for :func:`read`.
+    """Compare the tables of two sides (see :func:`read`).
 
-    Returns the report's lines, and False if a number differs by more than ``reproducibility.tolerance``
-    although settings and data are the same, else True. Raises PlacecatError if a side has no tables, git is
-    not installed, the folder is not in a repository, or the revision does not exist.
+    Returns the lines of a report, and False if the settings are the same but a number appeared, disappeared
+    or differs by more than ``reproducibility.tolerance``, else True. Numbers from different data sets are not
+    compared. Raises PlacecatError if a side has no tables, git is not installed, the folder is not in a
+    repository, or the revision does not exist.
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read(new), read(old)
-    # An optional table that this run did not make is left from an earlier run.
+    # Optional tables that the new run did not make are left over from an earlier run.
     others = set(definitions.optional()) - definitions.tables(now.settings or {}).keys()
     tables_now, tables_kept = (
         {name: table for name, table in _with_data(one, now.settings).items() if name not in others}
@@ -92,7 +93,7 @@ def _title(definition: Mapping[str, Any], params: dict[str, Any] | None) -> str:
 
 
 def is_folder(side: str) -> bool:
-    """Return whether a side is a folder with ``reports/tables``, or ""; otherwise, it is a git revision."""
+    """Return True for a folder with ``reports/tables`` or "" (this folder), False for a git revision."""
     return not side or (Path(side) / paths.TABLES).is_dir()
 
 
@@ -116,13 +117,13 @@ def read(side: str) -> Kept:
 
 
 def read_revision(revision: str) -> Kept:
-    """Read the results in a git revision, e.g. ``HEAD~1`` or a tag; PlacecatError if they are missing."""
+    """Read the results in a git revision such as ``HEAD~1`` or a tag; PlacecatError if they are missing."""
     commit = commit_of(revision)
     wanted = [path.as_posix() for path in (*FOLDERS, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
     listed = _git("ls-tree", "-r", "-z", "--name-only", commit, "--", *wanted)
     names = [name for name in listed.split("\0") if Path(name).suffix in (".csv", ".yaml")]
     content = {name: _git("show", f"{commit}:./{name}") for name in names}
-    return _parse(content, f"git {revision} has no tables in {paths.TABLES}: commit them to keep them")
+    return _parse(content, f"git {revision} has no tables in {paths.TABLES}: use a revision that has them")
 
 
 def commit_of(revision: str) -> str:
@@ -139,7 +140,7 @@ def about(revision: str) -> str:
 
 
 def _git(*arguments: str, message: str = "git failed") -> str:
-    """Return a git command's output; if it fails, the PlacecatError has `message` and git's message."""
+    """Return a git command's output; if it fails, raise PlacecatError with `message` and git's message."""
     try:
         done = subprocess.run(["git", *arguments], capture_output=True, check=False)
     except FileNotFoundError:
@@ -151,9 +152,9 @@ def _git(*arguments: str, message: str = "git failed") -> str:
 
 
 def read_figures(side: str) -> Figures:
-    """Read one side's figures (see :func:`read`); those of a git revision are in DVC."""
+    """Read one side's figures (see :func:`read`); those of a git revision come from DVC."""
     if is_folder(side):
-        remedy = f"there are no figures in {Path(side) / paths.FIGURES}: run `dvc repro figures` there"
+        remedy = f"{Path(side) / paths.FIGURES} has no figures: run `dvc repro figures` in that project"
         return _read_figures(lambda name: (Path(side) / name).read_bytes(), remedy, (OSError,))
     # Imported only here, since the import takes a second.
     from dvc.api import DVCFileSystem
@@ -161,8 +162,8 @@ def read_figures(side: str) -> Figures:
 
     commit = commit_of(side)
     remedy = (
-        f"DVC has no figures of git {side}: run `dvc fetch --all-commits {paths.FIGURES}` if a "
-        f"remote has them, or else `placecat repro` on {side} in a clone, and compare with that folder"
+        f"DVC has no figures for git {side}: if a remote has them, run `dvc fetch --all-commits "
+        f"{paths.FIGURES}`; otherwise run `placecat repro` on {side} in a clone, and compare with that folder"
     )
     refused = (OSError, DvcException)
     try:
@@ -210,7 +211,7 @@ def changed_settings(
 ) -> dict[str, tuple[str, str]]:
     """Map the dotted name of each setting that differs to its old and new values ("" if missing).
 
-    `without` names the sections to leave out, by default those that no table depends on.
+    `without` lists the sections to leave out, by default those that no table depends on.
     """
     new, old = (
         settings.flatten({name: value for name, value in (one or {}).items() if name not in without})

@@ -31,7 +31,10 @@ def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
     kept = [kept_in_git.read(side) for side in (old, new)]
     names = [_name(side) for side in (old, new)]
     files.write_text(target, page_html(names, kept, drawn, lines))
-    return [f"Side by side: {target}", *(f"Without figures: {one.missing}." for one in drawn if one.missing)]
+    return [
+        f"Side by side: {target}",
+        *(f"Figures are not compared: {one.missing}." for one in drawn if one.missing),
+    ]
 
 
 def _name(side: str) -> dict[str, str]:
@@ -42,10 +45,11 @@ def _name(side: str) -> dict[str, str]:
 def page_html(
     names: Sequence[dict[str, str]], kept: Sequence[Kept], drawn: Sequence[Figures], lines: Sequence[str]
 ) -> str:
-    """Render the page from the old and the new side.
+    """Render the page.
 
-    `names` has each side's ``name`` and ``about``, a line about its commit or ""; `kept` and `drawn` are the
-    sides' results and figures; `lines` come first on the page.
+    `names`, `kept` and `drawn` each have an entry for the old side, then one for the new side: its ``name``
+    and ``about`` (a line about its commit, or ""), its results, and its figures. `lines` are shown in the
+    summary at the top of the page.
     """
     templates = page_templates()
     templates.loader = ChoiceLoader([PackageLoader("placecat.compare"), templates.loader])
@@ -98,7 +102,7 @@ def _data(one: Kept) -> str:
 
 
 def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]:
-    """Return the columns, the grouped rows with both numbers of each cell, and how many cells changed."""
+    """Return the columns, the grouped rows with both numbers of each cell, and the count of changed cells."""
     before, now = _cells(old), _cells(new)
     keys = dict.fromkeys([*now, *before])
     columns = list(dict.fromkeys(column for *_, column in keys))
@@ -113,7 +117,7 @@ def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]
 
 
 def _cells(table: pd.DataFrame | None) -> dict[tuple[str, str, str], str]:
-    """Map group, row and column (in the text: name, quantity and home) to each number as text."""
+    """Map group, row, column (or name, quantity, home for numbers in the text) to each number as text."""
     if table is None:
         return {}
     key = ["name", "quantity", "home"] if "quantity" in table.columns else ["group", "row", "column"]
@@ -127,13 +131,13 @@ def _cell(old: str, new: str) -> dict[str, Any]:
     difference = None if before is None or now is None else round(now - before, 2)
     shown = ["" if number is None else f"{number:.2f}" for number in numbers]
     if difference == 0 and before != now:
-        # Numbers that are not percentages may differ by less.
+        # Numbers other than percentages may differ by less than two decimals show.
         shown = [old, new]
     return {"old": shown[0], "new": shown[1], "changed": before != now, "difference": difference}
 
 
 def _figures(old: Figures, new: Figures) -> list[dict[str, Any]]:
-    """List the figures of both sides; only those that differ have `pictures`, None for a side without one."""
+    """List all figures; those that differ have `pictures`, the old and the new one, None if missing."""
     found = []
     for name in sorted(old.pictures | new.pictures):
         pair = [one.pictures.get(name) for one in (old, new)]

@@ -1,4 +1,4 @@
-"""Draw text in pictures in the figures' font, which OpenCV does not support."""
+"""Write text into pictures in the figures' font, which OpenCV cannot do."""
 
 from functools import lru_cache
 
@@ -35,7 +35,7 @@ def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
         int(np.ceil(RendererAgg(1, 1, _DPI).get_text_width_height_descent(text, properties, False)[0])) + 2
     )
     height = line_height(size)
-    # A figure with this text would have the same pixels but take twice as long.
+    # Drawing the text in a figure would give the same pixels but take twice as long.
     renderer = RendererAgg(width, height, _DPI)
     renderer.draw_text(renderer.new_gc(), 1, height - _DESCENT * size, text, properties, 0)
     return (np.asarray(renderer.buffer_rgba())[:, :, 3] / 255).astype(np.float32)

@@ -39,7 +39,7 @@ def place_colors(classes: Sequence[str]) -> dict[str, str]:
 
 
 def written(text: str) -> str:
-    """Turn a user's text into one line of limited length, without undrawable characters, for a figure.
+    """Make a user's text drawable in a figure: one line of limited length, without invalid characters.
 
     Matplotlib fails on invalid characters (file names may have any encoding), and takes minutes to draw a
     long line.

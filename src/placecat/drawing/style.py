@@ -15,7 +15,7 @@ _STYLE = Path(__file__).with_name("placecat.mplstyle")
 
 
 def house_style(changes: Mapping[str, Any] | None = None) -> AbstractContextManager[None]:
-    """Draw in the style of `placecat.mplstyle` with `changes`, ignoring the user's settings."""
+    """Draw in the style of `placecat.mplstyle` with `changes`, ignoring the user's Matplotlib settings."""
     return style.context([_STYLE, dict(changes or {})], after_reset=True)
 
 
@@ -26,11 +26,11 @@ def save(figure: Figure, target: Path) -> None:
 
 
 def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None:
-    """Write a figure as PDF after calling `save`; the same figure always produces the same bytes.
+    """Write a figure as PDF; `save` must come first. The same figure always produces the same bytes.
 
     The PDF's properties contain `title` as its title and `settings` as its subject.
     """
-    # Import it only here, since this takes as long as importing the rest of matplotlib.
+    # Imported only here, since this takes as long as importing the rest of matplotlib.
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
 
     # Reuse the PNG's layout; otherwise `savefig` would draw everything twice to compute it.

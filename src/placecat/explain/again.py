@@ -1,4 +1,4 @@
-"""Recompute the last steps behind a cell, from the files of the stages before them."""
+"""Recompute a cell: repeat its last steps on the files of the stages before them."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -35,7 +35,7 @@ Counts = dict[tuple[str, str], NDArray[np.int64]]
 
 @dataclass(frozen=True)
 class _Recomputed(Source):
-    """A result's recomputed distributions, for some or all of its homes."""
+    """Distributions that were recomputed, for some or all homes of a result."""
 
     arrays: Mapping[tuple[str, str], Array] = field(default_factory=dict)
 
@@ -44,11 +44,11 @@ class _Recomputed(Source):
 
 
 def compute(number: str) -> tuple[bool, str]:
-    """Recompute a cell (:func:`placecat.explain.find.find`), and compare it with the stored one.
+    """Recompute the cell of a number such as ``table_26.9.3``, and compare it with the stored one.
 
     Smoothed, filtered and integrated results are recomputed from the files of the previous step. Cues are
     trained again on their features and codebook, trials and splits on their features. Returns whether all
-    bits agree, and a text that reports it. Raises PlacecatError if an earlier stage has not run.
+    bits agree, and a text that says so. Raises PlacecatError if an earlier stage has not run.
     """
     params = settings.load()
     table = number.partition(".")[0]
@@ -71,7 +71,7 @@ def compute(number: str) -> tuple[bool, str]:
 
 
 def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[str, tuple[Key, Number]]:
-    """Map each cell's number in a table to its labels and to its value, computed from the results."""
+    """Map the number of each cell in a table to the cell's labels and value, computed from the results."""
     if table == in_text.NAME:
         filled, key = in_text.fill(results, params), in_text.KEY
     else:
@@ -82,7 +82,7 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
 
 
 def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
-    """Return the results, with an origin's result recomputed for the origin's homes."""
+    """Return the results, after recomputing the result of an origin for the origin's homes."""
     name = origin.result
     if name not in results.measured:
         return results
@@ -102,7 +102,7 @@ def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], step
         for home, of_home in zip(homes, of_seed, strict=True)
     }
     results = _with_counts(results, name, counts_of)
-    # The conversion to rows and back rounds as the stage's file does; of equal rows, the last one counts.
+    # Converting to rows and back rounds like the stage's file; the last of several equal rows counts.
     rows = [*quality_rows(name, results.quality[name]), *quality_rows(name, quality)]
     rounded = from_rows(pd.DataFrame(rows, columns=QUALITY_COLUMNS))
     return replace(results, quality={**results.quality, **rounded})
@@ -237,7 +237,7 @@ def _toy(name: str, homes: Sequence[str], one: Measured, params: Mapping[str, An
     if not is_last and label not in schemes:
         radius = float(label.partition("/")[0])
         points = points | {"radius": radius}
-        # Private, so that no stage comes to depend on it.
+        # This function is private, so that no stage comes to depend on it.
         schemes = toy._deciding(schemes, options["sensitivity"]["decisions"], radius)
     found = {}
     for seed in one.seeds:

@@ -9,7 +9,7 @@ from placecat import paths
 from placecat.errors import PlacecatError
 from placecat.provenance.lines import lines_of
 
-# If more cells match, they are listed instead.
+# Maximum number of cells to explain; if more match, the error message lists some of them.
 MOST = 4
 _NAMED = 8
 _LABELS = ("group", "row", "column")
@@ -18,10 +18,10 @@ _LABELS = ("group", "row", "column")
 def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
     """Find the numbers of the cells that match the words.
 
-    The words are either a cell's number, e.g. ``table_26.9.3``, or a table's name followed by labels of
-    groups, rows or columns in any order, e.g. ``table_26 HMM home_3``. A word may be part of a label if it
-    equals no label. `content` comes from :func:`placecat.provenance.text.explanations`. Raises PlacecatError
-    if no cell or more than `MOST` cells match; the message suggests what to use instead.
+    The words are either a cell's number, such as ``table_26.9.3``, or a table's name followed by labels of
+    groups, rows or columns in any order, such as ``table_26 HMM home_3``. A word that equals no label may
+    also be part of one. `content` comes from :func:`placecat.provenance.text.explanations`. Raises
+    PlacecatError if no cell or more than `MOST` cells match; the message suggests what to use instead.
     """
     name, *labels = words
     cells = content["cells"]
@@ -36,7 +36,7 @@ def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
             if near or there
             else f"use one of {', '.join(tables)}"
         )
-        raise PlacecatError(f"there is no cell or table {name!r} in {paths.EXPLANATIONS}; {hint}")
+        raise PlacecatError(f"{paths.EXPLANATIONS} has no cell or table {name!r}; {hint}")
     found = {number: _labels(number, content) for number in cells if number.startswith(f"{name}.")}
     for label in labels:
         wanted = _plain(label)
@@ -46,14 +46,15 @@ def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
             known = list(dict.fromkeys(one for of in found.values() for one in of))
             near = difflib.get_close_matches(wanted, known, n=4, cutoff=0.4) or known[:_NAMED]
             raise PlacecatError(
-                f"{name} has no {label!r} there; did you mean {' or '.join(map(repr, near))}?"
+                f"{name} has no matching cell with the label {label!r}; "
+                f"did you mean {' or '.join(map(repr, near))}?"
             )
         found = equal or part
     if len(found) > MOST:
         some = "; ".join(f"{number} is {', '.join(of)}" for number, of in list(found.items())[:_NAMED])
         more = f"; and {len(found) - _NAMED} more" if len(found) > _NAMED else ""
         raise PlacecatError(
-            f"{' '.join(words)} names {len(found)} cells: add a label or give a number ({some}{more})"
+            f"{' '.join(words)} matches {len(found)} cells: add a label or use a cell's number ({some}{more})"
         )
     return list(found)
 

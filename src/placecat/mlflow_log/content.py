@@ -29,19 +29,19 @@ from placecat.thesis.tables import COLUMNS, comparable, in_percent, label
 _LONGEST_DESCRIPTION = 7900
 # No line breaks within a paragraph, since the user interface would show them.
 _READING = (
-    "\n**How to read it.** Each row of the table is a nested run: open this run with the plus on its left"
-    " in the list, select its rows and press *Compare*, or see *Model metrics* here. {metrics} *Artifacts* "
-    "has the table as CSV, Markdown and LaTeX, {chart}and the confusion matrices.\n"
+    "\n**How to read it.** Each row of the table is a nested run. To compare rows, open this run with the "
+    "plus on its left in the list, select rows and press *Compare*, or see *Model metrics* here. {metrics} "
+    "*Artifacts* has the table as CSV, Markdown and LaTeX, {chart}and the confusion matrices.\n"
 )
 _ACCURACIES = (
-    "`accuracy` is in percent, the mean over the places, the seeds and the homes; `accuracy/home_1` of a row "
-    "and `home_1` here are of one home. `log_loss` (nats), `calibration_error` and `stay_accuracy` (percent) "
-    "say how good the probabilities are, on average over the homes."
+    "`accuracy` is the mean over places, seeds and homes, in percent; for one home, it is `accuracy/home_1` "
+    "in a row and `home_1` here. `log_loss` (nats), `calibration_error` and `stay_accuracy` (percent) "
+    "measure how good the probabilities are, on average over the homes."
 )
 _CHART = "`chart.png` with the averages (one mark per {point}), "
 _FIGURES = (
-    "The figures of the thesis, with the same numbers, and added figures, drawn from this run's data and "
-    "models.\n\n"
+    "The figures of the thesis, under the same numbers, and added figures, all drawn from this run's data "
+    "and models.\n\n"
 )
 
 
@@ -57,8 +57,8 @@ def table_run(
     """Gather one table's content from its definition and its filled `cells`.
 
     `dataset` describes the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are the flat
-    settings that affect its numbers; `written` are the table's files, e.g. its CSV; `made` takes a result's
-    name and describes how the result was made.
+    settings that affect its numbers; `written` are the table's files, such as its CSV; `made` takes a
+    result's name and describes how the result was made.
     """
     # An addition's title already starts with this label.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
@@ -184,7 +184,7 @@ def _write_row(folder: Path, name: str, decisions: Mapping[str, Measured]) -> li
 
 
 def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
-    """Write all tables of counts to one file, labels first; return a list with its path, if any."""
+    """Write all counts to one file, label columns first; return its path in a list, [] without counts."""
     if not parts:
         return []
     whole = pd.concat(parts)
@@ -196,7 +196,7 @@ def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]
 def _results(
     table: Mapping[str, Any], labels: tuple[str, str], columns: Iterable[str], results: Results
 ) -> list[str]:
-    """Names of the results that a row shows."""
+    """Return the names of the results that a row shows."""
     if "result" in table:
         return [table["result"]]
     if "rows" in table:
@@ -224,9 +224,10 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
 
 
 def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
-    """Name metrics by column first, so that MLflow charts the averages of all rows in one section.
+    """Return a table's metrics by name.
 
-    Averages come first, since the user interface keeps this order.
+    Names start with the column, so that MLflow charts the averages of all rows in one section. Averages come
+    first, since the user interface keeps the order.
     """
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
@@ -235,13 +236,13 @@ def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
 
 
 def _measure(column: str, percent: bool) -> str:
-    """Name a column's metric, e.g. ``accuracy/home_1`` for "Home 1"; only percentages have ``accuracy``."""
+    """Return a metric's name, e.g. ``accuracy/home_1`` for "Home 1"; ``accuracy`` is only for percentages."""
     section = _section(column, percent)
     return key("accuracy", section) if percent and section != "accuracy" else section
 
 
 def _section(column: str, percent: bool) -> str:
-    """Name a column's section of metrics: ``home_1`` for "Home 1", ``accuracy`` for "Average"."""
+    """Return a column's section of metrics: ``home_1`` for "Home 1", ``accuracy`` for "Average"."""
     if percent and column in (AVERAGE, ""):
         return "accuracy"
     return key(column).lower().replace(" ", "_")
@@ -266,7 +267,7 @@ def _description(
 
 
 def _cut(text: str) -> str:
-    """Shorten a description to the complete lines that MLflow accepts."""
+    """Cut a description after the last line that fits MLflow's limit."""
     if len(text) <= _LONGEST_DESCRIPTION:
         return text
     return text[: text.rindex("\n", 0, _LONGEST_DESCRIPTION - 40)] + "\n\n*The rest is in the artifacts.*\n"

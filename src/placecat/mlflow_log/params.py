@@ -1,4 +1,4 @@
-"""Parameters that tell runs apart by how results were made, named alike for tables and experiments."""
+"""Parameters that describe how results were made, with the same names for tables and experiments."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,7 +7,7 @@ from placecat.mlflow_log.store import key
 from placecat.provenance.made import Made
 from placecat.settings import flatten
 
-# Maps the prefix of a result's name to the kind of part that decides.
+# Maps the prefix of a result's name to the part of the system that makes the decision.
 _DECIDES = {
     "cues": "cue",
     "tempered": "tempered cue",
@@ -37,8 +37,8 @@ def params_of_cue(
 ) -> dict[str, str]:
     """Return one cue's parameters, from its settings.
 
-    ``descriptor``, ``classifier`` and ``scheme`` name the choices; the others are named after the settings,
-    e.g. ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
+    ``descriptor``, ``classifier`` and ``scheme`` are the names of the choices; other parameters are named
+    after the settings, such as ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
     """
     kind, name = (str(descriptor.get(one, "")) for one in ("kind", "name"))
     params = {"descriptor": f"{kind} {name}"} | _flat(descriptor, "kind", "name") | _of_classifier(classifier)
@@ -86,7 +86,7 @@ def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _of_classifier(settings: Mapping[str, Any]) -> dict[str, str]:
-    """Return the parameters of a classifier or an integration; those of its base have no prefix."""
+    """Return a classifier's or an integration's parameters; those of its base classifier have no prefix."""
     base, scheme = (settings.get(one) or {} for one in ("base", "scheme"))
     params = {"classifier": str(base.get("name") or settings.get("model") or settings.get("method", ""))}
     if "combination" in scheme:

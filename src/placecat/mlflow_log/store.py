@@ -30,7 +30,7 @@ COMMIT = "mlflow.source.git.commit"
 PARENT = "mlflow.parentRunId"
 _EXPERIMENT_KIND = {"mlflow.experimentKind": "custom_model_development"}
 
-# DVC makes its temporary copies here.
+# The folder in which DVC makes temporary copies of the project.
 _QUEUED = (".dvc", "tmp", "exps")
 
 # Limits of MLflow.
@@ -57,11 +57,12 @@ def tracking_uri() -> str:
 
 
 def connect(uri: str) -> MlflowClient:
-    """Connect to a tracking server, e.g. ``http://127.0.0.1:5000``, or a database, created if missing.
+    """Connect to a tracking server or to a database, which is created if missing.
 
-    A database is e.g. ``sqlite:///mlflow.db`` (relative to the current folder). If several processes connect
-    at once, one creates it and the others wait. Raises PlacecatError if `uri` is not an address, if no
-    compatible MLflow answers there, or if the database's driver is missing.
+    Examples of `uri` are ``http://127.0.0.1:5000`` and ``sqlite:///mlflow.db`` (relative to the current
+    folder). If several processes connect at once, one creates the database and the others wait. Raises
+    PlacecatError if `uri` is not an address, if no compatible MLflow answers there, or if the database's
+    driver is not installed.
     """
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
     # MLflow would print a line per run.
@@ -82,8 +83,8 @@ def connect(uri: str) -> MlflowClient:
     except ImportError as error:
         driver = f"{error.name} is not installed" if error.name else str(error)
         raise PlacecatError(
-            f"MLflow at {_shown(uri)}: the driver of this database, {driver}: install it with pip, or let "
-            "MLFLOW_TRACKING_URI name another, e.g. sqlite:///mlflow.db"
+            f"MLflow at {_shown(uri)}: the database's driver is missing ({driver}): install it with pip, or "
+            "set MLFLOW_TRACKING_URI to another database, such as sqlite:///mlflow.db"
         ) from None
     except (OSError, ValueError) as error:
         raise PlacecatError(
@@ -97,7 +98,7 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
     """Return the id of an experiment, created if missing; several processes may call this at once.
 
     `artifacts` is the folder for a new experiment's files, unless a server stores them. If the project was
-    moved or copied with its database, MLflow then looks for earlier runs' files in the new folder.
+    moved or copied with its database, the database is updated, so that MLflow finds earlier runs' files.
     `description` (Markdown) replaces any earlier description. Raises PlacecatError if the experiment was
     deleted but not purged, since MLflow still reserves its name.
     """
@@ -164,8 +165,8 @@ def start_run(
 ) -> str:
     """Start a run and return its id; the run is RUNNING until `finish_run`.
 
-    `parent` is the id of the enclosing run; `description` is Markdown; `files` are copied and keep their
-    names; values of `params` are cut at 6000 characters, since MLflow refuses longer ones.
+    `parent` is the id of the enclosing run, and `description` is Markdown. `files` are copied and keep their
+    names. Values of `params` are cut at 6000 characters, since MLflow refuses longer ones.
     """
     from mlflow.entities import Metric, Param
     from mlflow.utils.time import get_current_time_millis
@@ -202,7 +203,7 @@ def key(*parts: str) -> str:
 
 @contextmanager
 def writing(client: MlflowClient) -> Iterator[None]:
-    """Lock a SQLite database, so that one process writes while others wait; may be nested.
+    """Lock a SQLite database, so that one process writes while others wait; blocks may be nested.
 
     Every function of this module that writes takes the lock. Raises PlacecatError if MLflow or its database
     fails in the block.
@@ -213,7 +214,7 @@ def writing(client: MlflowClient) -> Iterator[None]:
 
 @contextmanager
 def alone(uri: str) -> Iterator[None]:
-    """Hold a tracking server's lock, after waiting for this user's other processes on this machine."""
+    """Lock a tracking URI, so that this user's other processes on this machine wait."""
     from filelock import FileLock
 
     user = os.getuid() if hasattr(os, "getuid") else ""
@@ -223,7 +224,7 @@ def alone(uri: str) -> Iterator[None]:
 
 
 def set_tags(client: MlflowClient, run_id: str, tags: Mapping[str, str]) -> None:
-    """Set some tags of a run, all or none."""
+    """Set several tags of a run in one step: either all or none."""
     from mlflow.entities import RunTag
 
     with writing(client):
@@ -246,7 +247,7 @@ def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path])
 
 @contextmanager
 def _quick_if_new(uri: str) -> Iterator[None]:
-    """Within the block, let connections to a new SQLite database skip waiting for the disk.
+    """Within the block, connections to a new SQLite database do not wait for the disk.
 
     A new database has nothing to lose: after a power failure, it can be deleted and created again.
     """
@@ -288,14 +289,14 @@ def _database(uri: str) -> Path | None:
     database = make_url(uri).database
     if not database or database == ":memory:":
         raise PlacecatError(
-            f"the MLflow tracking URI {uri!r} does not name a file: write e.g. sqlite:///mlflow.db"
+            f"the MLflow tracking URI {uri!r} does not contain a file: use one such as sqlite:///mlflow.db"
         )
     return Path(database).resolve()
 
 
 @contextmanager
 def _told_plainly(uri: str) -> Iterator[None]:
-    """Turn errors from MLflow, its database or its server into a PlacecatError of one line."""
+    """Turn errors from MLflow, its database or its server into a one-line PlacecatError."""
     from mlflow.exceptions import MlflowException
     from requests.exceptions import RequestException
     from sqlalchemy.exc import SQLAlchemyError
@@ -305,7 +306,7 @@ def _told_plainly(uri: str) -> Iterator[None]:
     except (MlflowException, RequestException, SQLAlchemyError) as error:
         lines = str(error).strip().splitlines() or [type(error).__name__]
         raise PlacecatError(
-            _shown(f"MLflow at {uri}: {lines[0]} (MLFLOW_TRACKING_URI says where MLflow is)")
+            _shown(f"MLflow at {uri}: {lines[0]} (MLFLOW_TRACKING_URI sets where MLflow is)")
         ) from error
 
 

@@ -1,4 +1,4 @@
-"""Log tables to MLflow: a run per table, with nested runs for its rows; logging again never duplicates one.
+"""Log each table to MLflow as a run, with nested runs for its rows; logging again makes no duplicates.
 
 Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` is the table's name;
 ``placecat.digest`` is the checksum of its content; ``placecat.current`` is "true" for valid runs, or the name
@@ -31,7 +31,7 @@ KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
 # Name of the training protocol, e.g. "5-5-1"; a table lists the protocols of all its rows.
 PROTOCOL = "protocol"
-# Name of the queued DVC experiment that logged a run. Its runs are current alongside the project's.
+# Name of the queued DVC experiment that logged a run. Such runs do not supersede the project's.
 DVC_EXPERIMENT = "placecat.dvc_experiment"
 # The machine that logs a run; other machines cannot tell whether an unfinished run is still being written.
 MACHINE = "placecat.machine"
@@ -44,16 +44,16 @@ RUN_ID = "{run_id}"
 ARTIFACTS = Path("mlartifacts")
 # Description of a data set's experiment.
 DESCRIPTION = (
-    "Visual place categorization, measured on {title}: every table of the thesis is a run, every row of a "
-    "table a nested run. Current runs have the tag placecat.current: filter by "
+    "Visual place categorization, measured on {title}. Every table of the thesis is a run, and every row of "
+    "a table is a nested run. To see only current runs, filter by "
     '``tags.`placecat.current` = "true"``. '
-    'Sweeps over settings have ``tags.`placecat.kind` = "sweep"``.'
+    'To see sweeps over settings, filter by ``tags.`placecat.kind` = "sweep"``.'
 )
 
 
 @dataclass(frozen=True)
 class RowRun:
-    """One row's content for MLflow, with a readable name, e.g. "Table 26: 5-5-1, all cues, Gist".
+    """One row's content for MLflow, with a readable name such as "Table 26: 5-5-1, all cues, Gist".
 
     `params` identify the row; `metrics` are its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
     and the quality of its probabilities (:meth:`placecat.results.measured.Quality.averages`). `description`
@@ -69,7 +69,7 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """One table's content for MLflow, with its name, e.g. "table_26", and its title.
+    """One table's content for MLflow, with a name such as "table_26", and a title.
 
     `content` is everything that the table shows, as text. `params` are the flat settings that affect the
     numbers; `metrics` are in percent unless the name says otherwise. `description` is Markdown; `RUN_ID` in
@@ -107,8 +107,8 @@ def log_tables(
 ) -> dict[str, str]:
     """Log every table whose content is new, and mark the runs that it supersedes.
 
-    Returns each table's digest by name; it does not depend on time or earlier runs. Raises PlacecatError if
-    MLflow does not answer or refuses a request.
+    Returns the digest of each table by name; digests do not depend on the time or on earlier runs. Raises
+    PlacecatError if MLflow does not answer or refuses a request.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def log_tables(
     data, data_version, commit
         Title of the data set, the checksum of its files, and the git commit, "" if there is none.
     dvc_experiment
-        Name of the queued DVC experiment that logs, if any; only that experiment's runs are superseded.
+        Name of the queued DVC experiment that calls this, or ""; only its own earlier runs are superseded.
     """
     with store.alone(uri):
         client = store.connect(uri)
@@ -176,7 +176,7 @@ def _log_new(
 
 
 def _is_torso(run: Run) -> bool:
-    """Whether an unfinished run is abandoned; any on this machine is, since this process holds the lock."""
+    """Return whether an unfinished run is abandoned; this machine's are, since this process has the lock."""
     is_own = run.data.tags.get(MACHINE, platform.node()) == platform.node()
     return is_own or run.info.start_time < time.time() * 1000 - _TORSO
 

@@ -25,7 +25,7 @@ ALL_HOMES = "all"
 
 @dataclass(frozen=True)
 class Table:
-    """A table: its definition, including its name; its cells with notes; and its data set."""
+    """A table's definition (which includes its name), its cells with their notes, and its data set."""
 
     settings: Mapping[str, Any]
     cells: pd.DataFrame
@@ -34,14 +34,14 @@ class Table:
 
 @dataclass(frozen=True)
 class Explained:
-    """An explained cell, or number in the text.
+    """A cell of a table, or a number in the text, with its explanation.
 
     :func:`placecat.results.load` explains most attributes. `id` is the cell's number on the page
     (:mod:`placecat.provenance.numbering`). For a number in the text, `group`, `row` and `column` are its
     name, quantity and home. `unit` is "percent", "points", "nats", "times", or "" if the quantity names it.
     `data` has the titles of the measured and the published number's data sets; "" if nothing was published.
     `made` describes how each of the cell's results was made, and `trained` maps each test home to the frames
-    of each of its plans, without duplicates. `findings` numbers the findings that rest on the results.
+    of each of its plans, without duplicates. `findings` has the numbers of the findings that rest on them.
     """
 
     id: str
@@ -84,8 +84,8 @@ class Explaining:
     """All cells of a run.
 
     `params` are all settings; `tables` are filled, in the report's order; `texts` are the numbers in the
-    text, with notes; `origins` is the content of data/origins.json; `comparisons` are the findings', with the
-    columns finding, left_results and right_results.
+    text, with notes; `origins` is the content of data/origins.json; `comparisons` are those of the findings,
+    with the columns finding, left_results and right_results.
     """
 
     params: Mapping[str, Any]
@@ -95,7 +95,7 @@ class Explaining:
     comparisons: pd.DataFrame
 
     def __post_init__(self) -> None:
-        """Remember what many cells share."""
+        """Prepare caches for what many cells share."""
         trials = trials_of(self.params)
         self._how = cache(lambda result: made(result, self.params, trials))
         self._trained = cache(partial(trained, self.params))

@@ -1,4 +1,4 @@
-"""The training and test frames of results, home by home."""
+"""How many frames of each home a result is trained and tested on."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ class Trained:
     cues, integration
         Frames that the cues and the integration are trained on; `integration` is () without fusion.
     tested
-        Labelled frames that are tested.
+        Labelled frames of the test sequences.
     """
 
     training_set: str
@@ -33,7 +33,7 @@ class Trained:
 
 
 def trained(params: Mapping[str, Any], name: str, home: str, fuses: bool, extra: bool) -> Trained | None:
-    """Return a result's frames for a test home or, on a split, for all its homes; None if it has no plan.
+    """Return a result's frames for a test home, or for all homes of a split; None if it has no plan.
 
     `name`, `fuses` and `extra` are the result's plan and attributes (:class:`placecat.provenance.made.Made`).
     """

@@ -1,4 +1,4 @@
-"""Read the lines of a cell's explanation from the file of all explanations; imports little, for speed."""
+"""Read the lines that explain a cell from the file of all explanations, with few imports, for speed."""
 
 import hashlib
 import json
@@ -7,7 +7,7 @@ from typing import Any
 
 # A label and a text.
 Line = tuple[str, str]
-# Label of the line that names the stages.
+# Label of the line that lists the stages.
 STAGES = "stages"
 
 

@@ -20,7 +20,7 @@ class Measurement:
     Attributes
     ----------
     values
-        As in :class:`placecat.thesis.number.Number`, unrounded; () if there is no number.
+        The unrounded values, as in :class:`placecat.thesis.number.Number`; () if the cell has no number.
     seeds
         Name of each value's seed, e.g. "seed-0", or "no-seed".
     origins
@@ -33,7 +33,7 @@ class Measurement:
 
 
 def measurement(number: Number, results: Results) -> Measurement:
-    """Name a number's seeds, as found in its origins' results."""
+    """Add the names of a number's seeds, which are those of its origins' results."""
     values = tuple(map(float, number.values))
     fixed = (NO_SEED,) * len(values)
     if not number.is_random:

@@ -1,4 +1,4 @@
-"""Collect all cells in one table, with a row for each cell and its origin."""
+"""Collect all cells in one table, with a row for each cell that includes its origin."""
 
 import json
 from collections.abc import Iterable
@@ -23,7 +23,7 @@ def write(path: Path, table: pd.DataFrame) -> None:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    # Remove pandas's metadata, which contain its version.
+    # Remove pandas's metadata, which contain the version of pandas.
     arrow = pa.Table.from_pandas(table, preserve_index=False).replace_schema_metadata(None)
     with files.replacing(path) as temporary:
         pq.write_table(arrow, temporary, compression="zstd")
@@ -75,7 +75,7 @@ def _listed(names: Iterable[str]) -> str:
 
 
 def _total(trained: Iterable[Trained], kind: str) -> int:
-    """Count the frames of one kind; among plans with the same tested frames, only the largest counts."""
+    """Add up the frames of one kind; of plans with the same test frames, only the largest number counts."""
     by_test: dict[tuple[tuple[str, int], ...], int] = {}
     for one in trained:
         count = sum(frames for _, frames in getattr(one, kind))

@@ -60,12 +60,12 @@ def _shown_row(row: Mapping[Any, Any]) -> dict[str, Any]:
 
 
 def times(ratio: float) -> str:
-    """Format a ratio with three significant digits, or from 1000 on as a whole number."""
+    """Format a ratio with three significant digits, or as a whole number from 1000 on."""
     return f"{ratio:,.0f}" if ratio >= 1000 else f"{ratio:.3g}"
 
 
 def _amount(value: float, quantity: str) -> str:
-    """Format a number; times have a unit, milliseconds below one second."""
+    """Format a number; times have a unit: seconds, or milliseconds below one second."""
     if pd.isna(value):
         return ""
     if quantity != _SECONDS:
@@ -74,14 +74,14 @@ def _amount(value: float, quantity: str) -> str:
 
 
 def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
-    """Draw each comparison's median ratio, the range of its pairs and its target; None without comparisons.
+    """Draw each comparison's median ratio, range over pairs, and target; None without comparisons.
 
     There are up to two panels: speed-up (more is better), and share of the peer's time (less is better).
     """
     ratios = ratios_of(benchmarks)
     panels = [
         ("times faster than the alternative", ratios[ratios["is_faster"]]),
-        ("times the time of the alternative", ratios[~ratios["is_faster"]]),
+        ("time as a multiple of the alternative's time", ratios[~ratios["is_faster"]]),
     ]
     panels = [(label, rows) for label, rows in panels if len(rows)]
     if not panels:
@@ -106,7 +106,7 @@ def _panel(axes: Axes, rows: pd.DataFrame) -> None:
     colors = np.where(rows["met"], MET, MISSED).tolist()
     axes.barh(places, ratio, height=0.66, color=colors, alpha=0.75)
     style: dict[str, Any] = {"fmt": "none", "ecolor": TARGET, "elinewidth": 0.8, "capsize": 2}
-    axes.errorbar(ratio, places, xerr=[ratio - low, high - ratio], label="pairs", **style)
+    axes.errorbar(ratio, places, xerr=[ratio - low, high - ratio], label="range over pairs", **style)
     axes.plot(target, places, "|", color=TARGET, markersize=12, mew=1.8, label="target")
     at = axes.get_yaxis_transform()
     for place, one in zip(places, ratio, strict=True):

@@ -12,7 +12,7 @@ from placecat.thesis.notes import Kind, Notes
 from placecat.thesis.number import home_label
 from placecat.thesis.tables import comparable, in_percent
 
-# Points at which a difference has a darker shade. Our choice: smaller differences may be due to the seed.
+# Differences in points from which the shade is darker. Our choice: smaller ones may be due to the seed.
 STEPS = (2.0, 5.0, 10.0, 20.0)
 NUMBERS = ("measured", "published", "spread", "seeds")
 
@@ -23,8 +23,9 @@ class Cell:
 
     `measured` and `published` are percentages with two decimals, "" if missing; `published` is "n/a" if the
     thesis says so. `difference` is measured minus published in points, None unless both exist. `spread` is
-    the largest minus the smallest value over the seeds in points, None if nothing is random; then the number
-    of `seeds` is 0. `mark` and `published_mark` are the letters of the footnotes on each of the two numbers.
+    the largest minus the smallest value over the seeds in points, and `seeds` the number of seeds; they are
+    None and 0 if nothing is random. `mark` and `published_mark` are the letters of the footnotes on the two
+    numbers.
     """
 
     measured: str = ""
@@ -61,8 +62,8 @@ class Group:
 class Grid:
     """A table arranged for display.
 
-    The average is the last of the `columns`; the `groups` of rows are in the table's order. The `footnotes`,
-    by their letters in order, are reasons for empty cells and notes on single cells.
+    The average is the last of the `columns`; the `groups` of rows are in the table's order. `footnotes`
+    maps letters, in order, to reasons for empty cells and notes on single cells.
     """
 
     columns: tuple[str, ...]
@@ -112,7 +113,7 @@ def shown_table(
 
 
 def make_cell(row: Mapping[Any, Any]) -> Cell:
-    """Make a cell from a row's `NUMBERS`: two percentages, the spread in points, seeds; NaN if missing."""
+    """Make a cell from a row's `NUMBERS`: percentages, spread in points, number of seeds; NaN if missing."""
     measured, published, spread, seeds = (row[name] for name in NUMBERS)
     difference = round(float(measured - published), 2) + 0.0
     return Cell(
@@ -130,7 +131,7 @@ def number_text(value: float | None) -> str:
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """Say which home each row or column label, e.g. "Home 1", stands for; "" if that is obvious."""
+    """State which home each label of a row or column, such as "Home 1", stands for; "" if obvious."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]
@@ -141,10 +142,10 @@ def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
 
 
 def seeds_sentence(table: pd.DataFrame) -> str:
-    """State how many seeds the numbers average, and how far apart these lie; "" if nothing is random.
+    """State how many seeds the numbers average over, and how far these lie apart; "" if nothing is random.
 
-    The table has the columns measured, spread (points) and seeds; any columns group, row and column locate
-    the largest spread.
+    The table has the columns measured, spread (points) and seeds; the columns group, row and column,
+    if present, locate the largest spread.
     """
     random = table[(table["seeds"] > 1) & table["spread"].notna() & table["measured"].notna()]
     if random.empty:

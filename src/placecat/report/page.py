@@ -18,7 +18,7 @@ from placecat.thesis.notes import joined
 
 # CSS pixels per figure pixel; figures of 200 pixels per inch then appear at 125 %.
 _FIGURE_SCALE = 0.6
-# Parts of a report that the template gets unchanged.
+# Parts of a report that the template receives unchanged.
 _UNCHANGED = ("dataset", "frames", "data_version", "replication", "times", "speed", "scale")
 
 
@@ -48,15 +48,16 @@ class Report:
     `settings` is the content of params.yaml. `in_text` has the numbers that appear only in the thesis's text:
     name, section, quantity, home, published, measured, spread, seeds, notes. `findings` and `comparisons` are
     from :func:`placecat.thesis.findings.ledger`: number, section, claim, published, measured, difference,
-    low, high, units, verdict, one ``verdict_...`` per reading, reason. The others are optional:
+    low, high, units, verdict, one ``verdict_...`` per reading, reason. The rest is optional:
 
     replication
-        The findings on many homes: ``title`` of these homes, ``homes``, ``groups``, ``level``, ``verdicts``
-        (how many findings have each), and ``findings``, a table with the columns number, difference, low,
-        high, units, verdict, and ``replicated``, which is False for findings on data other than homes.
+        The findings on many homes: ``title`` of their data set, numbers of ``homes`` and ``groups``, the
+        intervals' ``level``, ``verdicts`` (the number of findings with each), and ``findings``, a table with
+        the columns number, difference, low, high, units, verdict, and ``replicated``, which is False for
+        findings on data other than homes.
     times
         A stored record of a run's times: ``stages``, a table with the columns stage, runs (a stage may run
-        once per item, e.g. per home) and seconds; ``data``, the data set's title; ``cores``, the machine's
+        once per item, such as a home) and seconds; ``data``, the data set's title; ``cores``, the machine's
         number of cores; and ``total``, the whole run's seconds.
     speed, scale
         Stored records from :func:`placecat.report.benchmarks.shown_speed` and
@@ -198,7 +199,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """Make the cell of a number in the text; numbers other than percentages may have over two decimals."""
+    """Make the cell of a number in the text; numbers other than percentages may have more decimals."""
     cell, values = make_cell(record), (record["measured"], record["published"])
     if all(pd.isna(value) or value == round(value, 2) for value in values):
         return cell
@@ -212,7 +213,7 @@ def _records(table: pd.DataFrame) -> list[dict[Hashable, Any]]:
 
 
 def _plain(table: pd.DataFrame) -> dict[str, Any]:
-    """Return any table's columns, with whether each is numeric, and its cells as text."""
+    """Return a table's columns, each marked as numeric or not, and its cells as text."""
     numeric = {name: pd.api.types.is_numeric_dtype(table[name]) for name in table.columns}
     columns = [{"name": str(name).replace("_", " "), "numeric": numeric[name]} for name in table.columns]
     rows = [[_number(value) for value in row] for row in table.itertuples(index=False)]
@@ -237,7 +238,7 @@ def _signed(value: float) -> str:
 
 
 def _at(points: float, limit: float) -> str:
-    """Return a value's position on a 100-pixel axis from -limit to limit; values beyond go to its ends."""
+    """Return a value's position on a 100-pixel axis from -limit to limit; values beyond it go to its ends."""
     return f"{50 + 46 * max(-limit, min(limit, points)) / limit:.1f}"
 
 
@@ -248,7 +249,7 @@ def _interval_limit(findings: pd.DataFrame) -> float:
 
 
 def _json(content: Mapping[str, Any] | None) -> Markup | None:
-    """Write compact JSON that is safe in a script element."""
+    """Format content as compact JSON that is safe in a script element."""
     if content is None:
         return None
     text = json.dumps(content, ensure_ascii=False, separators=(",", ":"))

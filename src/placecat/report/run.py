@@ -49,8 +49,8 @@ class TrainingRegions:
 class Run:
     """A finished run, read from the project's folder; only this class opens files for figures.
 
-    `params` are the composed settings; `homes` and `classes` name the main data set's homes and places, in
-    order. Missing data, e.g. a result that was not computed, raises PlacecatError.
+    `params` are the composed settings; `homes` and `classes` are the main data set's homes and places, in
+    order. Methods raise PlacecatError if data are missing, such as a result that was not computed.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -63,7 +63,7 @@ class Run:
         """Return an information filter's threshold; SettingError if it has a share of frames instead."""
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
-            raise SettingError(f"the filter {name} has a share of frames, but figures need a threshold")
+            raise SettingError(f"the filter {name} has no threshold, which figures need: use another filter")
         return float(value)
 
     def options(self, figure: str) -> Mapping[str, Any]:
@@ -84,7 +84,7 @@ class Run:
         """Return the files of one result's distributions."""
         if result not in self.sources:
             known = ", ".join(sorted(self.sources)) or "none"
-            raise PlacecatError(f"there are no distributions of {result!r} in this run, only of {known}")
+            raise PlacecatError(f"this run has no distributions of {result!r}, only of {known}")
         return self.sources[result]
 
     def proba(self, result: str, home: str, seed: str | None = None) -> NDArray[np.float64]:
@@ -115,8 +115,8 @@ class Run:
     def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
         """Decode some frames of a home in one pass.
 
-        `home` is in the main data set or another one, e.g. ``university/north_2_cloudy_2``; `indices` count
-        from 0, in any order. Yields each index once, ascending, with its frame, (H, W, 3) uint8 BGR.
+        `home` is in the main data set or in another one, such as ``university/north_2_cloudy_2``; `indices`
+        count from 0, in any order. Yields each index once, ascending, with its frame, (H, W, 3) uint8 BGR.
         """
         rows = sorted({int(index) for index in indices})
         self._need(paths.sequences(home) / "frames.csv")
@@ -159,12 +159,12 @@ class Run:
     def descriptors(
         self, home: str, name: str, rows: Sequence[int] | NDArray[np.int64] | None = None
     ) -> Descriptors:
-        """Return the descriptors behind a codebook, e.g. ``hog_y``, on a home's `rows` (None for all)."""
+        """Return the descriptors of a codebook such as ``hog_y`` for a home's `rows` (None for all)."""
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
     def codebook(self, name: str, training_set: str) -> Codebook:
-        """Return a codebook's clusters, with seed 0, from one training set, e.g. ``without-home_1``."""
+        """Return a codebook of seed 0 from a training set such as ``without-home_1``."""
         path = paths.codebook(name, training_set, 0)
         self._need(path)
         return Codebook.from_arrays(files.read_arrays(path))
@@ -178,7 +178,7 @@ class Run:
         return protocol.select_frames(self.labels(home), **settings.get(self.params, "protocol.cue_frames"))
 
     def training_regions(self, codebook: str, test_home: str) -> TrainingRegions:
-        """Return the regions that train a codebook, e.g. ``hog_y``, in the 5-5-1 fold of a test home."""
+        """Return the regions on which a codebook such as ``hog_y`` is trained in a test home's 5-5-1 fold."""
         homes = self.fold(test_home).cue_homes
         parts = []
         for position, home in enumerate(homes):
@@ -195,8 +195,8 @@ class Run:
     def example(self) -> tuple[str, int]:
         """The home and the frame that Figures 2 to 7 show, from ``figures.example``.
 
-        The default is the labelled frame with the largest information measure, in the home set there or else
-        in any home.
+        By default, this is the labelled frame with the largest information measure, in the home set there or,
+        without one, in any home.
         """
         asked = self.options("example")
         homes = self.homes if asked.get("home") is None else (home_of(self, asked["home"]),)
@@ -211,7 +211,7 @@ class Run:
             best[home] = float(shown.max()), int(shown.argmax())
         home = max(best, key=lambda name: best[name][0])
         if best[home][0] < 0:
-            raise PlacecatError("no frame has a label, so there is no example to show: set figures.example")
+            raise PlacecatError("no frame has a label, so none can be the example: set figures.example.frame")
         return home, best[home][1]
 
     def _feature(self, home: str, name: str) -> NDArray[Any]:

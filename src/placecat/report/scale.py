@@ -56,7 +56,7 @@ def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str
 
 
 def growth_chart(measured: pd.DataFrame) -> Figure | None:
-    """Plot each stage's CPU seconds against the frames on log axes; return None for fewer than two sizes.
+    """Plot each stage's CPU seconds against the number of frames, on log axes; None for fewer than two sizes.
 
     `measured` is as for :func:`seconds_by_size`.
     """
@@ -71,7 +71,7 @@ def growth_chart(measured: pd.DataFrame) -> Figure | None:
     axes.plot(frames, by_size.loc[ALL], "o-", color="#222222", label="all stages")
     for stage in shown:
         axes.plot(frames, by_size.loc[stage], "o-", label=stage)
-    # A guide for the eye: growth proportional to the frames.
+    # A reference line: growth in proportion to the number of frames.
     start = by_size.loc[ALL].to_numpy(float)[0]
     line = [start * size / frames[0] for size in frames]
     axes.plot(frames, line, "--", color="#8a8a8a", linewidth=0.8, label="in proportion to the frames")

@@ -22,7 +22,7 @@ WU = {"frames": 41.87, "filtered": 46.78, "sift": 39.8}
 class Headline:
     """One group of Table 26, averaged over homes: best cue, integration, and smoothed integration.
 
-    `best` and `best_published` name the best single cue here and in the thesis, or are "".
+    `best` and `best_published` are the names of the best single cues here and in the thesis, or "".
     """
 
     group: str
@@ -63,12 +63,12 @@ def _headline(group: str, part: pd.DataFrame) -> Headline:
 
 
 def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
-    """Return the first row, or a row without numbers if there is none."""
+    """Return the first row, or a row without numbers if `rows` is empty."""
     return next(iter(rows.to_dict("records")), {"row": "", **dict.fromkeys(NUMBERS, np.nan)})
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:
-    """Map the verdict column of each other reading of the thesis to the reading's name."""
+    """Map each column with the verdicts of another reading of the thesis to the reading's name."""
     prefix = "verdict_"
     return {name: name.removeprefix(prefix) for name in findings.columns if name.startswith(prefix)}
 

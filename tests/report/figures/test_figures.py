@@ -252,7 +252,7 @@ def test_how_sure_a_cue_is_counts_among_its_own():
 def test_without_a_mistake_there_is_no_figure_18(made):
     made["figures"]["figure_18"]["cues"] = {"Gist": "cues/gist/5-5-1"}
     made["filters"]["informative"]["threshold"] = 0.2
-    with pytest.raises(PlacecatError, match="no informative frame that all of Gist get wrong"):
+    with pytest.raises(PlacecatError, match="no informative frame is decided wrongly by all of Gist"):
         figures.draw("figure_18", Run(made))
 
 

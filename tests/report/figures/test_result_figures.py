@@ -290,7 +290,7 @@ def test_the_segment_may_be_named():
     figure = figures.draw("figure_11", Run(figure_11={"home": 1, "start": 62}))
     assert figure.axes[-1].get_xlabel() == "frame of flat"
     assert figure.axes[-1].get_xlim() == (62, 82)
-    with pytest.raises(PlacecatError, match="start must be in 0 to 88"):
+    with pytest.raises(PlacecatError, match="start must be 0 to 88"):
         figures.draw("figure_11", Run(figure_11={"home": 1, "start": 89}))
 
 

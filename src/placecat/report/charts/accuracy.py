@@ -78,7 +78,7 @@ class Bar:
 
 
 def bars_of(cells: pd.DataFrame) -> list[Bar]:
-    """Turn a filled table's averages over homes, or else over places, or else all its cells, into bars.
+    """Turn a filled table's averages into bars: those over homes, else those over places, else all cells.
 
     Bars are in the table's order; cells that were not measured have no bar.
     """
@@ -103,7 +103,7 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
 
 
 def point_name(cells: pd.DataFrame) -> str:
-    """Whether a point of `bars_of` is a "home" or a "place"."""
+    """Return what a point of `bars_of` stands for, "home" or "place"."""
     axis = _averaged(cells)
     return "home" if axis is not None and cells[axis].str.fullmatch(_HOME).any() else "place"
 

@@ -25,7 +25,7 @@ _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
 # Cells above this percentage are dark, so their numbers are white.
 _DARK = 55
-_CAPTION = "Rows are true places, columns decisions; numbers are percent of the true place."
+_CAPTION = "Rows are true places, columns decisions; numbers are percentages of the true place."
 _SHEET = "Rows are true places, columns decisions; dark blue means all frames of the true place, white none."
 
 

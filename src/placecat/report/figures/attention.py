@@ -23,7 +23,7 @@ NAMES = {
 
 
 def draw_example(run: Run) -> Figure:
-    """Draw the frame on which the other figures show the steps."""
+    """Draw the frame whose saliency the other figures explain step by step."""
     home, index = run.example
     place = run.labels(home)[index]
     named = palette.place_title(run.classes[place]) if place >= 0 else "no label"
@@ -77,7 +77,7 @@ def draw_intensity(run: Run) -> Figure:
 def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]) -> Figure:
     """Draw the feature maps of one channel's four sub-channels, added across scales, and their weighted sum.
 
-    `subchannels` names them in order; `symbol` names the conspicuity map, e.g. "C".
+    `subchannels` are the names of the sub-channels in order; `symbol` is the conspicuity map's, e.g. "C".
     """
     # Inches.
     width, gap, arrow, head = 1.55, 0.14, 0.95, 0.2
@@ -169,34 +169,34 @@ def draw_salient_regions(run: Run, *, regions: Count) -> Figure:
 
 FIGURES = {
     "figure_02": (
-        "The example frame on which Figures 3 to 7 show how saliency is computed.",
+        "The example frame; Figures 3 to 7 show how its saliency is computed.",
         draw_example,
     ),
     "figure_03": (
         "The intensity channel on the example frame: the feature maps I'' of bright and of dark spots at "
         "every scale, for both neighbourhoods of the centre; their sums I' across scales and neighbourhoods; "
-        "and the conspicuity map I, which adds these with the weights 1/√m. Dark is strong; the strongest "
+        "and the conspicuity map I, which adds these with the weights 1/√m. Dark means strong; the strongest "
         "half percent of every map is black.",
         draw_intensity,
     ),
     "figure_04": (
         "The colour channel on the example frame: the feature maps C' of red, green, blue and yellow, added "
         "across scales and neighbourhoods, and the conspicuity map C, which adds these with the weights 1/√m."
-        " Dark is strong; the strongest half percent of every map is black.",
+        " Dark means strong; the strongest half percent of every map is black.",
         lambda run: draw_channel(run, "color", "C", ("red", "green", "blue", "yellow")),
     ),
     "figure_05": (
         "The orientation channel on the example frame: the feature maps O' at 0°, 45°, 90° and 135° (the "
         "direction of the Gabor filter's wave: 0° responds to vertical edges), added across scales, "
-        "and the conspicuity map O, which adds these with the weights 1/√m. Dark is strong; the strongest "
+        "and the conspicuity map O, which adds these with the weights 1/√m. Dark means strong; the strongest "
         "half percent of every map is black.",
         lambda run: draw_channel(run, "orientation", "O", [f"{angle:.0f}°" for angle in ANGLES]),
     ),
     "figure_06": (
         "The saliency map S of the example frame is the sum of the conspicuity maps of intensity, colour, "
-        "orientation and spectral residual with the weights 1/√m; m counts a map's local maxima above their "
-        "median. The range of each map is given below it. Dark is strong; the strongest half percent of every"
-        " map is black.",
+        "orientation and spectral residual with the weights 1/√m, where m is the number of a map's local "
+        "maxima above their median. The range of values is below each map. Dark means strong; the strongest "
+        "half percent of every map is black.",
         draw_saliency,
     ),
     "figure_07": (

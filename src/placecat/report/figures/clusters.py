@@ -27,8 +27,9 @@ class Cluster:
     """One cluster of salient regions.
 
     `total` is the number of regions in all clusters, and `shares` are the (classes,) shares of the places in
-    this one. The others are per region: the place of its frame, its `distance` from the cluster's centre, its
-    home and frame, and its `patches`, the squares around the regions, (n, PIXELS, PIXELS, 3) uint8 BGR.
+    this one. The other attributes have an entry per region: `labels` the place of its frame, `distance` its
+    distance from the cluster's centre, `home` and `frame` where it is from, and `patches` the square around
+    it, (n, PIXELS, PIXELS, 3) uint8 BGR in all.
     """
 
     total: int
@@ -45,7 +46,7 @@ class Cluster:
 
 
 def draw_cluster(run: Run, rank: int, *, by_contrast: bool) -> Figure:
-    """Draw patches of the cluster of rank 1 (the largest) to `SHOWN`; settings in ``figures.clusters``.
+    """Draw patches of the cluster with a rank from 1 (largest) to `SHOWN`; settings in ``figures.clusters``.
 
     With `by_contrast`, random samples come from the third of the patches with the most contrast and the third
     with the least; otherwise, from all patches.
@@ -61,7 +62,9 @@ def _draw(
     test = home_of(run, home)
     largest = _largest(run, cue, test)
     if len(largest) < rank:
-        raise PlacecatError(f"the regions that train for {test} fill only {len(largest)} clusters")
+        raise PlacecatError(
+            f"the training regions for {test} fill only {len(largest)} clusters: use another cue"
+        )
     cluster = largest[rank - 1]
     rng = np.random.default_rng(seeds.derive("figures", "clusters", rank))
     mixed = rng.permutation(len(cluster.labels))
@@ -115,7 +118,7 @@ def _largest(run: Run, cue: str, test_home: str) -> list[Cluster]:
     chosen = settings.get(run.params, f"cues.{cue}")
     name, number = chosen["codebook"], chosen["classifier"].get("clusters")
     if name is None or number is None:
-        raise SettingError(f"figures.clusters.cue {cue!r} has no codebook: use one on salient regions")
+        raise SettingError(f"figures.clusters.cue {cue!r} has no codebook: use a cue on salient regions")
     train = run.training_regions(name, test_home)
     tree = run.codebook(name, run.fold(test_home).training_set).trees[0]
     words, centers = tree.assign(train.x, number), tree.centers(number)
@@ -175,22 +178,25 @@ def _sheet(
 
 FIGURES = {
     "figure_12": (
-        "Salient regions in the largest cluster of the localized HOG descriptor, on the training frames of "
-        "one fold; their edges have the colour of their frame's place. The bar gives the places of all its "
-        "regions in percent. Patches: (a) nearest to its centre; (b) and (c) at random from the third of its "
-        "patches with most and with least contrast (standard deviation of the grey levels).",
+        "Salient regions in the largest cluster of the localized HOG descriptor, from the training frames of "
+        "one fold. The colour of a patch's edge is that of its frame's place. The bar shows the places of "
+        "all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) and (c) "
+        "random samples of the third of the patches with the most and with the least contrast (standard "
+        "deviation of the grey levels).",
         lambda run: draw_cluster(run, 1, by_contrast=True),
     ),
     "figure_13": (
-        "Salient regions in the second largest cluster of the localized HOG descriptor, on the training "
-        "frames of one fold; their edges have the colour of their frame's place. The bar gives the places of "
-        "all its regions in percent. Patches: (a) nearest to its centre, (b) at random.",
+        "Salient regions in the second largest cluster of the localized HOG descriptor, from the training "
+        "frames of one fold. The colour of a patch's edge is that of its frame's place. The bar shows the "
+        "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
+        "a random sample.",
         lambda run: draw_cluster(run, 2, by_contrast=False),
     ),
     "figure_14": (
-        "Salient regions in the third largest cluster of the localized HOG descriptor, on the training frames"
-        " of one fold; their edges have the colour of their frame's place. The bar gives the places of all "
-        "its regions in percent. Patches: (a) nearest to its centre, (b) at random.",
+        "Salient regions in the third largest cluster of the localized HOG descriptor, from the training "
+        "frames of one fold. The colour of a patch's edge is that of its frame's place. The bar shows the "
+        "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
+        "a random sample.",
         lambda run: draw_cluster(run, 3, by_contrast=False),
     ),
 }

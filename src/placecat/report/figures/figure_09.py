@@ -24,10 +24,10 @@ from placecat.vision.regions import radius
 
 TITLE = (
     "The modified nearest neighbours with K = 1. Dots are the descriptors of training regions in the "
-    "colour of their cluster, in the plane of their two principal components; each cluster's pie gives "
-    "its class frequencies. Each region of a query frame (black rhombus) gets the class frequencies of the "
-    "centre that is nearest in all dimensions. The product is divided by the class frequencies of all "
-    "training regions, as in equation (2). Bars are in percent."
+    "colour of their cluster, in the plane of the two principal components; each cluster's pie shows "
+    "its class frequencies. Each region of a query frame (black rhombus) takes the class frequencies of the "
+    "cluster whose centre is nearest in all dimensions. Their product is divided by the class frequencies of "
+    "all training regions, as in equation (2). Bars are in percent."
 )
 PLANE, RIGHT, GAP, PIE, ROW = 4.1, 2.75, 0.25, 0.13, 0.27
 LABEL_GAP = 0.025
@@ -41,10 +41,10 @@ NUMBER: dict[str, Any] = {
 
 @dataclass(frozen=True)
 class Query:
-    """A frame of the test home, with its index.
+    """A frame of the test home.
 
-    The frame's regions have the (n, D) descriptors `x` and the (n,) nearest `clusters`; `proba` (classes,) is
-    their joint distribution.
+    `index` is the frame's index, `x` are the (n, D) descriptors of its regions, `clusters` their (n,) nearest
+    clusters, and `proba` is their joint (classes,) distribution.
     """
 
     index: int
@@ -114,8 +114,8 @@ def _query(
 
     The frame must have a label and enough regions. If possible, its regions are in different clusters, it is
     decided correctly, it has at least the median information, and its clusters are also the nearest in the
-    plane; each of these conditions outweighs all later ones. Of equal frames, the one with the largest
-    probability is taken.
+    plane; each of these conditions outweighs all later ones. Among equal frames, the one with the
+    largest probability is taken.
     """
     found = run.descriptors(home, codebook)
     assert found.counts is not None
@@ -128,7 +128,7 @@ def _query(
     if frame is None:
         able = (labels >= 0) & (counts == regions)
         if not able.any():
-            raise PlacecatError(f"{home} has no labelled frame with {regions} salient regions")
+            raise PlacecatError(f"{home} has no labelled frame with {regions} salient regions: use fewer")
         apart = np.array([len(np.unique(row)) == regions for row in nearest])
         flat = nearest_centers(pca.transform(x.reshape(-1, x.shape[2])), pca.transform(model.centers_))
         agree = (flat[:, 0].reshape(nearest.shape) == nearest).all(axis=1)

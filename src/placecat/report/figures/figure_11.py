@@ -16,9 +16,9 @@ from placecat.report.figures.panels import stretches
 from placecat.report.run import Run, home_of
 
 TITLE = (
-    "Probabilities of the places over time, after the integration, the hidden Markov model and its delay, in "
-    "the window where the model removes most changes of the decision (first seed). The bar under each panel "
-    "shows the decision, the bar on top the true place."
+    "Probabilities of the places over time after integration and after the hidden Markov model, without and "
+    "with its delay, in the window in which the model removes the most changes of the decision (first seed). "
+    "The bar below each panel shows the decision; the bar at the top shows the true place."
 )
 
 # Line styles distinguish the places in grey print.
@@ -48,13 +48,13 @@ def choose(
 
     `home` counts from 1; None selects the best one (the first in a tie), or the first home if `start` is set.
     `start` is the first frame, from 0; None selects the best window, which contains no cut. `frames` is the
-    window's maximum length; it ends with the home.
+    maximum length of the window, which never extends beyond the home.
     """
     homes = run.source(classifier).homes if home is None else (home_of(run, home),)
     if start is not None:
         length = len(run.labels(homes[0]))
         if start >= length - 1:
-            raise SettingError(f"figures.figure_11.start must be in 0 to {length - 2}, not {start}")
+            raise SettingError(f"figures.figure_11.start must be 0 to {length - 2}, not {start}")
         return homes[0], slice(start, min(start + frames, length))
     found = []
     for one in homes:

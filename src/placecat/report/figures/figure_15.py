@@ -15,8 +15,9 @@ from placecat.ranges import Count
 from placecat.report.run import Run, home_of
 
 TITLE = (
-    "The confusion matrices after integration and after smoothing for a home, first seed: percent of the "
-    "frames of a place (row) that were decided to be a place (column), and their number below."
+    "The confusion matrices of a home after integration and after smoothing, first seed. Each cell shows "
+    "what percentage of the frames of the row's place were decided to be the column's place, with their "
+    "number below."
 )
 
 WIDTH = 6.5

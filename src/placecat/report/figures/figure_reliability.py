@@ -14,12 +14,13 @@ from placecat.evaluation.probabilities import Reliability, pooled, reliability
 from placecat.report.run import Run
 
 TITLE = (
-    "Reliability diagrams: frames sorted into bins by the probability of their decided place. Each point is "
-    "a bin; its size grows with its share of frames (bins of less than 0.5 % are not drawn). On the dashed "
-    "line, decisions are right as often as their probability says; below it they are overconfident, above it "
-    "underconfident. Below each diagram: shares of the frames. Places, test homes and seeds weigh the same. "
-    "Log loss and calibration error are from the added table, means over homes and seeds. The error of the "
-    "pooled homes, as drawn, is smaller, since overconfidence in one home offsets underconfidence in another."
+    "Reliability diagrams: frames are sorted into bins by the probability of the decided place. Each point "
+    "is a bin; the more frames it has, the larger the point (bins of less than 0.5 % are not drawn). On the "
+    "dashed line, decisions are right as often as their probability says; below it they are overconfident, "
+    "above it underconfident. The bars below each diagram show each bin's share of the frames. Places, test "
+    "homes and seeds have equal weight. Log loss and calibration error are means over homes and seeds, from "
+    "the added table. The error of the pooled homes, which are drawn here, is smaller, since overconfidence "
+    "in one home offsets underconfidence in another."
 )
 
 COLUMNS = 3

@@ -23,12 +23,12 @@ class Failure(NamedTuple):
 
 
 def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
-    """Draw the surest mistakes on two places; settings in ``figures.figure_18``."""
+    """Draw the most certain mistakes, on two different places; settings in ``figures.figure_18``."""
     # Inches.
     width, labels, bars, decisions, foot = 2.6, 1.4, 2.25, 0.78, 0.34
     found = failures(run, list(cues.values()), run.threshold(filter))[:2]
     if not found:
-        raise PlacecatError(f"there is no informative frame that all of {', '.join(cues)} get wrong")
+        raise PlacecatError(f"no informative frame is decided wrongly by all of {', '.join(cues)}")
     facts = run.home_facts(found[0].home)
     height = width * facts["height"] / facts["width"]
     row = height + 0.45
@@ -75,10 +75,10 @@ def failures(run: Run, results: list[str], least: float) -> list[Failure]:
 
 
 def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Return the (frames,) share of `labelled` frames where a cue is at most as certain, averaged over cues.
+    """Return each frame's certainty: the share of `labelled` frames at most as certain, averaged over cues.
 
-    `largest` are the decisions' (cues, frames) probabilities. These are not directly comparable: some cues
-    always have nearly even distributions, others never.
+    `largest` are the decisions' (cues, frames) probabilities; the result is (frames,). Probabilities are not
+    directly comparable: some cues always have nearly even distributions, others never.
     """
     shares = [
         np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()

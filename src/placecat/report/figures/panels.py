@@ -90,7 +90,7 @@ class Sheet:
 
 
 def weight_text(weight: float) -> str:
-    """Format a map's weight 1 / sqrt(m), from its number m of maxima (thesis 3.1.1.1), e.g. as "× 1/√3"."""
+    """Format a map's weight 1 / sqrt(m), e.g. as "× 1/√3"; m is its number of maxima (thesis 3.1.1.1)."""
     return f"× 1/√{round(weight**-2)}" if weight else "× 0"
 
 

@@ -45,7 +45,7 @@ def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
 
 
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
-    """Draw strips below one another, each with the homes side by side and with greys that span its values.
+    """Draw one strip below the other, each with the homes side by side; a strip's greys span its values.
 
     `homes` are test homes of every result. `panels` maps each strip's title to its result, from top to
     bottom; the first seed is drawn. A missing result raises PlacecatError.
@@ -151,7 +151,7 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
 
 
 def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
-    """Return the probabilities drawn white and black: percentiles `WHITE` and `BLACK`, or 0 and 1 if equal.
+    """Return the probabilities drawn white and black: percentiles `WHITE` and `BLACK`, or else 0 and 1.
 
     With 0 and 1 for every strip, the nearly uniform distributions of some classifiers would be invisible.
     """
@@ -160,7 +160,7 @@ def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
 
 
 def columns(proba: NDArray[np.float64], limit: int) -> NDArray[np.float64]:
-    """Average neighbours in (frames, classes), equally weighted, to at most (limit, classes)."""
+    """Average neighbouring frames of (frames, classes), equally weighted, to at most `limit` rows."""
     if len(proba) <= limit:
         return proba
     edges = np.arange(limit + 1) * len(proba) // limit
@@ -169,20 +169,19 @@ def columns(proba: NDArray[np.float64], limit: int) -> NDArray[np.float64]:
 
 FIGURES = {
     "figure_16": (
-        "The probability distributions of each classifier on each frame of a home, first seed: the darker, "
-        "the more probable the place, in the greys at the right. The blue line is the true place.",
+        "The probability distributions of each classifier on each frame of a home, first seed. Darker "
+        "means more probable; the scale is at the right. The blue line is the true place.",
         of_home,
     ),
     "figure_17": (
         "The probability distributions after integration and after smoothing on each frame of a home, "
-        "first seed: the darker, the more probable the place, in the greys at the right. The blue line is "
-        "the true place.",
+        "first seed. Darker means more probable; the scale is at the right. The blue line is the true place.",
         of_home,
     ),
     "figure_20": (
         "The probability distributions after integration and after smoothing on each frame of the "
-        "university's test sequences, first seed: the darker, the more probable the place, in the greys at "
-        "the right. The blue line is the true place. The thesis shows the COLD database.",
+        "university's test sequences, first seed. Darker means more probable; the scale is at the right. The "
+        "blue line is the true place. The thesis's figure shows the COLD database.",
         of_tests,
     ),
 }

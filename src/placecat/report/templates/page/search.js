@@ -16,7 +16,7 @@
     return clean(parts.join(" "));
   };
 
-  // A kind, the elements with the ids to link to, the element with the name, and further elements to search.
+  // Each kind's name, its elements (with the ids to link to), the element with the name, and further elements to search.
   const KINDS = [
     ["section", "main > section", (one) => one.querySelector("h2"), () => []],
     ["table", ".table[id]", (one) => one.querySelector("h3, summary"), (one) => one.querySelectorAll("th, .notes")],

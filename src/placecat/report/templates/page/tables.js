@@ -15,7 +15,7 @@
   };
   const toNumber = (text) => Number(NUMBER.exec(text)[0].replaceAll(",", "").replace("−", "-"));
 
-  // Rows that move together: one, and the rows below it that explain it.
+  // Rows that move together: a row, and the rows below it that explain it.
   const bundles = (body) => {
     const found = [];
     for (const row of body.rows) {
