@@ -31,9 +31,9 @@ def _kind(option: str) -> "type[McapFile] | type[RerunFile]":
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
     """Before any work starts, refuse files that must not or cannot be written.
 
-    `wanted` maps each option, one of `OPTIONS`, to its file. The results `folder` will be replaced. An
-    existing file is only replaced with `force`, and an input, one of `read`, never. The PlacecatError names a
-    missing package, a wrong suffix, or a file that must not or cannot be written.
+    `wanted` maps each option, one of `OPTIONS`, to its file. `folder` is the results folder, which will be
+    replaced. An existing file is replaced only with `force`, and an input, one of `read`, never. The
+    PlacecatError names a missing package, a wrong suffix, or a file that must not or cannot be written.
     """
     for option, path in wanted.items():
         ending = _ENDINGS[option]
