@@ -105,8 +105,8 @@ def cluster(
 ) -> Codebook:
     """Cluster a cue's training frames.
 
-    The clustering's seed is derived from `seed`, one of ``protocol.seeds``, the plan and the cue. `numbers`
-    are the numbers of clusters that will be used; None means those in the codebook's settings.
+    The seed of the clustering is derived from the plan, the cue and `seed`, one of ``protocol.seeds``.
+    `numbers` are the numbers of clusters that will be used; None means those in the codebook's settings.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]
