@@ -72,7 +72,7 @@ def test_odd_times_topics_and_labels(system, tmp_path, capsys):
         ("missing.bag", "there is no file or folder missing.bag"),
         (
             "walk.mcap --mcap walk.mcap --force",
-            "--mcap is walk.mcap, an input of the prediction: give another name",
+            "--mcap is walk.mcap, which is an input of the prediction: give another name",
         ),
         ("images --mcap images/a.mcap", "an input of the prediction"),
         ("walk.mcap --mcap out.bag", "--mcap is out.bag: give a name that ends with .mcap"),
@@ -80,7 +80,10 @@ def test_odd_times_topics_and_labels(system, tmp_path, capsys):
             "walk.mcap --mcap there.mcap",
             "--mcap is there.mcap, which already exists: give another name, or --force",
         ),
-        ("walk.mcap --mcap predictions/walk/a.mcap", "in predictions/walk, which the prediction replaces"),
+        (
+            "walk.mcap --mcap predictions/walk/a.mcap",
+            "but the prediction replaces the folder predictions/walk",
+        ),
         ("walk.mcap --mcap there.mcap/a.mcap", "cannot write there.mcap/a.mcap"),
     ],
 )

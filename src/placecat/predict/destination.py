@@ -108,7 +108,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 
 def keep(folder: Path, new: Path) -> dict[str, str]:
-    """Copy the files that a user added to or edited in a prediction into the one that replaces it.
+    """Copy files that a user added to or edited in a prediction into the prediction that replaces it.
 
     Returns a mapping from each copied file or folder to its copy, both as names. A copy keeps its name, or is
     called ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... if the new prediction uses that name. The summary

@@ -75,7 +75,7 @@ def shares(prediction: Prediction) -> list[str]:
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Return lines: accuracy, a confusion table (rows: labels, columns: decisions) and the named share."""
+    """Return lines with the accuracy, a confusion table (a row per label) and the share of named frames."""
     if agreement["accuracy"] is None:
         return ["No categorized frame is labelled with one of the model's places, so nothing is scored."]
     table = pd.DataFrame(agreement["confusion"], list(classes), pd.Index(classes, name="label"))
@@ -102,7 +102,7 @@ def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = No
 
     `dropped` is the number of camera frames that were not used.
     """
-    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} used of the footage's"
+    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} that are used of the footage's"
     text = (
         f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
         f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"
