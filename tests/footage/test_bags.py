@@ -65,7 +65,7 @@ def test_times_are_the_stamps_or_else_the_times_of_reception(tmp_path, kind):
     zero = [(CAMERA, one, picture(version, 0, coded(number))) for number, one in enumerate(stamps)]
     recording = BagRecording(write_bag(tmp_path / "b" / kind, zero))
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3])
-    assert "stamps are zero: times are when the bag received" in recording.note()
+    assert "some stamps are zero, so times are when the bag received" in recording.note()
 
 
 def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
@@ -78,7 +78,9 @@ def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
     recording = BagRecording(path)
     assert shown(recording) == [(1, 0), (2, 1), (3, 2), (4, 5), (5, 6)]
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3, 0.4, 0.5])
-    assert recording.note() == (f"{path}: 2 of 7 frames are not later than one before them and are left out.")
+    assert recording.note() == (
+        f"{path}: 2 of 7 frames are left out, since they are not later than one before them."
+    )
     # With a given rate, all count.
     assert shown(BagRecording(path, fps=10)) == [(number + 1, number) for number in range(7)]
 

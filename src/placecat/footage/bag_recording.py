@@ -89,7 +89,7 @@ class BagRecording:
         if (stamps == 0).any():
             stamps = self.received
             self._remarks.append(
-                "stamps are zero: times are when the bag received the messages of this topic"
+                "some stamps are zero, so times are when the bag received the messages of this topic"
             )
         if fps is None:
             stamps = self._without_late(stamps, f"{settings}fps")
@@ -138,7 +138,8 @@ class BagRecording:
         is_late = np.append(False, stamps[1:] <= before[:-1])
         if is_late.any():
             self._remarks.append(
-                f"{is_late.sum()} of {len(stamps)} frames are not later than one before them and are left out"
+                f"{is_late.sum()} of {len(stamps)} frames are left out, since they are not later than one "
+                "before them"
             )
         self.positions, self.received = self.positions[~is_late], self.received[~is_late]
         return stamps[~is_late]

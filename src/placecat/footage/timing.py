@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 MOST_RATE = 500.0
-"""Highest rate in frames per second. Slow motion has 240; headers with 1,000 or more give clock units."""
+"""Highest plausible frames per second. Slow motion has 240; 1,000 or more in a header are clock units."""
 LONGEST = 3600.0
 """Longest gap between two frames in seconds; timestamps with a longer gap are damaged."""
 
