@@ -103,7 +103,7 @@ def test_a_frame_that_comes_twice_says_no_more(categorizer):
 
 
 def test_invalid_frames_are_refused_and_skipped(categorizer):
-    with pytest.raises(PlacecatError, match="a camera that fails gives None"):
+    with pytest.raises(PlacecatError, match="OpenCV returns None if a camera fails"):
         categorizer.update(None)
     assert categorizer.visits() == []
 

@@ -159,7 +159,7 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: rewrite(file, "card.json", change_json(format=99)), "format 99"),
         (lambda file: rewrite(file, "card.json", change_json(placecat="9.3.0")), "placecat 9.3.0"),
         (lambda file: rewrite(file, "card.json", change_json(format=None)), "its card has no version"),
-        (lambda file: rewrite(file, "card.json", change_json(classes=["a", "a", "b"])), "named twice"),
+        (lambda file: rewrite(file, "card.json", change_json(classes=["a", "a", "b"])), "listed twice"),
         (lambda file: rewrite(file, "card.json", change_json(classes=["a", "b"])), "not for 2 places"),
         (lambda file: rewrite(file, "card.json", change_json(frame_sizes=[[320, 10**9]])), "frame_sizes"),
         (lambda file: rewrite(file, "card.json", change_json(fps=[float("nan")])), "NaN is not a number"),
@@ -230,7 +230,7 @@ def test_a_file_that_may_not_be_read_gives_one_message(file, monkeypatch):
         raise PermissionError(13, "Permission denied", str(file))
 
     monkeypatch.setattr("pathlib.Path.open", refuse)
-    with pytest.raises(PlacecatError, match=r"model\.placecat, the model, cannot be read: Permission denied"):
+    with pytest.raises(PlacecatError, match=r"the model .*model\.placecat cannot be read: Permission denied"):
         model_file.read(file)
 
 
@@ -287,7 +287,7 @@ def test_only_a_model_is_replaced(file, tmp_path):
 def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monkeypatch):
     monkeypatch.setattr(train, "train", lambda *_, **__: pytest.fail("it trains"))
     (tmp_path / "README.md").write_text("text")
-    with pytest.raises(PlacecatError, match=r"README\.md is not a model, and is not replaced"):
+    with pytest.raises(PlacecatError, match=r"README\.md exists and is not a model, so it is not replaced"):
         train.train_command("das_551_best", [], None, tmp_path / "README.md")
     with pytest.raises(PlacecatError, match="a file is where a folder should be"):
         train.train_command("das_551_best", [], None, tmp_path / "README.md/x")

@@ -128,7 +128,7 @@ def test_a_class_without_training_frames_is_refused():
 
 def test_a_descriptor_that_cannot_be_cut_is_refused():
     train, _, _ = whole()
-    with pytest.raises(PlacecatError, match="16 values cannot be cut into 5 cells"):
+    with pytest.raises(PlacecatError, match="16 values cannot be cut into 5 equal cells"):
         Codebook.fit(train, cells=5, seed=0, tree=TREE)
 
 

@@ -65,7 +65,7 @@ def test_times_are_the_stamps_or_else_the_times_of_reception(tmp_path, kind):
     zero = [(CAMERA, one, picture(version, 0, coded(number))) for number, one in enumerate(stamps)]
     recording = BagRecording(write_bag(tmp_path / "b" / kind, zero))
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3])
-    assert "stamps are zero: times are when the bag received" in recording.note()
+    assert "some stamps are zero, so times are when the bag received" in recording.note()
 
 
 def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
@@ -78,7 +78,9 @@ def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
     recording = BagRecording(path)
     assert shown(recording) == [(1, 0), (2, 1), (3, 2), (4, 5), (5, 6)]
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3, 0.4, 0.5])
-    assert recording.note() == (f"{path}: 2 of 7 frames are not later than one before them and are left out.")
+    assert recording.note() == (
+        f"{path}: 2 of 7 frames are left out, since they are not later than one before them."
+    )
     # With a given rate, all count.
     assert shown(BagRecording(path, fps=10)) == [(number + 1, number) for number in range(7)]
 
@@ -93,7 +95,7 @@ def test_a_clock_that_was_set_is_refused(tmp_path):
     refused(r"frame 6 of /camera/image_raw is 3.6e\+03 s earlier .* rate with --fps", path)
     assert BagRecording(path, fps=10).count == 10
     refused(
-        "hours after the one before", walk(tmp_path / "gap.mcap", stamps=[START, START + 4 * 3600 * 10**9])
+        "hours after the previous one", walk(tmp_path / "gap.mcap", stamps=[START, START + 4 * 3600 * 10**9])
     )
     refused(r"give no frame rate \(1 frame in 0 s\)", walk(tmp_path / "one.mcap", count=1))
 
@@ -113,14 +115,14 @@ def test_topics(tmp_path):
     assert shown(BagRecording(path, "/front/compressed")) == [(1, 200), (2, 201)]
     assert shown(BagRecording(path, CAMERA))[:2] == [(1, 0), (2, 1)]
     refused(
-        r"no topic '/camera/image'; did you mean '/camera/image_raw'\?; it has /camera/",
+        r"no topic '/camera/image'; did you mean '/camera/image_raw'\?; the bag has /camera/",
         path,
         "/camera/image",
     )
     refused("'/room' has messages of std_msgs/msg/String, not of sensor_msgs/msg/Image or", path, "/room")
     refused("the encoding '16UC1' is not supported", path, "/depth/image", 10)
     refused(
-        r"no topic has pictures .*it has /room \(std_msgs/msg/String\)",
+        r"no topic has pictures .*the bag has /room \(std_msgs/msg/String\)",
         write_bag(tmp_path / "talk.bag", [("/room", START, string(1, "kitchen"))]),
     )
 
@@ -168,7 +170,7 @@ def test_a_damaged_bag_gives_one_message(tmp_path, kind, damaged):
     damage(path, damaged)
     mending = {".bag": "rosbag reindex", ".mcap": "mcap recover", ".db3": "sqlite3 FILE .recover"}
     command = mending.get(path.suffix, "ros2 bag reindex")
-    refused(rf"not a readable bag \(.+\); restore it, or mend it with `{command}`", path)
+    refused(rf"not a readable bag \(.+\); restore it, or repair it with `{command}`", path)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -190,7 +192,7 @@ def test_a_flipped_bit_gives_a_frame_or_one_message(tmp_path, kind):
 def test_the_rest_of_a_bag_is_refused(tmp_path):
     path = walk(tmp_path / "walk", count=3)
     (path / "metadata.yaml").unlink()
-    refused("not a readable bag .*mend it with `ros2 bag reindex`", path)
+    refused("not a readable bag .*repair it with `ros2 bag reindex`", path)
 
 
 def test_a_definition_in_a_bag_is_not_run(tmp_path, monkeypatch):

@@ -82,17 +82,17 @@ def test_numbers_in_names_are_numbers(ordered, tmp_path):
 @pytest.mark.parametrize(
     ("names", "message"),
     [
-        (["1.jpg", "1.png"], r"1\.png: the same frame as 1\.jpg"),
+        (["1.jpg", "1.png"], r"1\.png: by its name, this is the same frame as 1\.jpg"),
         (["1.jpg", "1.JPEG"], "the same frame"),
         (
             ["rgb_1.jpg", "rgb_2.jpg", "depth_1.png", "depth_2.png"],
-            r"rgb_1\.jpg: the same frame as depth_1\.png",
+            r"rgb_1\.jpg: by its name, this is the same frame as depth_1\.png",
         ),
         (["0001.jpg", "0002.jpg", "0001_depth.png", "0002_depth.png"], "the same frame"),
         (["frame-1.color.png", "frame-2.color.png", "frame-1.depth.png"], "the same frame"),
-        (["1.jpg", "2.webp"], r"2\.webp: this kind of picture is not supported \(1 here\)"),
+        (["1.jpg", "2.webp"], r"2\.webp: this kind of picture is not supported \(1 in this folder\)"),
         *(
-            (["1.jpg", f"2.{kind}", f"3.{kind}"], r"\(2 here\)")
+            (["1.jpg", f"2.{kind}", f"3.{kind}"], r"\(2 in this folder\)")
             for kind in ("bmp", "tif", "TIFF", "heic", "gif")
         ),
     ],

@@ -146,7 +146,10 @@ def test_a_rate_that_cannot_be_is_measured_or_asked_for(tmp_path):
     assert cv2.VideoCapture(str(path)).get(cv2.CAP_PROP_FPS) == 1000
     assert Recording(path).timing().fps == pytest.approx(28.09, abs=0.01)
     path = write_clip(tmp_path / "b.webm", np.arange(6) / 1000, codec="libvpx", rate=1000, tick=MILLI)
-    with pytest.raises(PlacecatError, match=r"b\.webm: the video does not say .*1000\); give it with --fps"):
+    with pytest.raises(
+        PlacecatError,
+        match=r"b\.webm: the video has no plausible times .*1000\); give the frame rate with --fps",
+    ):
         Recording(path).timing(None, "--fps")
     assert Recording(path).timing(30.0).fps == 30.0
 

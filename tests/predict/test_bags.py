@@ -66,13 +66,13 @@ def test_odd_times_topics_and_labels(system, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ("walk.mcap --topic /none", "no topic '/none'; it has /camera/image_raw"),
-        ("images --topic /none", "--topic is for bags, but there is no bag images"),
-        ("missing.bag --topic /none", "--topic is for bags, but there is no bag missing.bag"),
-        ("missing.bag", "missing.bag: no such file or folder"),
+        ("walk.mcap --topic /none", "no topic '/none'; the bag has /camera/image_raw"),
+        ("images --topic /none", "--topic is only for bags, but images is not a bag"),
+        ("missing.bag --topic /none", "--topic is only for bags, but missing.bag is not a bag"),
+        ("missing.bag", "there is no file or folder missing.bag"),
         (
             "walk.mcap --mcap walk.mcap --force",
-            "--mcap is walk.mcap, an input of the prediction: give another name",
+            "--mcap is walk.mcap, which is an input of the prediction: give another name",
         ),
         ("images --mcap images/a.mcap", "an input of the prediction"),
         ("walk.mcap --mcap out.bag", "--mcap is out.bag: give a name that ends with .mcap"),
@@ -80,7 +80,10 @@ def test_odd_times_topics_and_labels(system, tmp_path, capsys):
             "walk.mcap --mcap there.mcap",
             "--mcap is there.mcap, which already exists: give another name, or --force",
         ),
-        ("walk.mcap --mcap predictions/walk/a.mcap", "in predictions/walk, which the prediction replaces"),
+        (
+            "walk.mcap --mcap predictions/walk/a.mcap",
+            "but the prediction replaces the folder predictions/walk",
+        ),
         ("walk.mcap --mcap there.mcap/a.mcap", "cannot write there.mcap/a.mcap"),
     ],
 )
@@ -189,7 +192,7 @@ def test_a_full_disk_ends_a_recording_of_rerun(system, tmp_path, monkeypatch):
     write_image(tmp_path / "images/1.png", 1)
     before = sorted(tmp_path.rglob("*"))
     monkeypatch.setattr(rerun_file, "LEAST_FREE", 10**18)
-    assert "MB of the disk are free; make room" in refused("images", "--rerun", "a.rrd")
+    assert "MB of free disk space: make room" in refused("images", "--rerun", "a.rrd")
     assert sorted(tmp_path.rglob("*")) == before
 
 

@@ -176,8 +176,8 @@ def test_ctrl_c_writes_the_results_so_far(capture, system, tmp_path, monkeypatch
 
 def test_options_for_files_are_refused(capture, system):
     for option, message in (
-        ("--every=2", "--every is for files"),
-        ("--labels=x.csv", "--labels is for files"),
+        ("--every=2", "--every is only for files"),
+        ("--labels=x.csv", "--labels is only for files"),
     ):
         with pytest.raises(SystemExit, match=message):
             main(["predict", "camera", option])

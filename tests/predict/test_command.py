@@ -68,7 +68,7 @@ def test_the_tables_have_the_outputs_of_the_system_to_the_bit(folder, source, ca
     assert segments == "start,end,label\n1,8,bedroom\n9,16,living_room\n17,24,kitchen\n25,30,bedroom\n"
     shown = capsys.readouterr().out
     assert "frames/s (the categorizer alone " in shown and " times the footage's 25" in shown
-    assert "The place is unknown in 63.3% of the time." in shown
+    assert "The place is unknown for 63.3% of the time." in shown
     assert "\nOf a fake.\nIt never says `unknown`" in shown
     summary = json.loads((results / "summary.json").read_text())
     assert (summary["share_unknown"], summary["visits"]) == (0.6333, 3)
@@ -127,7 +127,7 @@ def test_segments_are_labels(folder, capsys):
 def test_an_unknown_label_is_refused_or_left_out(folder, capsys):
     (folder / "labels.csv").write_text("start,end,label\n1,10,bedroom\n11,30,cellar\n")
     assert (
-        "labels.csv line 3: the model does not know 'cellar', only bedroom, living_room, kitchen"
+        "labels.csv line 3: 'cellar' is not a place of the model (bedroom, living_room, kitchen)"
         in refused("walk.avi", "--labels", "labels.csv")
     )
     assert not (folder / "predictions").exists()
@@ -227,11 +227,11 @@ def _damage(folder):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ("nothing.mp4", "nothing.mp4: no such file or folder"),
+        ("nothing.mp4", "there is no file or folder nothing.mp4"),
         ("no.mp4", "no.mp4: not a readable video"),
-        ("notes.txt", "notes.txt: not a supported video suffix"),
-        ("void", "void: no images here"),
-        ("mixed", "2.png: 128x48 pixels, but the first image has 64x48"),
+        ("notes.txt", "notes.txt: not a video with a supported suffix"),
+        ("void", "void: the folder has no images"),
+        ("mixed", "2.png: the image has 128x48 pixels, but the first image has 64x48"),
         ("torn", "2.png: not a readable image"),
         ("walk.avi --every 0", "--every is 0"),
         ("walk.avi --seconds 0", "--seconds is 0"),
@@ -239,11 +239,11 @@ def _damage(folder):
         ("walk.avi --fps 1e-308", "--fps is 1e-308: give 0.001 to 1000"),
         ("walk.avi --fps 1e308", "give 0.001 to 1000"),
         ("walk.avi --every 1000000000000000000000", "--every is 1000000000000000000000"),
-        ("walk.avi --ignore kitchen", "--ignore is for labels"),
+        ("walk.avi --ignore kitchen", "--ignore has no effect without labels"),
         ("pipe.mp4", "pipe.mp4 is not an ordinary file"),
         ("walk.avi --output notes.txt/x", "cannot write notes.txt/x: File exists; a file is where"),
         ("walk.avi --output other", "other holds something other than a prediction"),
-        ("walk.avi --labels none.csv", "none.csv: no such label file"),
+        ("walk.avi --labels none.csv", "none.csv: the label file is missing"),
         ("walk.avi --labels short.csv", "label frames 11 to 30"),
         ("walk.avi --output notes.txt", "notes.txt is a file"),
         ("walk.avi --output images", "images holds something other than a prediction"),

@@ -116,14 +116,14 @@ def test_classes_that_the_model_does_not_know_are_refused_or_left_out(system, tm
     labels = tmp_path / "homes/Villa/label.txt"
     labels.write_text(LABELS.replace("7 18 bedroom", "7 18 office"))
     text = refused("home:Villa")
-    assert "Villa: the model does not know 'office', only bedroom, living_room, kitchen" in text
+    assert "Villa: the label 'office' is not a place of the model (bedroom, living_room, kitchen)" in text
     assert "--ignore office" in text
     predict("home:Villa", "--ignore", "office")
     assert "correct" in capsys.readouterr().out
 
 
 def test_a_home_that_trained_the_model_is_noted(system, tmp_path, capsys):
-    note = "Villa trained this model, so this accuracy says nothing about new homes"
+    note = "the model was trained on Villa, so this accuracy says nothing about new homes"
     # Neither a home of that name in other data, nor another home of these data.
     for title, homes in (("other homes", ["Villa"]), ("my homes", ["Hut"]), ("my homes", ["Hut", "Villa"])):
         system.card["data"] |= {"title": title, "homes": homes}
@@ -137,9 +137,9 @@ def test_a_home_that_trained_the_model_is_noted(system, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["home:Palace"], "home:Palace: my homes has no such home, only Villa, Hut"),
+        (["home:Palace"], "home:Palace: my homes has no such home: use one of Villa, Hut"),
         (["home:Hut"], "Hut"),
-        (["home:"], "home: has no name: name a home: Villa, Hut"),
+        (["home:"], "home: needs the name of a home: use one of Villa, Hut"),
         (["home:Villa", "--labels", "x.csv"], "--labels is for other footage"),
         (["homes/Villa/1", "--set", "dataset=homes"], "--set chooses the data set of home:NAME"),
     ],

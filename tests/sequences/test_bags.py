@@ -71,7 +71,7 @@ def test_frames_are_read_again_in_any_order(root):
     (root / "Home1/1.bag").unlink()
     walk(root / "Home1/1.bag", count=3)
     with pytest.raises(
-        PlacecatError, match=r"1\.bag: frame \d+ is missing or unreadable \(it ends after 3\)"
+        PlacecatError, match=r"1\.bag: frame \d+ is missing or unreadable \(the file ends after 3\)"
     ):
         list(read_frames(root, frames.iloc[[20]]))
 
@@ -107,7 +107,7 @@ def test_lost_frames_have_no_row_and_keep_their_labels(tmp_path):
     [
         ({}, r"1\.bag: several topics have pictures; choose one with dataset\.topic"),
         ({"topic": "/nowhere"}, r"no topic '/nowhere'.* Correct dataset\.topic"),
-        ({"topic": 3}, r"1\.bag: no topic 3; it has .* Correct dataset\.topic"),
+        ({"topic": 3}, r"1\.bag: there is no topic 3; the bag has .* Correct dataset\.topic"),
         ({"topic": CAMERA, "labels_topic": "/words"}, r"labels_topic labels the same frames"),
     ],
 )

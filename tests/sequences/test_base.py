@@ -133,7 +133,7 @@ class TestReadFrames:
     def test_video_too_short(self, tmp_path: Path) -> None:
         write_video(tmp_path / "a.avi", 9)
         with pytest.raises(
-            PlacecatError, match=r"a\.avi: frame 10 is missing or unreadable \(it ends after 9\)"
+            PlacecatError, match=r"a\.avi: frame 10 is missing or unreadable \(the file ends after 9\)"
         ):
             list(read_frames(tmp_path, rows(["a.avi"] * 2, [8, 9])))
 
@@ -150,11 +150,11 @@ class TestReadFrames:
         write_image(tmp_path / "1.png", 1)
         write_image(tmp_path / "2.png", 2, width=72, height=40)
         with pytest.raises(
-            PlacecatError, match=r"2\.png: the frame is 72x40, but the others of this home are 64x48"
+            PlacecatError, match=r"2\.png: the frame is 72x40, but the other frames of this home are 64x48"
         ):
             list(read_frames(tmp_path, rows(["1.png", "2.png"], [-1, -1])))
         with pytest.raises(
-            PlacecatError, match=r"1\.png: the frame is 64x48, but the others of this home are 72x40"
+            PlacecatError, match=r"1\.png: the frame is 64x48, but the other frames of this home are 72x40"
         ):
             next(read_frames(tmp_path, rows(["1.png"], [-1]), size=(72, 40)))
 

@@ -105,7 +105,7 @@ def test_pictures_are_turned_clockwise(made: tuple[Path, list[Seen]], turn: int)
     for image, before in both:
         # NumPy turns counter-clockwise.
         np.testing.assert_array_equal(image, np.rot90(before, -turn // 90))
-    with pytest.raises(PlacecatError, match="others of this home are 48x64"):
+    with pytest.raises(PlacecatError, match="other frames of this home are 48x64"):
         next(read_frames(root, read_home(root, "alma", turn=90).frames, size=(WIDTH, HEIGHT)))
 
 

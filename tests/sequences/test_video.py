@@ -121,7 +121,7 @@ def test_a_lost_frame_has_no_row_and_the_others_keep_their_numbers(tmp_path: Pat
     assert [decoded(images[row]) for row in (0, 1, 4)] == [0, 39, 2]
     frames = home.frames.iloc[[40]].assign(position=40)
     with pytest.raises(
-        PlacecatError, match=r"flat\.mp4: frame 41 is missing or unreadable \(it is damaged there\)"
+        PlacecatError, match=r"flat\.mp4: frame 41 is missing or unreadable \(the file is damaged there\)"
     ):
         next(read_frames(tmp_path, frames))
 

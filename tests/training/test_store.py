@@ -106,7 +106,7 @@ def test_a_variant_reads_its_regions_in_its_frames(folder):
 @pytest.mark.usefixtures("variant")
 @pytest.mark.parametrize("rows", [None, np.array([3, 4])])
 def test_frames_that_a_variant_lacks_are_refused(rows):
-    with pytest.raises(PlacecatError, match="use variants of regions in trials only"):
+    with pytest.raises(PlacecatError, match="use region variants only in trials"):
         store.read_descriptors("H1", VARIANT, rows)
 
 

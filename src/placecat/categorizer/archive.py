@@ -46,7 +46,9 @@ def opened(path: Path) -> Iterator["Archive"]:
     """Open an archive. Raises PlacecatError if it cannot be opened, is not an archive, or was changed."""
     try:
         if not path.is_file():
-            raise PlacecatError(f"there is no model {path}: `make repro` or `placecat train` makes one")
+            raise PlacecatError(
+                f"the model {path} is missing: make one with `make repro` or `placecat train`"
+            )
         with path.open("rb") as file:
             _check_seal(path, file)
             try:
@@ -57,14 +59,14 @@ def opened(path: Path) -> Iterator["Archive"]:
             with archive:
                 yield Archive(path, archive)
     except OSError as error:
-        raise PlacecatError(f"{path}, the model, cannot be read: {error.strerror or error}") from None
+        raise PlacecatError(f"the model {path} cannot be read: {error.strerror or error}") from None
 
 
 class Archive:
     """The members of an archive.
 
-    Raises PlacecatError if a member is compressed or encrypted, if two have the same name, or if together
-    they claim more bytes than the file has.
+    Raises PlacecatError if a member is compressed or encrypted, if two have the same name, or if all together
+    claim more bytes than the file has.
     """
 
     def __init__(self, path: Path, archive: zipfile.ZipFile) -> None:
@@ -134,7 +136,7 @@ def _check_seal(path: Path, file: BinaryIO) -> None:
     if not end.startswith(_MARK):
         if zipfile.is_zipfile(file):
             raise PlacecatError(
-                f"{path} does not end with its checksum: it was changed, or made by an earlier placecat: "
+                f"{path} does not end with its checksum, so it was changed or made by an earlier placecat: "
                 f"{TRAIN_AGAIN}"
             )
         raise PlacecatError(f"{path} is not a placecat model, or is cut off: {TRAIN_AGAIN}")

@@ -14,14 +14,16 @@ LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
 
 
 def make_card(**known: Any) -> dict[str, Any]:
-    """Build a card: the facts `known`, and the versions of this project, Python and `LIBRARIES`.
+    """Build a card from the facts `known` and the versions of placecat, Python and `LIBRARIES`.
 
-    The facts have JSON types only. ``title``: name of the system. ``data``: ``title``, ``note`` or None,
-    ``version`` (DVC's checksum), training ``homes``, homes ``left_out``, and the numbers of training
-    ``frames`` for the cues and for the integration. ``classes``: names of the places. ``frame_sizes``,
-    ``fps``: (width, height) and frames/s of the training footage. ``accuracy``: percent per home, measured
-    with an equally configured system that had not seen the home; may be empty. ``unknown``: from
-    :func:`placecat.categorizer.held_out.unknown`; None if not measured. ``settings``: all training settings.
+    The facts have JSON types only. ``title`` is the name of the system. ``data`` has the ``title`` and the
+    ``note`` (or None) of the data set, its ``version`` (DVC's checksum), the training ``homes``, the homes
+    ``left_out``, and the numbers of training ``frames`` for the cues and for the integration. ``classes`` are
+    the names of the places. ``frame_sizes`` and ``fps`` are the (width, height) and the frames/s of the
+    training footage. ``accuracy`` is the percentage per home, measured with an equally configured system that
+    had not seen the home; it may be empty. ``unknown`` comes from
+    :func:`placecat.categorizer.held_out.unknown`, or is None if not measured. ``settings`` are all training
+    settings.
     """
     versions = {"python": platform.python_version()} | {name: version(name) for name in LIBRARIES}
     return {"format": FORMAT, "placecat": __version__} | known | {"versions": versions}

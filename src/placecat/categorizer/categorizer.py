@@ -30,10 +30,10 @@ from placecat.vision.tracking import RegionTracker
 class Decision:
     """The decision after a frame. Distributions are (n_classes,) float64 and sum to 1.
 
-    `place` is the most probable class of `proba`, and `confidence` its probability; it `is_known` if this is
-    at least :attr:`Categorizer.threshold`. `proba` is the distribution after the hidden Markov model and the
-    delay (thesis 3.4), and `hmm` the one before the delay. For this frame alone, `integrated` is the
-    distribution from all cues together (3.3.3), and `cues` has those from each cue.
+    `place` is the most probable class of `proba`, and `confidence` its probability; the place `is_known` if
+    this is at least :attr:`Categorizer.threshold`. `proba` is the distribution after the hidden Markov model
+    and the delay (thesis 3.4), and `hmm` the one before the delay. For this frame alone, `integrated` is the
+    distribution from all cues together (3.3.3), and `cues` has one distribution per cue.
 
     `regions` are the salient regions, (n, 4) float32: x, y (pixels of the resized frame), scale, strength;
     strongest first. These are the tracked regions if any cue follows regions. `seconds` is the time of the
@@ -81,8 +81,8 @@ class Categorizer:
         Facts about the system: its data, accuracy, settings and versions.
     threshold
         Decisions below this confidence are unknown. It is chosen on the training homes so that at most a
-        share ``model.risk`` of the other decisions is wrong there. It is 0 if not measured, and infinite if
-        no confidence is high enough.
+        share ``model.risk`` of the other decisions is wrong there. It is 0 if it was not measured, and
+        infinite if no confidence is high enough.
 
     Examples
     --------
@@ -127,8 +127,8 @@ class Categorizer:
         known = list(system.card["classes"])
         if classes is not None and list(classes) != known:
             raise PlacecatError(
-                f"{path} has the classes {', '.join(known)}, not {', '.join(classes)}: use these classes in "
-                "this order, or train a model for yours"
+                f"{path} has the classes {', '.join(known)}, not {', '.join(classes)}: use the model's "
+                "classes in its order, or train a model for yours"
             )
         try:
             categorizer = cls(system, resize=resize)
@@ -167,7 +167,8 @@ class Categorizer:
         frame
             (height, width, 3) uint8 BGR, as OpenCV returns it, upright, in one of `frame_sizes`.
         seconds
-            Time since the last frame, at least 0. The first frame is at time 0, and this is its duration.
+            Time since the last frame, at least 0. The first frame is at time 0, and its duration is
+            `seconds`.
         time
             Time of the frame in seconds, on any clock that never runs backwards. The first frame lasts one
             period of `frame_rate`.
@@ -254,7 +255,9 @@ class Categorizer:
 
     def _fitted(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
         if not isinstance(frame, np.ndarray):
-            raise PlacecatError(f"a frame is {frame!r:.40}: give an array; a camera that fails gives None")
+            raise PlacecatError(
+                f"a frame is {frame!r:.40}: give an array; OpenCV returns None if a camera fails"
+            )
         if frame.dtype != np.uint8 or frame.ndim != 3 or frame.shape[2] != 3:
             raise PlacecatError(
                 f"a frame has shape {frame.shape} and type {frame.dtype}: give (height, width, 3) uint8, BGR"

@@ -107,7 +107,7 @@ def check_card(card: Mapping[str, Any]) -> None:
     """Refuse a card with missing, extra or invalid fields, or with a repeated class."""
     schema.check(card, _Card)
     if len(set(card["classes"])) < len(card["classes"]):
-        raise PlacecatError("classes: a place is named twice")
+        raise PlacecatError("classes: a place is listed twice")
 
 
 def check_content(content: Any) -> None:
@@ -125,15 +125,15 @@ def check_system(system: TrainedSystem) -> None:
     """Refuse a system with repeated cues, or with parts that do not fit together."""
     n_classes, names = len(system.card["classes"]), [cue.name for cue in system.cues]
     if len(set(names)) < len(names):
-        raise PlacecatError("a cue is named twice")
+        raise PlacecatError("a cue is listed twice")
     if any(cue.is_tracked for cue in system.cues) != (system.tracking is not None):
-        raise PlacecatError("settings of the tracking do not fit the cues")
+        raise PlacecatError("its tracking settings do not fit its cues")
     if system.smoothing.transition.shape != (n_classes, n_classes):
         raise PlacecatError(f"its smoothing is not for {n_classes} places")
     integrator = system.integrator
     for name, array in (("temperatures", integrator.temperatures), ("weights", integrator.weights)):
         if array is not None and array.shape != (len(names),):
-            raise PlacecatError(f"its {name} are not those of {len(names)} cues")
+            raise PlacecatError(f"its {name} are not for {len(names)} cues")
 
 
 def check_distribution(proba: Any, n_classes: int) -> None:
@@ -156,4 +156,4 @@ def _check_sizes(value: Any, place: str) -> None:
         for own in value:
             _check_sizes(own, place)
     elif isinstance(value, int | float) and not -_MOST <= value <= _MOST:
-        raise PlacecatError(f"{place} is beyond {_MOST}")
+        raise PlacecatError(f"{place} is larger than {_MOST} in magnitude")

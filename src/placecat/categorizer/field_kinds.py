@@ -39,7 +39,7 @@ def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.i
 
 
 def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
-    """Accept a whole number from `low` to `high`; if `side` is a letter, the number is its size."""
+    """Accept a whole number from `low` to `high`; if `side` is a letter, the number is that letter's size."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if type(value) is not int or not low <= value <= high:
@@ -97,17 +97,17 @@ def array(
             raise ValueError("holds numbers that are not finite")
         least, most = known.min().item(), known.max().item()
         if least < low or most > high or (below and most >= sizes[below]):
-            raise ValueError(f"holds numbers out of range, {least} to {most}")
+            raise ValueError(f"holds numbers from {least} to {most}, some of which are out of range")
 
     return field
 
 
 def several(item: Field, *, least: int = 0, side: str = "") -> Field:
-    """Accept a list or tuple of at least `least` items; if `side` is a letter, the length is its size."""
+    """Accept a list or tuple of at least `least` items; a letter `side` takes the length as its size."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, list | tuple) or len(value) < least:
-            raise ValueError(f"is not a list of {least} or more")
+            raise ValueError(f"is not a list of at least {least} items")
         if side:
             _same(len(value), side, sizes)
         for one in value:
@@ -121,7 +121,7 @@ def by_number(item: Field) -> Field:
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, dict) or not all(type(key) is int for key in value):
-            raise ValueError("is not a mapping of numbers")
+            raise ValueError("is not a mapping whose keys are whole numbers")
         for one in value.values():
             item(one, sizes)
 
@@ -133,14 +133,14 @@ def having(*methods: str) -> Field:
 
     def field(value: Any, sizes: Sizes) -> None:
         if not all(callable(getattr(value, name, None)) for name in methods):
-            raise ValueError(f"is of a kind without {', '.join(methods)}")
+            raise ValueError(f"does not have all of the methods {', '.join(methods)}")
 
     return field
 
 
 def _same(length: int, side: str, sizes: Sizes) -> None:
     if sizes.setdefault(side, length) != length:
-        raise ValueError(f"has a side of {length} where others have {sizes[side]}")
+        raise ValueError(f"has a side of length {length}, but another attribute has {sizes[side]}")
 
 
 def _short(value: Any) -> str:

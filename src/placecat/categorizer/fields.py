@@ -32,7 +32,7 @@ from placecat.fusion.integrate import METHODS
 
 
 def check(kind: type, state: Mapping[str, Any]) -> None:
-    """Refuse attributes that do not fit the class, such as :class:`NuSVM`, or each other.
+    """Refuse attributes that do not fit their class, such as :class:`NuSVM`, or do not fit each other.
 
     The PlacecatError names the class and, if possible, the attribute.
     """
@@ -59,7 +59,7 @@ def check(kind: type, state: Mapping[str, Any]) -> None:
 
 @cache
 def _parameters(kind: type) -> dict[str, TypeAdapter[Any]]:
-    """Return the checks of an estimator's parameters that are stored and that `FIELDS` does not have."""
+    """Return the checks of those stored parameters of an estimator that are not in `FIELDS`."""
     if not issubclass(kind, BaseEstimator):
         return {}
     hints = get_type_hints(kind.__init__, include_extras=True)  # type: ignore[misc]
@@ -78,7 +78,7 @@ def _classes(value: Any, sizes: Sizes) -> None:
     """Require the class numbers 0, 1, ..., K - 1, since they index columns of probabilities."""
     array("iu", "K")(value, sizes)
     if not np.array_equal(value, np.arange(len(value))):
-        raise ValueError("are not the numbers from 0")
+        raise ValueError("are not the numbers 0, 1, 2, ...")
 
 
 _MULTI_CLASS: dict[str, Field] = {
@@ -243,7 +243,7 @@ def _fit_pairs(state: Mapping[str, Any], sizes: Sizes) -> bool:
     )
 
 
-# Relations between attributes, other than equal sides.
+# Relations between attributes, apart from equal sides.
 RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
     "SmoothingModel": _fit_smoothing,
     "Integrator": lambda state, _: (

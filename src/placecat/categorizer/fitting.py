@@ -1,4 +1,4 @@
-"""Crop and scale frames to a size that the model knows."""
+"""Crop and scale frames to a size that the model was trained on."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -25,8 +25,9 @@ class Fit:
     def __call__(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """Crop and scale an (H, W, 3) uint8 frame to the size `target`.
 
-        A frame whose size differs from `source`, as from a turned phone, is cropped at its centre to the
-        aspect ratio of `target`. A frame that already has the size `target` is returned unchanged.
+        A frame whose size differs from `source`, for example after a phone was turned, is cropped at its
+        centre to the aspect ratio of `target`. A frame that already has the size `target` is returned
+        unchanged.
         """
         size = (frame.shape[1], frame.shape[0])
         if size != self.source:
@@ -49,7 +50,7 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
 
     With `resize`, frames of other sizes are scaled, and cropped at the centre if their aspect ratio differs.
     The chosen size keeps the most of the frame; among equals, the nearest size wins. Raises PlacecatError if
-    the model does not know the size and `resize` is false, or if less than half of the frame would remain.
+    the size is not in `known` and `resize` is false, or if less than half of the frame would remain.
     """
     if source in known:
         return Fit(source, source, source)

@@ -59,10 +59,10 @@ def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[st
     """Choose the confidence below which a decision is unknown.
 
     `chosen` is the accepted share of wrong decisions; the shares `shown` are measured too. Returns a dict for
-    the card, or None if there are fewer than two homes. ``risk``: `chosen`. ``threshold``: the chosen
-    confidence, or None if none is high enough. ``measured``: for each share its ``threshold``, and
-    ``coverage``, ``wrong`` and ``worst``, measured in each home with the threshold chosen on the other homes
-    (:class:`placecat.evaluation.selection.Selection`).
+    the card, or None if there are fewer than two homes. Its ``risk`` is `chosen`, and its ``threshold`` is
+    the chosen confidence, or None if none is high enough. Its ``measured`` has for each share the
+    ``threshold``, and the ``coverage``, ``wrong`` and ``worst`` that result if the threshold for each home is
+    chosen on the other homes (:class:`placecat.evaluation.selection.Selection`).
     """
     homes = {home: decided(read_labels(home), proba) for home, proba in held_out.items()}
     if len(homes) < 2:

@@ -113,8 +113,8 @@ def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
     stored, version = card["format"], card["placecat"]
     if stored != FORMAT or _series(version) != _series(__version__):
         raise PlacecatError(
-            f"{path} was made by placecat {version[:40]} (format {stored}), this is placecat {__version__} "
-            f"(format {FORMAT}): {archive.TRAIN_AGAIN}, or use the version that made it"
+            f"{path} was made by placecat {version[:40]} (format {stored}), but this is placecat "
+            f"{__version__} (format {FORMAT}): {archive.TRAIN_AGAIN}, or use the version that made the file"
         )
 
 

@@ -34,13 +34,17 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
         output = paths.MODEL if is_default else paths.MODELS / f"{name}{left_out}{seeded}.placecat"
     files.check_writable(output)
     if output.exists() and not model_file.is_model(output):
-        raise PlacecatError(f"{output} is not a model, and is not replaced: give another --output")
+        raise PlacecatError(
+            f"{output} exists and is not a model, so it is not replaced: give another --output"
+        )
     check_data(params)
     for home in settings.get(params, "dataset.homes"):
         if not (paths.FEATURES / home).is_dir():
             raise PlacecatError(f"{paths.FEATURES / home} is missing: run `placecat repro` first")
     trained = train(params, name, without=without, seed=seed)
-    print("Trained. Now training without each home in turn, to measure the system there.", flush=True)
+    print(
+        "The system is trained. Now training it without each home in turn, to measure it there.", flush=True
+    )
     trained = measured(
         trained, params, held_out.by_training(params, name, without, trained.card["settings"]["seed"])
     )
@@ -92,7 +96,7 @@ def assemble(
 
 
 def measured(system: TrainedSystem, params: Mapping[str, Any], decisions: held_out.HeldOut) -> TrainedSystem:
-    """Add measurements to the card, computed from equally configured systems' decisions in unseen homes."""
+    """Add measurements to the card; `decisions` are those of equally configured systems in unseen homes."""
     risk, shown = (settings.get(params, f"model.{setting}") for setting in ("risk", "risks_shown"))
     facts = {
         "accuracy": held_out.accuracies(decisions),

@@ -1,4 +1,4 @@
-"""Stays: runs of frames in one place."""
+"""Stays in a place: runs of frames with the same decision."""
 
 from dataclasses import dataclass, replace
 
@@ -22,7 +22,7 @@ class Visit:
 
 
 class VisitLog:
-    """Collects stays frame by frame; memory grows with the number of stays, not of frames."""
+    """Collects stays frame by frame; its memory grows with the number of stays, not with that of frames."""
 
     def __init__(self) -> None:
         self._visits: list[Visit] = []

@@ -1,6 +1,6 @@
 """Cues, which turn a frame's descriptors into a distribution over places (thesis 3.3.1 and 3.3.2).
 
-Each module is one model, such as `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8,
+Each module defines one model, such as `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8,
 modified nearest neighbours) and `joint_probability` (Figure 10). A cue's setting ``classifier.model`` names
 its module; a new module needs no registration.
 """
@@ -23,9 +23,9 @@ logger = logging.getLogger(__name__)
 
 __all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "of_regions_only"]
 
-# Number of parts if frames are left out instead of homes.
+# Number of parts to leave out in turn if homes cannot be left out.
 _PARTS = 5
-# Minimum number of training frames per place in the other homes; calibration needs them.
+# Calibration needs at least this many training frames of each place in the other homes.
 _LEAST = 2
 
 
@@ -40,17 +40,17 @@ def fit(
 ) -> CueModel:
     """Train one cue on the descriptors of training frames.
 
-    `labels` are (n,) class indices in [0, len(classes)); every class must be present. `homes` is (n,), each
-    frame's home: cross-validation keeps a home's frames together, since neighbouring frames are
-    near-duplicates. ``model`` in `classifier` names a module of this package; the other keys are its
-    settings. `codebook` holds clusters from the same training homes, for models that need them. Raises
+    `labels` are (n,) class indices in [0, len(classes)); every class must be present. `homes` (n,) is the
+    home of each frame: cross-validation keeps the frames of a home together, since neighbouring frames are
+    almost identical. ``model`` in `classifier` is a module of this package; the other keys are that module's
+    settings. A model that needs clusters takes them from `codebook`, trained on the same homes. Raises
     PlacecatError for an unknown model, unknown or invalid settings, or a class without training frames.
     """
     missing = sorted(set(range(len(classes))) - set(np.unique(labels).tolist()))
     if missing:
         raise PlacecatError(
-            f"training homes {', '.join(sorted(set(homes.tolist())))} have no training frame of "
-            f"{classes[missing[0]]}: remove it from dataset.classes, or add homes that show it"
+            f"the training homes {', '.join(sorted(set(homes.tolist())))} have no training frame of "
+            f"{classes[missing[0]]}: remove this place from dataset.classes, or add homes that show it"
         )
     module = _load(str(settings.get(classifier, "model")))
     options = {name: value for name, value in classifier.items() if name != "model"}
@@ -67,12 +67,13 @@ def cross_validate(
     classes: Sequence[str],
     codebook: Codebook | None = None,
 ) -> NDArray[np.float64]:
-    """Return (n, n_classes) distributions; a cue trained on the other homes predicts each home's frames.
+    """Predict each home's frames with a cue trained on the other homes; return (n, n_classes) distributions.
 
-    Parameters and errors are as in :func:`fit`. Everything is refitted for each home, including calibration
-    and scaling, so the homes' distributions are comparable. Only the codebook, which uses no labels, is
-    shared. If the other homes have fewer than two frames of a place, or there is only one home, a warning is
-    logged, and five parts of consecutive frames of each place are left out in turn instead of homes.
+    Parameters and errors are as in :func:`fit`. Everything, including calibration and scaling, is fitted
+    again for each home, so the homes' distributions are comparable. Only the codebook, which uses no labels,
+    is shared. If there is only one home, or if leaving one out would leave fewer than two frames of a place,
+    a warning is logged. Then the frames of each place are cut into five consecutive parts, which are left out
+    in turn instead of homes.
     """
     index = labels.astype(np.intp)
     names = np.unique(homes)
@@ -81,8 +82,8 @@ def cross_validate(
         folds = make_folds(index, homes, CENTRED, _PARTS)
     else:
         logger.warning(
-            "%s: the homes cannot be left out one by one without losing a place; consecutive frames are "
-            "left out instead",
+            "%s: too few of these homes show every place to leave out one home at a time; consecutive "
+            "frames are left out instead",
             ", ".join(names.tolist()),
         )
         folds = make_folds(index, None, CONSECUTIVE, _PARTS)

@@ -1,4 +1,4 @@
-"""A frame's codewords: one tree for all salient regions, or one tree per cell of a holistic descriptor."""
+"""Find a frame's codewords with one tree for all regions, or one tree per cell of a holistic descriptor."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 def seed_of(
     dataset: str, descriptor: Mapping[str, Any], cells: int, training_set: str, seed: int | str
 ) -> int:
-    """Derive a codebook's seed, in [0, 2**32), from its inputs; equal clusterings share a seed.
+    """Derive the seed of a codebook, in [0, 2**32), from what it clusters; equal inputs give equal seeds.
 
-    The inputs are the data set's name, the descriptor as in the cue, a holistic descriptor's number of cells,
-    the training set's name, and one of ``protocol.seeds``. Raises PlacecatError as
-    :func:`placecat.cues.cue_input.check`.
+    The inputs are the name of the data set, the descriptor as it is in the cue, the number of cells of a
+    holistic descriptor, the name of the training set, and one of ``protocol.seeds``. Raises PlacecatError as
+    :func:`placecat.cues.cue_input.check` does.
     """
     cue_input.check(descriptor)
-    # Renaming a setting or a descriptor would change this text, and so the clustering: write old names here.
+    # The clustering depends on this text: after a setting or descriptor is renamed, write its old name here.
     content = json.dumps(dict(descriptor), sort_keys=True)
     return seeds.derive("codebook", dataset, content, cells, training_set, int(seed))
 
 
 def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
-    """Look up a codebook's settings; add its cues' numbers of clusters if the codebook needs them.
+    """Look up a codebook's settings; for flat k-means, add the numbers of clusters that its cues use.
 
-    A hierarchy serves every number up to ``max_clusters``. Flat k-means clusters once per number, so its
-    ``tree`` has ``numbers``. Raises PlacecatError if `name` is not one of ``codebooks``.
+    A hierarchy serves every number up to ``max_clusters``, but flat k-means clusters once for each of the
+    ``numbers`` in its ``tree``. Raises PlacecatError if `name` is not one of ``codebooks``.
     """
     codebook = dict(settings.get(params, f"codebooks.{name}"))
     tree = codebook["tree"]
@@ -48,7 +48,7 @@ def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
 
 
 class Codebook:
-    """Trees that serve every number of clusters (thesis 3.3.1.1, 4.2).
+    """Trees that assign codewords for every number of clusters that a cue uses (thesis 3.3.1.1, 4.2).
 
     Salient regions share one tree. A holistic descriptor, which stores its cells one after another, has one
     tree per cell.
@@ -70,17 +70,17 @@ class Codebook:
     ) -> Codebook:
         """Cluster the descriptors of n training frames.
 
-        `cells` is the number of equal parts of a holistic descriptor (16 in the thesis); 1 for regions. Each
-        tree's seed is derived from `seed` and the cell. `tree` holds the ``name`` of a clustering module of
-        `placecat.learning` and its settings. `numbers` are the numbers of clusters that will be used; None
-        means those in the settings.
+        `cells` is the number of equal parts into which a holistic descriptor is cut (16 in the thesis), or 1
+        for regions. The seed of each tree is derived from `seed` and the cell. `tree` holds the ``name`` of a
+        clustering module of `placecat.learning` and its settings. `numbers` are the numbers of clusters that
+        will be used; None means those in the settings.
         """
         if train.is_set:
             parts = [train.rows()]
         else:
             if train.x.shape[1] % cells:
                 raise PlacecatError(
-                    f"a descriptor of {train.x.shape[1]} values cannot be cut into {cells} cells"
+                    f"a descriptor of {train.x.shape[1]} values cannot be cut into {cells} equal cells"
                 )
             parts = np.split(train.x, cells, axis=1)
         trees = []
@@ -92,7 +92,7 @@ class Codebook:
         return cls(trees, of_sets=train.is_set)
 
     def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:
-        """Return the nearest clusters of regions, (n, max_regions) padded with -1, or cells, (n, cells)."""
+        """Return the nearest cluster of each region, (n, max_regions) padded with -1, or cell, (n, cells)."""
         if self.of_sets:
             words = np.full(frames.x.shape[:2], -1, dtype=np.int32)
             words[frames.valid()] = self.trees[0].assign(frames.rows(), n_clusters)
@@ -105,7 +105,7 @@ class Codebook:
         return np.stack(columns, axis=1).astype(np.int32)
 
     def to_arrays(self) -> dict[str, np.ndarray]:
-        """Return plain arrays, to store the codebook without pickle."""
+        """Convert the codebook to arrays, which can be stored without pickle."""
         arrays = {"of_sets": np.array(self.of_sets), "n_trees": np.array(len(self.trees))}
         for number, tree in enumerate(self.trees):
             arrays |= {f"{number:02d}/{name}": array for name, array in tree.to_arrays().items()}

@@ -21,8 +21,8 @@ def check(descriptor: Mapping[str, Any]) -> None:
     """Refuse a descriptor of an unknown kind or with an unknown setting; the error names the valid ones.
 
     A descriptor has ``kind`` (local or holistic) and ``name``; a local one also has ``y_pos``, ``y_weight``,
-    ``color`` (the colour descriptor to append, or None) and ``max_regions``. For tracked regions,
-    ``tracked`` is true; for a variant in conf/region_variants, ``variant`` is its name.
+    ``color`` (the colour descriptor to append, or None) and ``max_regions``. If its regions are tracked,
+    ``tracked`` is true; if they come from a variant in conf/region_variants, ``variant`` names it.
     """
     kind, name = descriptor["kind"], descriptor["name"]
     if kind not in SETTINGS:
@@ -31,7 +31,7 @@ def check(descriptor: Mapping[str, Any]) -> None:
 
 
 def array_names(descriptor: Mapping[str, Any]) -> list[str]:
-    """Name the arrays from :func:`placecat.vision.frame.describe_frame` that :func:`assemble` needs."""
+    """List the arrays from :func:`placecat.vision.frame.describe_frame` that :func:`assemble` needs."""
     if descriptor["kind"] == "holistic":
         return [f"holistic_{descriptor['name']}"]
     names = [f"local_{descriptor['name']}", "count"]
@@ -47,12 +47,12 @@ def assemble(
     height: int,
     modules: Mapping[str, str],
 ) -> Descriptors:
-    """Assemble one descriptor of n frames; PlacecatError if `arrays` have fewer than ``max_regions`` regions.
+    """Assemble a descriptor of n frames; raise PlacecatError if `arrays` hold too few regions for it.
 
     A region's shape descriptor is joined with the vertical position of its centre (0 to 1, top to bottom,
     times ``y_weight``) and its colour descriptor (thesis 4.4.1). Descriptors have different magnitudes (SIFT
-    reaches 255, HOG 1), and the thesis does not specify their weights. So each is divided by its module's
-    ``SPREAD``, after which parts influence a distance equally.
+    reaches 255, HOG 1), and the thesis does not say how to weight them. Each is therefore divided by its
+    module's ``SPREAD``, so that all of them influence a distance equally.
 
     `descriptor` is as for :func:`check`. `arrays` holds the arrays that :func:`array_names` lists, with n
     frames along the first axis. `height` is the frame height in pixels. `modules` maps each region

@@ -1,4 +1,4 @@
-"""A cue's input, descriptors of frames, and the interface of its model."""
+"""Descriptors of frames, which are the input of a cue, and the interface of a trained cue."""
 
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 class Descriptors:
     """Descriptors of n frames: one vector (holistic) or a set of vectors (salient regions) per frame.
 
-    `x` is float32: (n, d) for holistic descriptors, (n, max_regions, d) for regions. `counts` is (n,), each
-    frame's number of regions; further rows are padding. It is None for holistic descriptors.
+    `x` is float32: (n, d) for holistic descriptors, (n, max_regions, d) for regions. `counts` (n,) is the
+    number of regions in each frame; further rows of `x` are padding. It is None for holistic descriptors.
     """
 
     x: NDArray[np.float32]
@@ -47,7 +47,7 @@ class Descriptors:
 
 
 class CueModel(Protocol):
-    """A trained cue; `facts` describes its training, e.g. the feasible nu, with JSON types only."""
+    """A trained cue. `facts`, in JSON types only, describes its training, such as the feasible nu."""
 
     facts: dict[str, Any]
 

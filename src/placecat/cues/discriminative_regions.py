@@ -18,7 +18,7 @@ OF_REGIONS_ONLY = True
 
 
 class DiscriminativeRegionsCue:
-    """Cue that ignores regions without a chosen codeword."""
+    """Cue that ignores every region whose codeword was not chosen."""
 
     def __init__(self, codebook: Codebook, kept: NDArray[np.bool_], cue: CueModel) -> None:
         self.codebook = codebook
@@ -51,10 +51,10 @@ def fit(
     clusters: Count,
     keep: PositiveShare,
 ) -> DiscriminativeRegionsCue:
-    """Choose codewords on the training frames, then train a cue on their regions.
+    """Choose codewords on the training frames, then train a cue on the regions that have them.
 
     `cue` holds the settings of that cue's classifier, which also uses `clusters` clusters. `keep` is the
-    share of clusters to choose, see :func:`placecat.learning.discriminative.discriminative_codewords`.
+    share of clusters to choose; see :func:`placecat.learning.discriminative.discriminative_codewords`.
     """
     from placecat import cues
 

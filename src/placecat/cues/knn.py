@@ -16,7 +16,7 @@ from placecat.ranges import Count
 
 @dataclass
 class NearestNeighboursCue:
-    """Class frequencies of the nearest clusters, multiplied over a frame's regions."""
+    """Cue that multiplies the class frequencies of the nearest clusters over a frame's regions."""
 
     estimator: Any
     facts: dict[str, Any] = field(default_factory=dict)
@@ -38,12 +38,12 @@ def fit(
     base: Mapping[str, Any],
     clusters: Count,
 ) -> NearestNeighboursCue:
-    """Train the modified nearest neighbours on all regions (or frames); regions take their frame's label."""
+    """Train the modified classifier on all regions or all frames; a region has the label of its frame."""
     if codebook is None:
         raise PlacecatError("classifier.model 'knn' needs a codebook: set the cue's codebook and input")
     if len(codebook.trees) != 1:
         raise PlacecatError(
-            "classifier.model 'knn' needs a codebook of whole descriptors: set its cells to 1"
+            "classifier.model 'knn' needs a codebook of whole descriptors: set the codebook's cells to 1"
         )
     estimator = estimators.build(base, "classifier.base", codebook=codebook.trees[0], n_clusters=clusters)
     estimator.fit(train.rows(), labels[train.frame_of_row()])

@@ -25,10 +25,10 @@ class OneAgainstAllCue:
         self.facts: dict[str, Any] = {}
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
-        """Return (n, n_classes) distributions over places; those of a frame's regions are multiplied."""
+        """Return (n, n_classes) distributions over places, multiplied over the regions of each frame."""
         _, rows = remembered("rows", (frames, None), lambda: _rows(frames, None))
         if len(rows) == 0:
-            # Without frames or regions, the matrix is empty; estimators refuse that.
+            # Without frames or regions, the matrix is empty, which estimators refuse.
             proba = np.empty((0, len(self.scheme.classes_)))
         else:
             for step in self.steps:
@@ -89,9 +89,9 @@ def fit(
     `base` is a two-class estimator of `placecat.learning`: `nu_svm`, `rvm` or `gentle_adaboost`; `scheme` is
     a multi-class one: `one_against_all` (parallel) or `sequential`. `scaling` is the kind of
     :class:`~placecat.learning.scaling.KernelScaling`, and `gamma_scale` its factor for squared distances.
-    `reduction` holds settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, e.g. 16 cells of 64
-    components for spatial PACT. `max_rows` limits slow classifiers to that many evenly spaced training rows
-    (not in the thesis).
+    `reduction` holds settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, such as 16 cells of 64
+    components each for spatial PACT. `max_rows` limits slow classifiers to that many evenly spaced training
+    rows (not in the thesis).
     """
     kept, x = remembered("rows", (train, max_rows), lambda: _rows(train, max_rows))
     frame = train.frame_of_row()[kept]

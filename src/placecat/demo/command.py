@@ -70,10 +70,10 @@ def demo_command() -> int:
     chance = 100 / len(params["dataset"]["classes"])
     print(f"\nAccuracy in {tested}, percent (mean over the places; chance is {chance:.0f}):\n")
     print(table.to_string(float_format="%.0f", na_rep="-"))
-    print(f"\nA few frames teach little: {COMPLETE} trains on all and tests every home.\n")
+    print(f"\nA few frames teach little: {COMPLETE} trains on all frames and tests every home.\n")
     print(f"  {OUTPUT / TIMELINE}: the walk over time")
     print(f"  {OUTPUT / CLIP}: the annotated clip")
-    print(f"  {OUTPUT / PAGE}: all on one page")
+    print(f"  {OUTPUT / PAGE}: everything on one page")
     print(f"\nIt took {time.perf_counter() - start:.0f} s.")
     return 0
 

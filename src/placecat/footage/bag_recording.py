@@ -1,4 +1,4 @@
-"""The frames of one topic in a bag, with their numbers, times and losses."""
+"""Read the frames of one topic in a bag, with their numbers and times, and find lost frames."""
 
 from collections.abc import Generator
 from dataclasses import dataclass
@@ -55,7 +55,7 @@ class BagRecording:
     topic
         The topic; None uses the only topic with pictures.
     fps
-        Frames per second, if the stamps are wrong: all frames count and are evenly spaced. None uses the
+        Frames per second, to replace wrong stamps: all frames count and are evenly spaced. None uses the
         stamps, or the times of reception if any stamp is zero.
     settings
         Prefix of ``topic`` and ``fps`` in messages.
@@ -89,7 +89,7 @@ class BagRecording:
         if (stamps == 0).any():
             stamps = self.received
             self._remarks.append(
-                "stamps are zero: times are when the bag received the messages of this topic"
+                "some stamps are zero, so times are when the bag received the messages of this topic"
             )
         if fps is None:
             stamps = self._without_late(stamps, f"{settings}fps")
@@ -111,7 +111,7 @@ class BagRecording:
         self._why = self._why or why
 
     def size(self) -> Size:
-        """Return the first readable frame's (width, height) in pixels; PlacecatError if there is none."""
+        """Return the first readable frame's (width, height) in pixels; raise PlacecatError without one."""
         for frame in self.pictures():
             if (size := frame.size) is not None:
                 return size
@@ -132,13 +132,14 @@ class BagRecording:
             number = int(behind.argmax()) + 1
             raise PlacecatError(
                 f"{self.path}: frame {number} of {self.topic} is {behind.max():.3g} s earlier than one "
-                "before it: the clock was set, or stamps are damaged; cut the bag there, or give the frame "
+                "before it, so the clock was set or stamps are damaged; cut the bag there, or give the frame "
                 f"rate with {setting}."
             )
         is_late = np.append(False, stamps[1:] <= before[:-1])
         if is_late.any():
             self._remarks.append(
-                f"{is_late.sum()} of {len(stamps)} frames are not later than one before them and are left out"
+                f"{is_late.sum()} of {len(stamps)} frames are left out, since they are not later than one "
+                "before them"
             )
         self.positions, self.received = self.positions[~is_late], self.received[~is_late]
         return stamps[~is_late]
@@ -150,8 +151,8 @@ class BagRecording:
         if found is None:
             raise PlacecatError(
                 f"{self.path}: the stamps of {self.topic} give no frame rate ({self.count} "
-                f"frame{'s' if self.count > 1 else ''} in {(stamps[-1] - stamps[0]) / 1e9:.3g} s); give it "
-                f"with {setting}."
+                f"frame{'s' if self.count > 1 else ''} in {(stamps[-1] - stamps[0]) / 1e9:.3g} s); give the "
+                f"frame rate with {setting}."
             )
         timing.check_gaps(found, str(self.path), setting)
         return found

@@ -40,8 +40,8 @@ def is_bag(path: Path) -> bool:
 class Picture:
     """A message with a picture.
 
-    `number` is its number among the picture messages of all topics, from 1, in order of reception; `received`
-    and `stamp` are the times of reception and in the header, in nanoseconds.
+    `number` is its number among the picture messages of all topics, from 1, in order of reception. `received`
+    is the time of reception and `stamp` the time in the header, both in nanoseconds.
     """
 
     number: int
@@ -90,7 +90,7 @@ class Bag:
             )
         if not having:
             raise PlacecatError(
-                f"{self.path}: no topic has pictures ({IMAGE} or {COMPRESSED}); it has {self._listed()}."
+                f"{self.path}: no topic has pictures ({IMAGE} or {COMPRESSED}); the bag has {self._listed()}."
             )
         return having[0]
 
@@ -98,7 +98,7 @@ class Bag:
         """Refuse a topic that is missing, empty, or of another type."""
         if topic not in self.topics:
             raise PlacecatError(
-                f"{self.path}: no topic {topic!r}{did_you_mean(topic, self.topics)}; it has "
+                f"{self.path}: there is no topic {topic!r}{did_you_mean(topic, self.topics)}; the bag has "
                 f"{self._listed()}. Correct {setting}."
             )
         kind, count = self.topics[topic]
@@ -111,7 +111,7 @@ class Bag:
             raise PlacecatError(f"{self.path}: the topic {topic!r} has no message; correct {setting}.")
 
     def pictures(self, topic: str | None = None) -> Generator[Picture, None, None]:
-        """Iterate over one or all topics' pictures in order of reception, without decoding pixels.
+        """Yield the pictures of one topic or of all topics in order of reception, without decoding pixels.
 
         Pictures keep their numbers among all topics, even if only one topic is read.
         """
@@ -174,13 +174,13 @@ class Bag:
             yield
         except PermissionError as error:
             raise PlacecatError(
-                f"{self.path}: cannot be read ({error.strerror}); make it readable."
+                f"{self.path}: the bag cannot be read ({error.strerror}); make it readable."
             ) from None
         except Exception as error:
             said = " ".join(str(error).split())[:300].rstrip(".") or type(error).__name__
             mending = _MENDING["" if self.path.is_dir() else self.path.suffix.lower()]
             raise PlacecatError(
-                f"{self.path}: not a readable bag ({said}); restore it, or mend it with {mending}."
+                f"{self.path}: not a readable bag ({said}); restore it, or repair it with {mending}."
             ) from None
 
 

@@ -21,9 +21,10 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    A video is decoded from the last frame at which decoding can start; a bag is read from its start. A row
-    with an earlier position than the previous row restarts the pass, so rows in ascending order need at most
-    one pass. The code never seeks in a file, because containers may silently return a nearby frame.
+    A video is decoded from the last frame, at or before the first row, at which decoding can start; a bag is
+    read from its start. A row with an earlier position than the previous row restarts the pass, so rows in
+    ascending order need at most one pass. The code never seeks in a file, because containers may silently
+    return a nearby frame.
 
     `home_root` is `Home.root`; `frames` are any rows of `Home.frames`, in any order; `size` is the required
     (width, height) of every frame in pixels, after turning (None: the first row's size). Yields (H, W, 3)
@@ -49,7 +50,7 @@ def read_frames(
             if (width, height) != size:
                 where = str(path) if position < 0 else f"{path} frame {position + 1}"
                 raise PlacecatError(
-                    f"{where}: the frame is {width}x{height}, but the others of this home are "
+                    f"{where}: the frame is {width}x{height}, but the other frames of this home are "
                     f"{size[0]}x{size[1]}; a home needs one frame size: convert or remove the frame."
                 )
             yield image
@@ -86,7 +87,7 @@ class _Video:
             self._last = next(self._pictures, None)
         if self._last is None or self._last.number != number:
             count = self._recording.count
-            why = f"it ends after {count}" if number > count else "it is damaged there"
+            why = f"the file ends after {count}" if number > count else "the file is damaged there"
             raise PlacecatError(
                 f"{self.path}: frame {number} is missing or unreadable ({why}); restore the file."
             )

@@ -59,8 +59,9 @@ ENCODINGS = tuple(_ENCODINGS)
 def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
     """Decode a sensor_msgs/Image to (height, width, 3) uint8, BGR; errors call it `name`.
 
-    Raises Damaged if the sizes contradict each other or the length of the data; otherwise PlacecatError if
-    the encoding is not in `ENCODINGS`, or for more than `placecat.footage.pictures.MOST_PIXELS`.
+    Raises PlacecatError if the encoding is not in `ENCODINGS` or the picture has more pixels than
+    `placecat.footage.pictures.MOST_PIXELS`, and Damaged if the sizes contradict each other or the length of
+    the data.
     """
     width, height, step, encoding = message.width, message.height, message.step, message.encoding
     data = np.frombuffer(message.data, np.uint8)
@@ -71,7 +72,7 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
         )
     check_size(name, width, height)
     depth, conversion = _ENCODINGS[encoding]
-    # The rows with colours follow those with luminance.
+    # In nv21, rows with colours follow the rows with luminance.
     rows, row = height * 3 // 2 if encoding == "nv21" else height, width * depth
     if not (width and height and row <= step and rows * step <= len(data)):
         raise Damaged(

@@ -1,4 +1,4 @@
-"""Names of files and folders: natural order, and checks."""
+"""Sort the names of files and folders naturally, and check names."""
 
 import re
 from pathlib import PurePosixPath

@@ -61,12 +61,12 @@ def list_frames(folder: Path) -> list[str]:
     others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)
     if others:
         raise PlacecatError(
-            f"{folder / others[0]}: this kind of picture is not supported ({len(others)} here); convert to "
-            f"{' or '.join(SUFFIXES)}, or remove them from the folder."
+            f"{folder / others[0]}: this kind of picture is not supported ({len(others)} in this folder); "
+            f"convert such pictures to {' or '.join(SUFFIXES)}, or remove them from the folder."
         )
     names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
     numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
-    # If all names share their numbers, the numbers do not count frames.
+    # If all names have the same numbers, these do not count frames.
     are_counted = len(set(numbers)) > 1
     seen: dict[object, str] = {}
     for name, own in zip(names, numbers, strict=True):
@@ -74,8 +74,8 @@ def list_frames(folder: Path) -> list[str]:
             first = seen.setdefault(key, name)
             if first != name:
                 raise PlacecatError(
-                    f"{folder / name}: the same frame as {first}, by its name, such as colour and depth, or "
-                    "two cameras; keep one picture per frame, or number all pictures consecutively."
+                    f"{folder / name}: by its name, this is the same frame as {first}, as with colour and "
+                    "depth or two cameras; keep one picture per frame, or number all pictures consecutively."
                 )
     return names
 
@@ -99,7 +99,7 @@ def in_order(names: Iterable[str]) -> list[str]:
 def read_image(path: Path) -> NDArray[np.uint8]:
     """Decode a JPEG or PNG file to (H, W, 3) uint8, BGR, turned according to its EXIF data.
 
-    Grey pictures get three equal channels.
+    A grey picture is returned with three equal channels.
 
     Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or cut
     off, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (grey, 16 bits) and transparent,

@@ -1,4 +1,4 @@
-"""A video file: its frames, with their numbers and times, and its losses."""
+"""Read a video file's frames, with their numbers and times, and find its lost and damaged frames."""
 
 import bisect
 from collections.abc import Generator, Iterator
@@ -34,15 +34,15 @@ _WIDE, _CURVES, _USUAL = 9, (14, 15, 16, 18), 1
 
 
 class _Damaged(Exception):
-    """The decoder met an error."""
+    """The decoder reported an error."""
 
 
 @dataclass(frozen=True, eq=False)
 class Picture:
     """A decoded frame.
 
-    `number`, its number in the file, starts at 1 and counts lost frames; `size` is its (width, height) as
-    shown: upright, with square pixels.
+    `number` is its number in the file, from 1, including lost frames; `size` is its (width, height) as shown:
+    upright, with square pixels.
     """
 
     number: int
@@ -58,10 +58,10 @@ class Picture:
 class Recording:
     """A video file, read by FFmpeg.
 
-    Opening reads all packets without decoding them; every video packet is a frame with a time. A frame that
-    cannot be decoded is lost; later frames keep their numbers and times. `count` is the number of frames,
-    including lost ones; `positions` is (count,) int64: 0, 1, ... Raises PlacecatError if the file is missing
-    or not a video.
+    Opening reads all packets without decoding them; every packet of the video is a frame with a time. A frame
+    that cannot be decoded is lost; later frames keep their numbers and times. `count` is the number of
+    frames, including lost ones; `positions` is (count,) int64: 0, 1, ... Raises PlacecatError if the file is
+    missing or not a video.
     """
 
     def __init__(self, path: Path) -> None:
@@ -76,7 +76,7 @@ class Recording:
             self._rates = (stream.average_rate, stream.guessed_rate)
 
     def size(self) -> Size:
-        """Return the first frame's (width, height) as shown, in pixels; PlacecatError if there is none."""
+        """Return the first frame's (width, height) as shown, in pixels; raise PlacecatError without one."""
         first = next(self.pictures(), None)
         if first is None:
             raise self._empty()
@@ -96,8 +96,8 @@ class Recording:
         if found is None:
             texts = ", ".join(sorted({f"{float(rate):g}" for rate in self._rates if rate})) or "none"
             raise PlacecatError(
-                f"{self.path}: the video does not say when its frames are shown (its frame rate: {texts}); "
-                f"give it with {setting}."
+                f"{self.path}: the video has no plausible times for its frames (its frame rate: {texts}); "
+                f"give the frame rate with {setting}."
             )
         timing.check_gaps(found, str(self.path), setting)
         return found
@@ -106,7 +106,7 @@ class Recording:
         """Decode the frames from `first` on in display order; lost frames are skipped.
 
         Decoding starts at `start_before`, so a late `first` costs little. FFmpeg decodes several frames at
-        once and does not say which of them has an error. After the first error, the file is decoded again
+        once and does not report which of them has an error. After the first error, the file is decoded again
         from its start, one frame at a time.
         """
         self._start(first)
@@ -121,7 +121,7 @@ class Recording:
                 return
 
     def start_before(self, number: int) -> int:
-        """Return the last frame, up to `number`, from which decoding yields the same bytes."""
+        """Return the last frame, up to `number`, at which decoding can start and yield the same bytes."""
         after = bisect.bisect_right(self._fresh, number)
         return 1 if self._is_careful or after == 0 else self._fresh[after - 1]
 
@@ -210,7 +210,9 @@ class Recording:
         videos = [one for one in container.streams.video if not one.disposition & cover]
         if not videos:
             if container.streams.video:
-                raise PlacecatError(f"{self.path}: holds a cover picture, but no video; give a video.")
+                raise PlacecatError(
+                    f"{self.path}: the file holds a cover picture, but no video; give a video."
+                )
             raise self._unreadable()
         stream = videos[0]
         if stream.codec_context is None:
@@ -219,8 +221,8 @@ class Recording:
         self._flatness = float(ratio) if ratio else 1.0
         if not 1 / _FLATTEST <= self._flatness <= _FLATTEST:
             raise PlacecatError(
-                f"{self.path}: its header says that pixels are {self._flatness:.4g} times as wide as high, "
-                "which is impossible; convert it with square pixels."
+                f"{self.path}: according to the header, pixels are {self._flatness:.4g} times as wide as "
+                "high, which is implausible; convert the video to square pixels."
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
         # Processes of `placecat.compute.parallel` have one thread; FFmpeg's threads would cost a fifth more
@@ -328,7 +330,7 @@ def are(numbers: list[int]) -> str:
 
 
 def named(numbers: list[int], most: int = 5) -> str:
-    """Name frames by their numbers, e.g. "frames 3, 7 to 9"."""
+    """Name frames by their numbers, such as "frames 3, 7 to 9"."""
     breaks = np.flatnonzero(np.diff(numbers) > 1) + 1
     runs = [part.tolist() for part in np.split(np.array(numbers), breaks)]
     texts = [f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs[:most]]

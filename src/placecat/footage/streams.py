@@ -1,4 +1,4 @@
-"""A file's packets and its decoder's errors, through PyAV."""
+"""Read a file's packets and count its decoder's errors, with PyAV."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -8,7 +8,7 @@ from av.video.stream import VideoStream
 
 # Number of consecutive errors after which reading a file stops.
 _PATIENCE = 100
-# Codecs whose key frames are independent: no later frame refers to a frame before them.
+# Codecs whose key frames are independent: no frame after one refers to a frame before it.
 _FRESH = ("ffv1", "mjpeg", "png", "vp8", "vp9")
 # For two codecs with sized units: position of the unit size in the header, shift and mask of the unit type,
 # and the types of IDR pictures (ITU-T H.264, 7.4.1; H.265, 7.4.2.2).
@@ -32,7 +32,7 @@ def packets(container: av.container.InputContainer, stream: VideoStream | None =
 
 
 def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
-    """Return whether a packet is shown: edit lists cut some, and hidden frames are only references."""
+    """Return whether a packet is a shown frame; edit lists cut some, and others are only references."""
     is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
     return not packet.is_discard and not is_hidden
 
@@ -40,7 +40,8 @@ def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
 def is_fresh(packet: av.Packet, stream: VideoStream) -> bool:
     """Return whether decoding can start at this packet and still yield the same bytes.
 
-    Not every key frame qualifies, since later frames may refer to frames before it. False if unknown.
+    Not every key frame qualifies, since later frames may refer to frames before it. Returns False if this is
+    unknown.
     """
     codec = stream.codec_context
     if not packet.is_keyframe or codec.name not in _UNITS:

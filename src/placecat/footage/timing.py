@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 MOST_RATE = 500.0
-"""Highest rate in frames per second. Slow motion has 240; headers with 1,000 or more give clock units."""
+"""Highest plausible frames per second. Slow motion has 240; 1,000 or more in a header are clock units."""
 LONGEST = 3600.0
 """Longest gap between two frames in seconds; timestamps with a longer gap are damaged."""
 
@@ -20,10 +20,11 @@ _ROUNDING = 0.001
 
 @dataclass(frozen=True, eq=False)
 class Timing:
-    """Times of n frames in seconds: `seconds`, (n,) float64, since the first; `end`, the end of the last.
+    """Times of n frames, in seconds.
 
-    `fps` is the file's rate or, if the times do not fit it, the rate without long gaps. If `is_even`, frame
-    i, from 0, is shown at i / `fps`.
+    `seconds`, (n,) float64, are the times since the first frame; `end` is the end of the last frame. `fps` is
+    the file's rate or, if the times do not fit it, the rate without long gaps. If `is_even`, frame i, from 0,
+    is shown at i / `fps`.
     """
 
     seconds: NDArray[np.float64]
@@ -71,7 +72,7 @@ def measure(
         return usual(1, rates)
     times = (ticks - ticks[0]) * float(tick)
     steps = np.diff(times)
-    # Ignore longer steps: phones slow down in the dark, and static scenes drop frames.
+    # Ignore longer steps: phones record more slowly in the dark, and recorders drop frames of static scenes.
     period = float(steps[steps <= 2 * np.quantile(steps, 0.25)].mean())
     if period * MOST_RATE < 1 - 1e-9:
         return None
@@ -95,8 +96,8 @@ def check_gaps(found: Timing, title: str, setting: str) -> None:
     steps = np.diff(found.seconds)
     if len(steps) and steps.max() > LONGEST:
         raise PlacecatError(
-            f"{title}: frame {int(steps.argmax()) + 2} comes {steps.max() / 3600:.3g} hours after the one "
-            f"before: its times are damaged; give the frame rate with {setting}."
+            f"{title}: frame {int(steps.argmax()) + 2} comes {steps.max() / 3600:.3g} hours after the "
+            f"previous one, so the times are damaged; give the frame rate with {setting}."
         )
 
 

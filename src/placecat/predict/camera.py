@@ -14,7 +14,7 @@ from placecat.predict.frame import Frame, Source
 
 # Used if a camera reports no rate or an implausible one; some streams report 90,000.
 USUAL_FPS = 30.0
-# Failed reads in a row after which the camera counts as gone, and the pause after each in seconds.
+# Number of failed reads in a row after which the camera counts as gone, and seconds to wait after each.
 _FAILURES, _PAUSE = 10, 0.05
 PATIENCE = 10.0
 """The camera counts as gone after this many seconds without a frame."""
@@ -27,7 +27,7 @@ class Camera(Source):
     footage ends when the camera stops delivering frames. Raises PlacecatError if the camera cannot be opened
     or delivers no frames.
 
-    `address` is a camera's number or a stream's address; `name` is for the results folder, `title` for
+    `address` is a camera's number or a stream's address; `name` is for the results folder, and `title` for
     messages. `fps` replaces the camera's reported rate in frames per second. `size` is the (width, height)
     requested from a numbered camera; its frames may differ. The attribute `arrived` is the number of frames
     delivered, up to the last one used.

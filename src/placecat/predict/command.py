@@ -86,12 +86,16 @@ def predict_command(options: Options) -> int:
     categorizer = Categorizer.load(options.model)
     source = _open(options, categorizer)
     if source.is_live and options.every != 1:
-        raise PlacecatError("--every is for files: a camera always uses its newest frame")
+        raise PlacecatError(
+            "--every is only for files, since a camera always uses its newest frame: leave it out"
+        )
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
     if options.labels is None:
         labels = source.truth(categorizer.classes, options.ignore)
     elif source.timing is None:
-        raise PlacecatError("--labels is for files: a camera's frames have no labels yet")
+        raise PlacecatError(
+            "--labels is only for files, since a camera's frames have no labels yet: leave it out"
+        )
     else:
         labels = truth.read(options.labels, source.timing, categorizer.classes, options.ignore)
     read = [options.model, *([options.labels] if options.labels else [])]
@@ -188,11 +192,13 @@ def _check(options: Options) -> None:
         raise PlacecatError(f"--every is {options.every}: give 1 to {MOST_EVERY}")
     is_home = options.source.startswith(PREFIX)
     if options.ignore and options.labels is None and not is_home:
-        raise PlacecatError("--ignore is for labels: give --labels too")
+        raise PlacecatError("--ignore has no effect without labels: give --labels too")
     if options.overrides and not is_home:
         raise PlacecatError("--set chooses the data set of home:NAME: give home:NAME as SOURCE")
     if options.labels is not None and is_home:
-        raise PlacecatError("--labels is for other footage: the data set has the labels of its homes")
+        raise PlacecatError(
+            "--labels is for other footage, since a data set has its own labels: leave it out"
+        )
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
         raise PlacecatError(f"--seconds is {options.seconds:g}: give more than 0")
 
@@ -216,10 +222,15 @@ def _announce(job: _Job) -> None:
     if source.topic:
         print(f"Topic: {source.topic}.")
     if isinstance(source, Folder) and options.fps is None:
-        print(f"A folder has no frame rate: using the model's {source.fps:g} frames/s (--fps sets it).")
+        print(
+            f"A folder has no frame rate: using the model's {source.fps:g} frames/s (change it with --fps)."
+        )
     if source.is_live:
         end = f"after {options.seconds:g} s" if options.seconds is not None else "with Ctrl-C"
-        print(f"Only the newest frame is used; older ones are dropped. Ends {end}, then writes the results.")
+        print(
+            f"Only the newest frame is used; older ones are dropped. The prediction ends {end}; the "
+            "results are written then."
+        )
     sys.stdout.flush()
 
 

@@ -16,14 +16,14 @@ from placecat.predict.tables import TABLES
 
 SUMMARY = "summary.json"
 CHECKED = "sha256"
-"""Entry of the summary that has the tables' checksums, to detect tables that are edited later."""
+"""Entry of the summary with the tables' checksums, which reveal tables that were edited later."""
 
 
 @contextmanager
 def reserved(
     output: Path | None, name: str, source: str, read: list[Path], *, is_live: bool, force: bool
 ) -> Iterator[Path]:
-    """Reserve the results folder for this prediction alone; parameters as for :func:`check`.
+    """Reserve the results folder for this prediction alone; parameters are as for :func:`check`.
 
     The folder is `output` or, by default, predictions/NAME. A camera's default is the first of NAME,
     NAME_2, ... that does not exist and that no other prediction is writing. Raises PlacecatError like
@@ -72,10 +72,10 @@ def reserved(
 def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     """Refuse to replace files in the results folder that cannot be recreated.
 
-    Nothing but a prediction is ever replaced. It must be of the same `source`, which is the footage as the
-    user typed it, without any password, and no camera, and must not be edited; with `force`, any prediction
-    is replaced (see :func:`keep`). No input, one of `read`, may be in `folder`. The PlacecatError names the
-    obstacle.
+    Only a prediction is ever replaced. Without `force`, it must be unedited and have the same `source`, which
+    must not be a camera; with `force`, any prediction is replaced (see :func:`keep`). `source` is the footage
+    as the user typed it, without any password. None of the inputs `read` may be in `folder`. The
+    PlacecatError names the obstacle.
     """
     files.check_target(folder)
     for path in read:
@@ -108,7 +108,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 
 def keep(folder: Path, new: Path) -> dict[str, str]:
-    """Copy the files that a user added to or edited in a prediction into the one that replaces it.
+    """Copy files that a user added to or edited in a prediction into the prediction that replaces it.
 
     Returns a mapping from each copied file or folder to its copy, both as names. A copy keeps its name, or is
     called ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... if the new prediction uses that name. The summary

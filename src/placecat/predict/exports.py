@@ -31,9 +31,9 @@ def _kind(option: str) -> "type[McapFile] | type[RerunFile]":
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
     """Before any work starts, refuse files that must not or cannot be written.
 
-    `wanted` maps each option, one of `OPTIONS`, to its file. The results `folder` will be replaced. An
-    existing file is only replaced with `force`, and an input, one of `read`, never. The PlacecatError names a
-    missing package, a wrong suffix, or a file that must not or cannot be written.
+    `wanted` maps each option, one of `OPTIONS`, to its file. `folder` is the results folder, which will be
+    replaced. An existing file is replaced only with `force`, and an input, one of `read`, never. The
+    PlacecatError names a missing package, a wrong suffix, or a file that must not or cannot be written.
     """
     for option, path in wanted.items():
         ending = _ENDINGS[option]
@@ -42,9 +42,11 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
         if path.suffix != ending:
             raise PlacecatError(f"{given}: give a name that ends with {ending}")
         if any(path.resolve().is_relative_to(other.resolve()) for other in read):
-            raise PlacecatError(f"{given}, an input of the prediction: give another name")
+            raise PlacecatError(f"{given}, which is an input of the prediction: give another name")
         if path.resolve().is_relative_to(folder.resolve()):
-            raise PlacecatError(f"{given}, in {folder}, which the prediction replaces: give another name")
+            raise PlacecatError(
+                f"{given}, but the prediction replaces the folder {folder}: give another name"
+            )
         if path.exists() and not force:
             raise PlacecatError(f"{given}, which already exists: give another name, or --force")
         files.check_writable(path)

@@ -37,8 +37,8 @@ class Film:
             stream = self._container.add_stream(codec, rate=rate, options=options)
         except (av.FFmpegError, ValueError):
             raise PlacecatError(
-                f"this FFmpeg cannot write {path.suffix} with {codec}: leave out --video, or try the other "
-                "of --video and --webm"
+                f"this FFmpeg cannot write {path.suffix} with {codec}: use the other one of --video "
+                "and --webm, or neither"
             ) from None
         assert isinstance(stream, VideoStream)
         self._stream = stream

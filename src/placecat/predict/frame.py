@@ -16,8 +16,8 @@ class Frame:
     """One frame.
 
     `number` counts from 1, without a camera's unused frames; `seconds` is the time since the first frame.
-    `file` names the image file, or is "". `image` is (H, W, 3) uint8, BGR. The system restarts at a frame
-    that `begins`: a cut precedes it.
+    `file` is the name of the image file, or "". `image` is (H, W, 3) uint8, BGR. If `begins`, a cut precedes
+    the frame, and the system restarts.
     """
 
     number: int
@@ -33,7 +33,7 @@ def nanoseconds(seconds: float) -> int:
 
 
 def clock(seconds: float) -> str:
-    """Format seconds as minutes and seconds, and hours if needed, e.g. "0:07" or "1:02:03"."""
+    """Format seconds as minutes and seconds, and hours if needed, such as "0:07" or "1:02:03"."""
     minutes, rest = divmod(int(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02d}:{rest:02d}" if hours else f"{minutes}:{rest:02d}"
@@ -50,11 +50,12 @@ class Damage(NamedTuple):
 class Source(ABC):
     """Base class for footage.
 
-    `name` is that of the results folder, `fps` in frames per second, and `size` the (width, height) of the
-    first frame in pixels; later frames may differ if a phone was turned. `timing` has the times of all
-    frames, including lost ones; None for a camera. If `is_live`, frames that are not read in time are lost.
-    `reached` is the number of the last frame read, from 1, or 0 before the first. `start` is the time of the
-    first frame in nanoseconds since 1970, or 0 if unknown. `topic` is a bag's image topic, or "".
+    `name` is the default name of the results folder, `fps` is in frames per second, and `size` is the (width,
+    height) of the first frame in pixels; later frames may differ if a phone was turned. `timing` has the
+    times of all frames, including lost ones; it is None for a camera. If `is_live`, frames that are not read
+    in time are lost. `reached` is the number of the last frame read, from 1, or 0 before the first. `start`
+    is the time of the first frame in nanoseconds since 1970, or 0 if unknown. `topic` is a bag's image topic,
+    or "".
     """
 
     name: str
@@ -68,7 +69,7 @@ class Source(ABC):
 
     @abstractmethod
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first frame that is not lost in each group of `every`; a camera ignores `every`."""
+        """Decode one frame in `every`, the first that is not lost; a camera ignores `every`."""
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
         """Return (frames,) indices into the model's `classes`, or -1 if unscored; None without labels.

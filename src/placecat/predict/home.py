@@ -15,14 +15,14 @@ from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import open_home_of, place_labels
 
 PREFIX = "home:"
-"""Prefix of a source that names a home; the name follows."""
+"""Prefix of a source that is a home; the home's name follows."""
 
 
 class DataSetHome(Source):
     """The frames of a home, floor by floor.
 
     The system restarts at each floor and at any other cut. Times continue from the previous floor. `name` is
-    a home of the data set, whose settings are as in conf/dataset; raises PlacecatError if the home is unknown
+    a home of `dataset`, which holds settings as in conf/dataset. Raises PlacecatError if the home is unknown
     or cannot be read. `fps` replaces the data set's rate in frames per second.
     """
 
@@ -30,11 +30,14 @@ class DataSetHome(Source):
 
     def __init__(self, name: str, dataset: Mapping[str, Any], fps: float | None) -> None:
         if not name:
-            raise PlacecatError(f"{PREFIX} has no name: name a home: {', '.join(dataset['homes'])}")
+            raise PlacecatError(
+                f"{PREFIX} needs the name of a home: use one of {', '.join(dataset['homes'])}"
+            )
         if name not in dataset["homes"]:
             raise PlacecatError(
-                f"{PREFIX}{name}: {dataset['title']} has no such home, only {', '.join(dataset['homes'])}; "
-                "--set dataset=... --set dataset.root=PATH chooses other data"
+                f"{PREFIX}{name}: {dataset['title']} has no such home: use one of "
+                f"{', '.join(dataset['homes'])}, or choose other data with "
+                "--set dataset=... --set dataset.root=PATH"
             )
         self._home = home = open_home_of(dataset, name, **{} if fps is None else {"fps": fps})
         self._dataset = dataset
@@ -81,8 +84,8 @@ class DataSetHome(Source):
         for number in np.unique(labels[labels >= 0]):
             if own[number] not in classes:
                 raise PlacecatError(
-                    f"{self.name}: the model does not know {own[number]!r}, only {', '.join(classes)}: leave "
-                    f"such frames unscored with --ignore {own[number]}"
+                    f"{self.name}: the label {own[number]!r} is not a place of the model "
+                    f"({', '.join(classes)}): leave such frames unscored with --ignore {own[number]}"
                 )
         numbers = [classes.index(name) if name in classes else -1 for name in own]
         return np.array([*numbers, -1], np.int16)[labels]

@@ -14,8 +14,8 @@ from placecat.predict.annotate import Annotator
 from placecat.predict.frame import Frame, nanoseconds
 
 PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classification", "/placecat/place"
-"""Topics. The first two carry one message per frame. The last is latched; it carries the place or `unknown`
-whenever that changes."""
+"""Topics. The first two carry one message per frame. The last is latched and carries the place, or
+`unknown`, whenever this changes."""
 JPEG_QUALITY = 90
 """JPEG quality of the pictures, from 0 to 100. Our choice."""
 
@@ -41,7 +41,7 @@ class McapFile:
 
     @staticmethod
     def require() -> tuple[Any, Any]:
-        """Return the message definitions and the writer's module; PlacecatError if rosbags is missing."""
+        """Return the message definitions and the writer's module; raise PlacecatError without rosbags."""
         try:
             from rosbags import rosbag2
             from rosbags.typesys import Stores, get_types_from_msg, get_typestore

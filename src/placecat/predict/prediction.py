@@ -14,13 +14,13 @@ from placecat.sequences.labels import Segment
 class Prediction:
     """The n categorized frames, in order.
 
-    The K places are `classes`. The footage has `fps` frames per second; its last frame that was read has the
-    number `length`, from 1. Each frame has a number in the footage, `numbers` (n,) int64 from 1, a time since
-    the first frame, `seconds` (n,) float64, and an image file in `names`, which is empty if there are none.
-    The smoothed probabilities `proba` (n, K) float64 decide the place; `integrated` are those of each frame
-    alone. The last frame ends at `end` seconds; None if it lasts as long as the others. `turned` are the
-    numbers of the frames whose size differs from the first, and `cuts` the indices of the frames that follow
-    a cut, such as a new floor. Decisions with a confidence below `threshold` are unknown.
+    The K places are `classes`. The footage has `fps` frames per second; `length` is the number, from 1, of
+    the last frame that was read. Each frame has a number in the footage, `numbers` (n,) int64 from 1, a time
+    since the first frame, `seconds` (n,) float64, and an image file in `names`, which is empty if there are
+    none. The smoothed probabilities `proba` (n, K) float64 decide the place; `integrated` are those of each
+    frame alone. The last frame ends at `end` seconds; None if it lasts as long as the median frame. `turned`
+    are the numbers of the frames whose size differs from that of the first, and `cuts` the indices of the
+    frames that follow a cut, such as a new floor. Decisions with a confidence below `threshold` are unknown.
     """
 
     classes: tuple[str, ...]
@@ -63,7 +63,7 @@ class Prediction:
         return [self.classes[place] if known else UNKNOWN for place, known in pairs]
 
     def visits(self) -> list[Visit]:
-        """Like :meth:`placecat.categorizer.Categorizer.visits`, but the last stay ends with the footage."""
+        """List stays like :meth:`placecat.categorizer.Categorizer.visits`; the last ends with the footage."""
         log = VisitLog()
         frames = zip(self.place_names, self.confidence.tolist(), self.seconds.tolist(), strict=True)
         for number, frame in enumerate(frames):

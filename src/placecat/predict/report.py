@@ -22,23 +22,24 @@ def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> l
     found = [source.damage().note]
     if prediction.turned:
         found.append(
-            f"{len(prediction.turned)} frames from frame {prediction.turned[0]} on have another size than "
-            "the first (was the phone turned?): only their centre is used"
+            f"from frame {prediction.turned[0]} on, {len(prediction.turned)} frames differ in size from the "
+            "first frame (was the phone turned?): only their centre is used"
         )
     data = categorizer.card["data"]
     # Data sets with equal titles count as the same.
     is_same = isinstance(source, DataSetHome) and source.title == data.get("title")
     if is_same and source.name in map(str, data["homes"]):
         found.append(
-            f"{source.name} trained this model, so this accuracy says nothing about new homes; `placecat "
-            f"train --without {source.name}` leaves it out"
+            f"the model was trained on {source.name}, so this accuracy says nothing about new homes; "
+            f"`placecat train --without {source.name}` trains a model without it"
         )
     if len(prediction.seconds) > 1 and 0 < categorizer.threshold < math.inf:
         period = float(np.median(np.diff(prediction.seconds)))
         if period * categorizer.frame_rate * SLOW > 1:
             found.append(
                 f"{1 / period:.3g} frames/s are used, but the confidence for `unknown` was chosen at "
-                f"{categorizer.frame_rate:.3g}: each frame counts for more, so `unknown` is too rare"
+                f"{categorizer.frame_rate:.3g} frames/s: each frame now counts for more, so "
+                "`unknown` is too rare"
             )
     return [note for note in found if note]
 
@@ -70,21 +71,21 @@ def shares(prediction: Prediction) -> list[str]:
     width = max(map(len, prediction.classes))
     lines = [f"  {name:{width}}  {value:6.1%}" for name, value in longest_first if value > 0]
     unknown = _share_unknown(prediction)
-    return [*lines, f"  The place is unknown in {unknown:.1%} of the time."] if unknown else lines
+    return [*lines, f"  The place is unknown for {unknown:.1%} of the time."] if unknown else lines
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Return lines: accuracy, a confusion table (rows: labels, columns: decisions) and the named share."""
+    """Return lines with the accuracy, a confusion table (a row per label) and the share of named frames."""
     if agreement["accuracy"] is None:
-        return ["No categorized frame has a label of the model's places: nothing is scored."]
+        return ["No categorized frame is labelled with one of the model's places, so nothing is scored."]
     table = pd.DataFrame(agreement["confusion"], list(classes), pd.Index(classes, name="label"))
     percents = [agreement["by_place"][name] for name in classes]
     correct = ["-" if percent is None else f"{percent:.1f} %" for percent in percents]
-    # A place may have this name.
+    # A place may be called "correct" too.
     table.insert(len(classes), "correct", correct, allow_duplicates=True)
     lines = [
         f"Accuracy (mean over the labelled places): {agreement['accuracy']:.2f} %; "
-        f"of each frame alone {agreement['frame_accuracy']:.2f} %",
+        f"each frame alone: {agreement['frame_accuracy']:.2f} %",
         *(f"  {line}" for line in table.to_string().splitlines()),
     ]
     if agreement["named"] < 100:
@@ -101,7 +102,7 @@ def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = No
 
     `dropped` is the number of camera frames that were not used.
     """
-    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} used of the footage's"
+    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} that are used of the footage's"
     text = (
         f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
         f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"

@@ -72,7 +72,7 @@ class RerunFile:
         """Add a frame, with its true place if known. Raises PlacecatError if the disk is nearly full."""
         if shutil.disk_usage(self._path.parent).free < LEAST_FREE:
             raise PlacecatError(
-                f"--rerun: less than {LEAST_FREE // 10**6} MB of the disk are free; make room"
+                f"--rerun needs at least {LEAST_FREE // 10**6} MB of free disk space: make room"
             )
         rerun, log = self._rerun, self._stream.log
         self._stream.set_time(FRAME, sequence=frame.number)

@@ -23,8 +23,8 @@ Shown = Callable[[Frame, Decision, "Speed"], None]
 class Speed:
     """Speed of a prediction: `wanted` frames are categorized per second of footage.
 
-    So far, `frames` are categorized; this took `seconds` in total (decoding, categorizing, drawing), of which
-    the categorizer took `categorizing`.
+    So far, `frames` frames have been categorized. This took `seconds` in total (decoding, categorizing,
+    drawing), of which the categorizer took `categorizing`.
     """
 
     wanted: float
@@ -57,14 +57,14 @@ def run(
 ) -> tuple[Prediction, Speed, bool]:
     """Categorize one frame in `every` of the footage, or of its first `limit` seconds.
 
-    The system must not have seen any frames yet; `fit` fits frames to a size that it accepts. `shown` is
-    called after each frame. An annotated video is written to `film_path`, if any, at a `pace` relative to the
-    footage. It shows the labels `truth`: (frames of the footage,) int16, class indices, or -1 for unlabelled
-    frames.
+    The system must not have seen any frames yet; `fit` fits frames to a size that the system accepts. `shown`
+    is called after each frame. An annotated video is written to `film_path`, if any, at a `pace` relative to
+    the footage. The video shows the labels `truth`: (frames of the footage,) int16, class indices, or -1 for
+    unlabelled frames.
 
-    Returns the prediction, which has at least one frame; the speed; and whether Ctrl-C ended the footage. It
-    ends a camera's footage after the first frame; otherwise, it raises KeyboardInterrupt. Raises
-    PlacecatError if a frame cannot be read, or no frame is used.
+    Returns the prediction, which has at least one frame; the speed; and whether Ctrl-C ended the footage.
+    Ctrl-C ends a camera's footage once a frame is categorized; before that, and with other footage, it raises
+    KeyboardInterrupt. Raises PlacecatError if a frame cannot be read, or no frame is used.
     """
     rows: list[tuple[int, float, str, NDArray[np.float64], NDArray[np.float64]]] = []
     speed = Speed(source.fps / every)

@@ -30,10 +30,10 @@ def open_source(
 ) -> Source:
     """Open footage. Raises PlacecatError if it cannot be read.
 
-    `text` names a video file, a folder of images, a bag, ``camera`` or ``camera:NUMBER``, or a stream's
-    address (rtsp, http). A file or folder takes precedence over a camera of the same name. `fps` replaces the
-    footage's rate in frames per second; a folder has none, so its default is `usual_fps`. `size` is the
-    (width, height) requested from a camera. `topic` is a bag's image topic; None uses its only one.
+    `text` is the path of a video file, a folder of images or a bag; ``camera`` or ``camera:NUMBER``; or the
+    address of a stream (rtsp, http). A file or folder takes precedence over a camera of the same name. `fps`
+    replaces the footage's rate in frames per second; a folder has none, so its default is `usual_fps`. `size`
+    is the (width, height) requested from a camera. `topic` is a bag's image topic; None uses the only one.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
@@ -43,7 +43,9 @@ def open_source(
             bag = BagRecording(path, topic, fps)
             return Recorded(path.resolve().name if path.is_dir() else path.stem, bag, bag.timing)
     if topic is not None:
-        raise PlacecatError(f"--topic is for bags, but there is no bag {without_password(text)}")
+        raise PlacecatError(
+            f"--topic is only for bags, but {without_password(text)} is not a bag: leave it out"
+        )
     if _STREAM.fullmatch(text):
         name = re.sub(r"[^A-Za-z0-9]+", "_", without_password(text).split("://")[1]).strip("_")
         return Camera(text, name or "stream", fps, size, title=without_password(text))
@@ -59,16 +61,16 @@ def open_source(
     if path.exists():
         raise PlacecatError(f"{text} is not an ordinary file: give a video or a folder of images")
     raise PlacecatError(
-        f"{text}: no such file or folder: give a video, a folder of images, a bag, camera, camera:NUMBER, or "
-        "the address of a stream (rtsp://..., http://...)"
+        f"there is no file or folder {text}: give a video, a folder of images, a bag, camera, camera:NUMBER, "
+        "or the address of a stream (rtsp://..., http://...)"
     )
 
 
 def _video(path: Path, fps: float | None) -> "Recorded":
     if path.suffix.lower() not in video.SUFFIXES:
         raise PlacecatError(
-            f"{path}: not a supported video suffix ({', '.join(video.SUFFIXES)}); convert it, e.g. "
-            f"`ffmpeg -i {path.name} {path.stem}.mp4`; images go into a folder"
+            f"{path}: not a video with a supported suffix ({', '.join(video.SUFFIXES)}); convert it, for "
+            f"example with `ffmpeg -i {path.name} {path.stem}.mp4`, or put images into a folder"
         )
     recording = Recording(path)
     return Recorded(path.stem, recording, recording.timing(fps, "--fps"))
@@ -86,7 +88,7 @@ class Recorded(Source):
             self.topic, self.start = recording.topic, recording.start
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first frame that is not lost in each group of `every`."""
+        """Decode one frame in `every`, the first that is not lost."""
         last = -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number
@@ -109,7 +111,8 @@ class Folder(Source):
         self._images, self._path = list_frames(path), path
         if not self._images:
             raise PlacecatError(
-                f"{path}: no images here ({', '.join(SUFFIXES)}); give a folder of frames, or a video"
+                f"{path}: the folder has no images ({', '.join(SUFFIXES)}); give a folder of frames, "
+                "or a video"
             )
         self.name, self.fps, self.timing = path.resolve().name, fps, even(len(self._images), fps)
         first = read_image(path / self._images[0])
@@ -124,7 +127,7 @@ class Folder(Source):
                 height, width, _ = image.shape
                 if (width, height) != self.size:
                     raise PlacecatError(
-                        f"{self._path / name}: {width}x{height} pixels, but the first image has "
-                        f"{self.size[0]}x{self.size[1]}; convert or remove it"
+                        f"{self._path / name}: the image has {width}x{height} pixels, but the first image "
+                        f"has {self.size[0]}x{self.size[1]}; convert or remove it"
                     )
                 yield Frame(number, (number - 1) / self.fps, name, image)

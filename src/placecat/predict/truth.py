@@ -26,13 +26,13 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
     """
     with reading(path):
         if not path.is_file():
-            raise PlacecatError(f"{path}: no such label file; correct --labels, or leave it out")
+            raise PlacecatError(f"{path}: the label file is missing; correct --labels, or leave it out")
     labels, lines = read_label_csv(path, timing, "the footage")
     numbers = {UNSCORED: -1} | dict.fromkeys(ignored, -1) | {name: i for i, name in enumerate(classes)}
     for label, line in zip(labels, lines, strict=True):
         if label not in numbers:
             raise PlacecatError(
-                f"{path} line {line}: the model does not know {label!r}, only {', '.join(classes)}: correct "
+                f"{path} line {line}: {label!r} is not a place of the model ({', '.join(classes)}): correct "
                 f"the label, or leave such frames unscored with --ignore {label}"
             )
     return np.array([numbers[label] for label in labels], dtype=np.int16)
@@ -41,11 +41,11 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
 def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, object]:
     """Score the categorized frames like the frames of a home (thesis 4.2).
 
-    `truth` has the (n,) class indices of these frames, or -1 for unscored frames. Returns ``accuracy`` and
-    ``frame_accuracy`` (each frame alone): mean over the labelled places, in percent, or None if nothing is
-    scored; ``by_place``: percent correct per place; ``confusion``: counts, one row per true place; ``named``:
-    percent of scored frames that are not unknown; ``named_wrongly``: percent of these that are wrong. Both
-    weight all places equally.
+    `truth` has the (n,) class indices of these frames, or -1 for unscored frames. In the returned dictionary,
+    ``accuracy`` and ``frame_accuracy`` (of each frame alone) are the mean over the labelled places in
+    percent, or None if nothing is scored. ``by_place`` has the percentage that is correct per place, and
+    ``confusion`` has counts, one row per true place. ``named`` is the percentage of scored frames that are
+    not unknown, and ``named_wrongly`` the percentage of these that are wrong; both weight all places equally.
     """
     n_classes = len(prediction.classes)
     confusion = confusion_matrix(truth, prediction.decision, n_classes)

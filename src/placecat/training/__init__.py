@@ -1,1 +1,1 @@
-"""Training plans, and the training and application of systems according to them."""
+"""Plan which frames train a system; train systems and apply them according to such plans."""

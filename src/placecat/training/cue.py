@@ -73,7 +73,7 @@ class TrainedCue:
         return {part.home: self.predict(part.home, part.chosen()[0]) for part in parts}
 
     def held_out(self) -> dict[str, NDArray[np.float64]]:
-        """Map each training sequence to its frames' distributions from cues that have not seen it."""
+        """Map each training sequence to distributions for its frames, from a cue that has not seen it."""
         assert self.cross_validated is not None
         return {
             str(home): self.cross_validated[self.home_of_frame == home]
@@ -105,8 +105,8 @@ def cluster(
 ) -> Codebook:
     """Cluster a cue's training frames.
 
-    The clustering's seed is derived from `seed`, one of ``protocol.seeds``, the plan and the cue. `numbers`
-    are the numbers of clusters that will be used; None means those in the codebook's settings.
+    The seed of the clustering is derived from the plan, the cue and `seed`, one of ``protocol.seeds``.
+    `numbers` are the numbers of clusters that will be used; None means those in the codebook's settings.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]
@@ -129,7 +129,7 @@ def fit(
 ) -> TrainedCue:
     """Train a cue on frames, with a codebook if it needs one. Errors are as in :func:`placecat.cues.fit`.
 
-    With `cross_validate`, a cue trained on the other sequences also predicts each sequence's frames.
+    With `cross_validate`, each sequence's frames are also predicted by a cue trained on the other ones.
     `classes` are the names of the places.
     """
     data = frames.described, frames.truth, frames.home_of_frame

@@ -1,6 +1,6 @@
-"""Store a cue's or system's results for one test home and seed: named arrays in a file, facts in another.
+"""Store a cue's or system's results for one test home and seed: arrays in one file, facts in another.
 
-There is no folder per result, since DVC needs about a millisecond per folder.
+A result has no folder of its own, since DVC takes about a millisecond per folder.
 """
 
 from collections.abc import Mapping
@@ -14,7 +14,7 @@ from placecat import files, paths
 
 
 def path_of(folder: Path, home: str, seed: str) -> Path:
-    """Return the file for a test home and a seed, e.g. ``seed-0``, in a cue's or system's results folder."""
+    """Return the file in a results folder for a test home and a seed, such as ``seed-0``."""
     return folder / f"{home}.{seed}.npz"
 
 

@@ -21,7 +21,7 @@ def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def fused_parts(plan: Plan, *, method: str, extra: bool) -> tuple[Part, ...]:
-    """Return an integration's training parts: the cues' parts if the method learns from held-out frames."""
+    """Return the parts that train an integration: those of the cues if it learns from held-out frames."""
     if integrate.learns_from_held_out(method):
         return plan.cues
     return (*plan.integration, *(plan.extra if extra else ()))
@@ -38,8 +38,8 @@ def fuse(
 ) -> integrate.Trained:
     """Train an integration on `parts`; other parameters are as in :func:`placecat.fusion.integrate.fit`.
 
-    `outputs` has one dictionary per cue, which maps each part's name to the distributions for its chosen
-    frames. `classes` are the names of the places.
+    `outputs` has one dictionary per cue, which maps the name of each part to the distributions for the part's
+    chosen frames. `classes` are the names of the places.
     """
     train = {part.home: np.stack([proba[part.home] for proba in outputs], axis=1) for part in parts}
     truth = {part.home: part.chosen()[1] for part in parts}
@@ -66,7 +66,7 @@ def fit_smoothing(
 def apply_smoothing(
     model: smoothing.SmoothingModel, home: str, proba: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
-    """Smooth `proba`, (frames, n_classes) for every frame of `home`; return ``hmm`` and ``delayed`` alike."""
+    """Smooth the (frames, n_classes) distributions of `home`; return ``hmm`` and ``delayed`` likewise."""
     return smoothing.apply(
         model,
         proba,
@@ -77,9 +77,9 @@ def apply_smoothing(
 
 
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
-    """Return each uncut stretch's labels and frame rate, for counting transitions.
+    """Return the labels and the frame rate of each stretch between cuts, for counting transitions.
 
-    Unevenly timed frames are resampled as a camera with this frame rate would have shown them.
+    Unevenly timed frames are resampled to what a camera with this frame rate would have recorded.
     """
     walks: list[NDArray[np.int16]] = []
     rates: list[float] = []
@@ -90,7 +90,7 @@ def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list
             walk = labels[stretch]
             if times is not None:
                 moments = np.arange(0.0, times[stretch][-1] + 0.5 / rate, 1.0 / rate)
-                # Times are rounded.
+                # The margin allows for rounded times.
                 shown = np.searchsorted(times[stretch], moments + 1e-6, side="right") - 1
                 walk = walk[shown]
             walks.append(walk)

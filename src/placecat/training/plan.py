@@ -20,7 +20,7 @@ class Part:
 
     `home` names the sequence, as in :func:`placecat.paths.sequences`. `numbers` has the class index of each
     place in the sequence's data set, or -1 for a place that does not count. `offset` and `step` select
-    frames, see :func:`placecat.training.protocol.select_frames`.
+    frames; see :func:`placecat.training.protocol.select_frames`.
     """
 
     home: str
@@ -38,7 +38,7 @@ class Part:
         return np.array([*self.numbers, -1], dtype=np.int16)[listing.read_labels(self.home)]
 
     def chosen(self) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
-        """Return the (n,) ascending indices of the chosen frames, all with a class, and (n,) classes."""
+        """Return the (n,) ascending indices and the (n,) classes of the chosen frames, which all have one."""
         labels = self.labels()
         rows = protocol.select_frames(labels, offset=self.offset, step=self.step)
         return rows, labels[rows]
@@ -48,10 +48,10 @@ class Part:
 class Plan:
     """The training sequences and the tested sequences.
 
-    `classes` names the places, `dataset` the data set. The parts `cues` train codebooks, scalings and cues;
-    `integration` trains the integration and the smoothing; `extra` also trains the integration if a system
-    asks for it (thesis 4.5). No trained component has seen `tested`. The homes `left_out` do not train the
-    cues; None for a fixed split.
+    `classes` are the names of the places; `dataset` is the name of the data set. The parts `cues` train
+    codebooks, scalings and cues; `integration` trains the integration and the smoothing; `extra` also trains
+    the integration if a system asks for it (thesis 4.5). No trained component has seen `tested`. The homes
+    `left_out` do not train the cues; it is None for a fixed split.
     """
 
     classes: tuple[str, ...]
@@ -86,7 +86,7 @@ def of_homes(
     *,
     extra: bool = False,
 ) -> list[Plan]:
-    """Plan every fold of the main data set: test each home of `tested` alone, as in :func:`of_release`.
+    """Plan one fold of the main data set for each home of `tested`, as in :func:`of_release`.
 
     `tested` is as in :func:`placecat.training.protocol.tested_homes`.
     """
@@ -117,7 +117,7 @@ def of_release(
 
 
 def without_homes(params: Mapping[str, Any], tested: Sequence[str]) -> Plan:
-    """Plan a test on the training homes `tested`: train on all others."""
+    """Plan a test on the homes `tested` after training on all others."""
     homes = [home for home in settings.get(params, "dataset.homes") if home not in tested]
     return _of_main(params, homes, homes, tested, tuple(tested))
 
@@ -146,9 +146,9 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
 
 
 def on_training_homes(plan: Plan) -> list[Plan]:
-    """For each training home of a plan, plan a test on it that trains on the plan's other training homes.
+    """For each training home of a plan, plan a test on it after training on the plan's other training homes.
 
-    The plan's single tested sequence is not used.
+    The sequence that the plan itself tests is not used.
     """
     training = [part for part in plan.cues if part.home != plan.test]
     return [
@@ -188,7 +188,7 @@ def _of_main(
 
 
 def _numbers(classes: Sequence[str], counted: Sequence[str] | None) -> tuple[int, ...]:
-    """Return each place's class index, or -1 if it does not count; None counts all places."""
+    """Return each place's class index, or -1 if it is not in `counted`; None counts all places."""
     return tuple(
         number if counted is None or place in counted else -1 for number, place in enumerate(classes)
     )

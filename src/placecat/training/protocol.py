@@ -1,4 +1,4 @@
-"""Protocols 5-5-1 and 4-5-1 (thesis 4.5) for any number of homes: the training homes and the tested one."""
+"""Choose training and test homes by the protocols 5-5-1 and 4-5-1 (thesis 4.5), for any number of homes."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError, did_you_mean
 
 SCHEMES = ("5-5-1", "4-5-1")
 ALL = "all"
-# Why a result lacks an untested home.
+# Reason for leaving a home out of a result.
 NOT_TESTED = "not among protocol.test_homes"
 
 
@@ -18,9 +18,9 @@ NOT_TESTED = "not among protocol.test_homes"
 class Fold:
     """A test home and its training homes.
 
-    No trained component has seen the homes `without`, the tested home first; empty if no home is held out.
-    Codebooks, scalings and cue classifiers train on `cue_homes`, the integration and the smoothing on
-    `integration_homes`.
+    `without` are the homes that no trained component has seen, the test home first; it is empty if no home is
+    held out. Codebooks, scalings and cue classifiers train on `cue_homes`; the integration and the smoothing
+    train on `integration_homes`.
     """
 
     without: tuple[str, ...]
@@ -62,12 +62,12 @@ def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tup
 
 
 def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ()) -> Fold:
-    """Make a fold that trains on all `homes` except `without`, to test on those or on other footage.
+    """Make a fold that trains on all `homes` except `without`, for tests on those or on other footage.
 
-    `without` has the tested home first, and may be empty. The schemes have the thesis's names for any number
-    of homes. In "5-5-1", cues and integration train on different frames of all other homes. In "4-5-1", the
-    next home (cyclically) after the first of `without` trains only the integration, not the cues; if
-    `without` is empty, this is the first home. (The thesis does not say which home it left out.) Raises
+    The test home comes first in `without`, which may be empty. The schemes keep their names from the thesis
+    for any number of homes. In "5-5-1", cues and integration train on different frames of all other homes. In
+    "4-5-1", the next of these homes (cyclically) after the test home trains only the integration, not the
+    cues; if `without` is empty, the first home does. (The thesis does not say which home it used.) Raises
     PlacecatError if the scheme or a home is unknown, or if there are too few homes for the scheme.
     """
     for home in without:
@@ -80,7 +80,7 @@ def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ())
         leaving = f" to leave {len(without)} out" if len(without) > 1 else ""
         raise PlacecatError(
             f"scheme {scheme} needs at least {needed} homes{leaving}, but dataset.homes has {len(homes)}: "
-            "add homes or drop the scheme"
+            "add homes, or use another scheme"
         )
     others = tuple(home for home in homes if home not in without)
     cue_homes = others
@@ -98,10 +98,10 @@ def least_homes(scheme: str) -> int:
 
 
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:
-    """Return the (n,) ascending indices of every `step`-th frame from `offset` on that has a label.
+    """Return the (n,) ascending indices of the labelled frames among every `step`-th frame from `offset` on.
 
     `labels` are (frames,) class indices, -1 for unlabelled. The step counts all frames; unlabelled ones are
-    dropped afterwards. So selections with the same step and different offsets never share a frame (thesis 4.2
+    dropped afterwards, so selections with the same step and different offsets never share a frame (thesis 4.2
     and 4.5). Raises PlacecatError unless ``0 <= offset < step``.
     """
     if not 0 <= offset < step:

@@ -1,4 +1,4 @@
-"""Read saved results of cues and systems for further training."""
+"""Read saved results of cues and systems, to train on them."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -16,7 +16,7 @@ from placecat.training.plan import Part, Plan
 
 
 class CueResults:
-    """The stage `cues`' results for a system's cues, the test home `test` and one seed.
+    """Results of a system's cues that the stage `cues` saved for the test home `test` and one seed.
 
     `system` holds the system's settings; `seed` is one of ``protocol.seeds``, or None if no cue has clusters.
     """
@@ -28,7 +28,7 @@ class CueResults:
         }
 
     def arrays(self, name: str) -> list[NDArray[Any]]:
-        """Read one array per cue; raise PlacecatError if a cue was not applied to these frames."""
+        """Read the array `name` of each cue; raise PlacecatError if a cue was not applied to these frames."""
         found = []
         for cue, place in self._places.items():
             if not fold_file.has(place, name):
@@ -53,9 +53,10 @@ class CueResults:
     def training(
         self, plan: Plan, parts: Sequence[Part], method: str
     ) -> list[dict[str, NDArray[np.float64]]]:
-        """Like `outputs`, but for an integration method and its training parts, see `fused_parts`.
+        """Like `outputs`, but for the parts that train an integration method (see `fused_parts`).
 
-        If the method learns from held-out frames, the distributions are from cues that never saw the part.
+        If the method learns from held-out frames, the distributions come from cues that have not seen the
+        part.
         """
         if not integrate.learns_from_held_out(method):
             return self.outputs(plan, parts)
@@ -82,13 +83,13 @@ class CueResults:
 def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """Smooth one fold's test home using statistics from the fold's training homes.
 
-    `source` is a cue's or a system's result file for the fold; without cross-validated distributions it
-    raises PlacecatError. `model` is as in :func:`placecat.fusion.smoothing.fit`.
+    `source` is a cue's or a system's result file for the fold. Raises PlacecatError if it has no
+    cross-validated distributions. `model` is as in :func:`placecat.fusion.smoothing.fit`.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(
-            f"{source} has no cross_validated: a cue in smoothing.cues needs a cross-validated classifier, "
-            "such as nu_svm; remove the cue from the list, or run `dvc repro`"
+            f"{source} has no array cross_validated: each cue in smoothing.cues needs a cross-validated "
+            "classifier, such as nu_svm; remove the cue from this list, or run `dvc repro`"
         )
     proba, held_out, truth = (
         fold_file.read(source, name) for name in ("test", "cross_validated", "cross_validated_truth")

@@ -19,9 +19,8 @@ def read_descriptors(
     """Read a cue's descriptor for one home, for the frames `rows` or for all frames.
 
     `home` is as for :func:`placecat.paths.features`, `descriptor` as for
-    :func:`placecat.cues.cue_input.check`.
-    Raises PlacecatError for an unknown setting, too many regions, or a descriptor that was not computed for
-    these frames.
+    :func:`placecat.cues.cue_input.check`. Raises PlacecatError for an unknown setting, too many regions, or a
+    descriptor that was not computed for these frames.
     """
     cue_input.check(descriptor)
     folder = folder_of(home, descriptor)
@@ -65,7 +64,7 @@ def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64])
 
 
 def folder_of(home: str, descriptor: Mapping[str, Any]) -> Path:
-    """Return the folder of the arrays of a home's descriptor; parameters as for :func:`read_descriptors`."""
+    """Return the folder with a descriptor's arrays; parameters are as for :func:`read_descriptors`."""
     if descriptor.get("tracked", False):
         return paths.TRACKS / home
     folder = paths.features(home)
@@ -85,7 +84,7 @@ def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
     there = _described(folder)
     if frames is None or not np.isin(frames, there).all():
         raise PlacecatError(
-            f"{folder} has only the frames of region_variants.frames: use variants of regions in trials only"
+            f"{folder} has only the frames of region_variants.frames: use region variants only in trials"
         )
     return np.searchsorted(there, frames)
 

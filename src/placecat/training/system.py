@@ -30,8 +30,8 @@ class System:
     """The settings of a system, and its cues by name, in order.
 
     `integrator` has ``method`` and ``classifier``, as in :func:`placecat.fusion.integrate.fit`; `smoothing`
-    is as in :func:`placecat.fusion.smoothing.fit`. `tempered` says whether the cues' distributions are
-    tempered first, and `extra` whether the integration also trains on the plan's additional sequences.
+    is as in :func:`placecat.fusion.smoothing.fit`. If `tempered`, the cues' distributions are tempered first;
+    if `extra`, the integration also trains on the plan's additional sequences.
     """
 
     cues: Mapping[str, Cue]
@@ -69,8 +69,8 @@ class Trained:
     def test(self, home: str) -> dict[str, NDArray[np.float64]]:
         """Estimate the place in every frame of a sequence.
 
-        Returns (frames, n_classes) distributions by name: one per cue, the integration's (``integration``),
-        the filter's (``hmm``) and the delay's (``delayed``).
+        Returns (frames, n_classes) distributions by name: those of each cue, and those after the integration
+        (``integration``), after the filter (``hmm``) and after the delay (``delayed``).
         """
         by_cue = {name: cue.predict(home) for name, cue in self.cues.items()}
         fused = self.integrator.predict_proba(np.stack(list(by_cue.values()), axis=1))
@@ -78,10 +78,10 @@ class Trained:
 
 
 def train(plan: Plan, system: System, seed: int) -> Trained:
-    """Train a system according to a plan; train its cues in parallel.
+    """Train a system according to a plan, with its cues in parallel.
 
-    `seed`, for the clusterings, is one of ``protocol.seeds``. Raises PlacecatError for missing features or
-    invalid settings.
+    `seed`, one of ``protocol.seeds``, is that of the clusterings. Raises PlacecatError for missing features
+    or invalid settings.
     """
     method = system.integrator["method"]
     parts = fused_parts(plan, method=method, extra=system.extra)

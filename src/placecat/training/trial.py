@@ -1,4 +1,4 @@
-"""Trials of cues: train them according to a plan, and count decisions on the tested sequence."""
+"""Try cues: train them according to a plan, and count their decisions on the tested sequence."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -42,7 +42,7 @@ def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[
     """Train cues that share a descriptor and codebook settings; predict the plan's only tested sequence.
 
     Returns the true classes of the scored frames, and each cue's distributions on them. The sequence's
-    labelled frames are scored; with a region variant, only described ones. `seed` is one of
+    labelled frames are scored or, with a region variant, those that have a descriptor. `seed` is one of
     ``protocol.seeds``, or None without clusters.
     """
     descriptor = cues[0].descriptor
