@@ -114,9 +114,7 @@ def test_combinations_are_in_the_order_that_hydra_numbers_them_in(project):
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
 def test_every_classifier_goes_with_a_whole_frame_or_is_refused(project, path):
     if path.stem == "discriminative_regions":
-        with pytest.raises(
-            PlacecatError, match="needs salient regions, but descriptor gist describes whole"
-        ):
+        with pytest.raises(PlacecatError, match="needs salient regions, but descriptor gist describes whole"):
             resolved("descriptor=gist", f"classifier={path.stem}", "test_home=all")
         return
     experiment = resolved("descriptor=gist", f"classifier={path.stem}", "test_home=all")

@@ -61,9 +61,7 @@ def test_messages(tmp_path: Path) -> None:
     with pytest.raises(PlacecatError, match=r"flat contains no frames \(\.jpeg, \.jpg, \.png\)"):
         folder.read_home(tmp_path, "flat", fps=2.0)
     write_home(tmp_path)
-    with pytest.raises(
-        PlacecatError, match=r"flat: the frame rate is not in the files; set dataset.fps"
-    ):
+    with pytest.raises(PlacecatError, match=r"flat: the frame rate is not in the files; set dataset.fps"):
         folder.read_home(tmp_path, "flat")
     (tmp_path / "flat.csv").write_text("start,end,label\n1,3,kitchen\n")
     with pytest.raises(
