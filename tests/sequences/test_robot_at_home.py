@@ -204,7 +204,9 @@ def test_missing_pictures(copied: Path) -> None:
         open_home("robot_at_home", copied, "alma")
     open_home("robot_at_home", copied, "alma", camera="RGBD_2")
     shutil.rmtree(copied / "files/rgbd")
-    with pytest.raises(PlacecatError, match=r"files/rgbd: the folder of pictures is missing; unpack it"):
+    with pytest.raises(
+        PlacecatError, match=r"files/rgbd: the folder of pictures is missing; unpack the pictures"
+    ):
         open_home("robot_at_home", copied, "alma")
 
 

@@ -42,7 +42,7 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
         for grid in settings.get(content[kind], "grids"):
             for name, values in grid.items():
                 if not isinstance(values, list) or not values:
-                    raise PlacecatError(f"{path}: {kind} has no list of values for {name}; write one or more")
+                    raise PlacecatError(f"{path}: {kind} needs a list of one or more values for {name}")
     return content
 
 

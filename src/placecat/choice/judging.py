@@ -87,7 +87,7 @@ _HELD_OUT = ("cross_validated", "cross_validated_truth")
 
 
 def _both_ways(judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
-    """Pair each judged home with its test home: the other home if there are two, otherwise itself."""
+    """Pair each judged home with its test home: the other one if there are two homes, otherwise itself."""
     homes = list(judged)
     return [(test, home, *judged[home]) for test, home in zip(homes, reversed(homes), strict=True)]
 

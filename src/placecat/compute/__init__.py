@@ -48,7 +48,7 @@ def _as_set(connected: ExitStack) -> "Cluster | None":
 
 
 def local_workers() -> int:
-    """Return the number of worker processes on this machine: PLACECAT_WORKERS or, if unset, that of cores.
+    """Return the number of local worker processes: PLACECAT_WORKERS if set, else the number of cores.
 
     PLACECAT_WORKERS is an environment variable, not a setting, because results do not depend on it. Raises
     PlacecatError unless its value is a whole number from 1 to 1024.

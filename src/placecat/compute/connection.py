@@ -34,7 +34,7 @@ class Cluster:
         for item in may_differ:
             if item not in here:
                 raise PlacecatError(
-                    f"compute.may_differ has {item!r}, which is not compared: use items of {', '.join(here)}"
+                    f"compute.may_differ has {item!r}, which is not compared: choose from {', '.join(here)}"
                 )
         self._wait = float(wait)
         self._client = _connect(client, scheduler, self._wait)

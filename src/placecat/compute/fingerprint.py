@@ -14,7 +14,7 @@ PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
 
 @cache
 def fingerprint() -> dict[str, str]:
-    """Describe this process's environment, only once: later file changes do not affect loaded modules.
+    """Describe this process's environment, once: later changes to files do not affect loaded modules.
 
     Returns each item's state. ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by
     NumPy, SciPy and OpenCV, and ``processor`` the vector instructions used by NumPy and OpenCV.

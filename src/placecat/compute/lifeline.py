@@ -1,6 +1,6 @@
 """End a process soon after its parent has ended for any reason.
 
-The run, DVC, a stage and its workers form a chain of processes, and any of them may be killed. Each watches
+The run, DVC, a stage and its workers form a chain of processes, any of which may be killed, so each watches
 its parent. The kernel signal PR_SET_PDEATHSIG does not help: it exists only on Linux, and comes too early if
 a thread started the process, as in joblib.
 """

@@ -118,5 +118,5 @@ def single_threaded(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
 
 @lru_cache(maxsize=1)
 def _libraries(modules: int) -> ThreadpoolController:
-    """Find the loaded libraries that use threads; search again only after further modules were imported."""
+    """Find the loaded libraries that use threads; search again only after further imports."""
     return ThreadpoolController()

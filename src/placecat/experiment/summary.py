@@ -269,6 +269,9 @@ def _log(write: Callable[[Any], str]) -> bool:
     try:
         print(f"Logged: {write(tracking)}")
     except PlacecatError as error:
-        print(f"placecat: nothing was logged to MLflow: {error}; track=false turns it off", file=sys.stderr)
+        print(
+            f"placecat: nothing was logged to MLflow: {error}; set track=false to turn logging off",
+            file=sys.stderr,
+        )
         return False
     return True

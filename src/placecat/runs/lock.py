@@ -39,7 +39,7 @@ def alone() -> Iterator[None]:
 
 
 def one_at_a_time(stage: str) -> AbstractContextManager[object]:
-    """Wait while another process runs the same stage; it may be cleaning up after its DVC was killed."""
+    """Wait while another process runs the same stage, perhaps to clean up after its DVC was killed."""
     if not TEMPORARY.parent.is_dir():
         return nullcontext()
     TEMPORARY.mkdir(exist_ok=True)

@@ -47,7 +47,7 @@ def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_c
 
 
 def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
-    """Return the last full run's times as in :func:`gather`, and its facts; PlacecatError without one."""
+    """Return the last full run's times, as in :func:`gather`, and its facts; refuse if there was none."""
     try:
         content = files.read_json(paths.COMPLETE_TIMES)
     except FileNotFoundError:

@@ -14,7 +14,7 @@ def inside(path: Path, folder: Path, origin: str) -> None:
     """Refuse a path that leaves a folder through a symbolic link; `origin` is where the path is listed."""
     if not path.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
-            f"{origin}: {path} is a link that leads out of {folder}; replace the link by the data itself."
+            f"{origin}: {path} is a link that leads out of {folder}; replace the link with the data itself."
         )
 
 

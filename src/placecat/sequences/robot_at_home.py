@@ -189,7 +189,8 @@ def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], l
 def _check_pictures(file: Path, root: Path, folder: Path, sources: list[str]) -> None:
     if not folder.is_dir():
         raise PlacecatError(
-            f"{folder}: the folder of pictures is missing; unpack it there, or correct dataset.pictures."
+            f"{folder}: the folder of pictures is missing; unpack the pictures there, or correct "
+            "dataset.pictures."
         )
     wanted: dict[Path, dict[str, str]] = {}
     for path in (root / source for source in sources):

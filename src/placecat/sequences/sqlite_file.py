@@ -23,7 +23,7 @@ class SqliteFile:
         self._path, self._connection, self._tables = path, connection, tables
 
     def rows(self, table: str, **equal: int) -> Iterator[tuple[Any, ...]]:
-        """Yield the expected columns of the rows that match `equal`; PlacecatError if a type is wrong."""
+        """Yield the expected columns of the rows that match `equal`; refuse values of a wrong type."""
         columns = self._tables[table]
         condition = " AND ".join(f"{name} = ?" for name in equal) or "TRUE"
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {condition}"

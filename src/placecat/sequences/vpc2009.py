@@ -84,7 +84,8 @@ def read_floors(file: Path) -> list[Floor]:
             floor = _FLOOR.fullmatch(words[0])
             if floor is None or len(words) > 1:
                 raise PlacecatError(
-                    f"{where}: {shown(text.strip())} must be a floor such as '1/', or '-1 -1 end' after all."
+                    f"{where}: {shown(text.strip())} must be a floor such as '1/', or '-1 -1 end' after the "
+                    "last floor."
                 )
             name, count, segments = floor[1], 0, []
             if any(name == other.name for other in floors):
