@@ -44,7 +44,7 @@ class Data:
 
 
 def find(params: Mapping[str, Any], name: str) -> Data:
-    """Look up ``main`` or a split of params.yaml; for any other name, raise a PlacecatError that lists them."""
+    """Look up ``main`` or a split of params.yaml; for other names, raise a PlacecatError that lists these."""
     if name == MAIN:
         plans = planning.of_homes(params, "5-5-1")
         return Data(plans[0].dataset, plans[0].classes, {plan.test: plan for plan in plans})
