@@ -50,7 +50,7 @@ def test_settings_are_not_read_without_being_asked(params):
         ({"kind": "local", "scheduler": NOWHERE}, "compute has no setting 'scheduler'"),
         (DASK | {"waits": 1}, "did you mean 'wait'"),
         (DASK | {"wait": 0}, r"compute\.wait=0: it must be greater than 0"),
-        (DASK | {"may_differ": ["cpu"]}, r"'cpu'.*valid: .*processor"),
+        (DASK | {"may_differ": ["cpu"]}, r"'cpu'.*choose from .*processor"),
         (DASK | {"scheduler": "foo"}, "missing port number in address 'foo'"),
         (DASK | {"wait": 0.2}, r"no scheduler answers .*compute=local"),
     ],

@@ -251,7 +251,9 @@ def test_a_task_that_kills_workers_ends_with_one_message(cluster, project, monke
     settings = {"scheduler": cluster.address, "wait": 1}
     cluster.client.run_on_scheduler(lambda dask_scheduler: setattr(dask_scheduler, "allowed_failures", 0))
     one = connection.Cluster(**settings)
-    with pytest.raises(PlacecatError, match=r"1 workers? died of the same task, the last one tcp://"):
+    with pytest.raises(
+        PlacecatError, match=r"1 workers? died while running the same task, the last one tcp://"
+    ):
         list(one.run(os._exit, [(9,)]))
     with pytest.raises(PlacecatError, match="the cluster has had no worker for 1 s: start some"):
         list(one.run(os.getpid, [()]))

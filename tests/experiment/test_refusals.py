@@ -18,7 +18,7 @@ WRONG = (PlacecatError, HydraException)
         ("descriptor=sift", "sift of salient regions was not computed .* use one of color_mv, hog"),
         ("descriptor=hog", "max_regions=25, but at most 4 regions"),
         ("descriptor.kind=x", "kind"),
-        ("descriptor.max_regions=null", "max_regions is missing: give descriptor hog a number"),
+        ("descriptor.max_regions=null", "max_regions is missing: set it to a number for descriptor hog"),
         ("descriptor.y_weight=null", "y_weight is missing"),
         ("descriptor.color=hog", "color=hog appends the descriptor to itself"),
         ("descriptor.y_pos=often", "y_pos=often"),
@@ -114,9 +114,7 @@ def test_combinations_are_in_the_order_that_hydra_numbers_them_in(project):
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
 def test_every_classifier_goes_with_a_whole_frame_or_is_refused(project, path):
     if path.stem == "discriminative_regions":
-        with pytest.raises(
-            PlacecatError, match="decides from salient regions, but descriptor gist is for whole"
-        ):
+        with pytest.raises(PlacecatError, match="needs salient regions, but descriptor gist describes whole"):
             resolved("descriptor=gist", f"classifier={path.stem}", "test_home=all")
         return
     experiment = resolved("descriptor=gist", f"classifier={path.stem}", "test_home=all")
@@ -141,7 +139,7 @@ def test_a_training_set_without_one_of_the_places_is_refused(tmp_path, monkeypat
         path = folder / f"data/sequences/{home}/labels.csv"
         path.write_text(path.read_text().replace(",2", ",-1"))
     monkeypatch.chdir(folder)
-    with pytest.raises(PlacecatError, match="for H1 no training frame shows bathroom, in H2, H3, H4"):
+    with pytest.raises(PlacecatError, match="on H1 needs training frames of bathroom, but H2, H3, H4 have"):
         resolved("descriptor=gist", "test_home=H1")
 
 

@@ -154,7 +154,7 @@ def test_the_command_line_goes_first():
         ({GAMMA: "interval(3.0, 4.0)"}, (), "does not contain 2.0"),
         ({SCALING: "choice(none, unit)"}, (), "does not contain standard"),
         ({CLUSTERS: "range(16, 91, 15)"}, (), "does not contain 91"),
-        ({GAMMA: "tag(log, interval(0.0, 4.0))"}, (), "is not a span"),
+        ({GAMMA: "tag(log, interval(0.0, 4.0))"}, (), "is not a valid span"),
         ({"classifier.unheard": "choice(1, 2)"}, (), "no such setting"),
         (PARAMS, ["test_home=home_1,home_2"], "belongs to the measurement"),
         (PARAMS, ["judge=choice(training_homes,test_home)"], "belongs to the measurement"),

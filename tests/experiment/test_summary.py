@@ -61,7 +61,7 @@ def test_a_sweep_reads_as_a_table_does(tmp_path):
     assert "Highest: descriptor=sift classifier.clusters=4: 55.50 %, average of 2 homes" in text
     assert "test_home=H2: no number: too few" in text
     assert "failed: no memory" in text
-    assert "failed: it left no result" in text
+    assert "failed: the experiment left no result" in text
 
 
 def test_a_search_reads_as_a_list_of_its_experiments(tmp_path):

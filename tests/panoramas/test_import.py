@@ -158,7 +158,7 @@ def test_results_do_not_depend_on_the_number_of_workers(folder, two_workers):
 
 def test_existing_files_are_never_replaced(folder):
     (folder / "homes").mkdir()
-    assert "homes exists: give the name of a new folder" in refused()
+    assert "homes already exists: give the name of a new folder" in refused()
     assert names(folder / "homes") == []
 
 
@@ -185,7 +185,7 @@ def test_a_face_that_is_no_square_is_named(folder):
     (folder / "source/rooms.csv").write_text("home,file,room\nflat,a,kitchen\n")
     for letter, face in zip("frblud", faces(16), strict=True):
         write(folder / f"source/a_{letter}.jpg", face[:8] if letter == "u" else face)
-    assert "a_u.jpg: 16x8 is not a face of a cube of 16x16" in refused("source=cubes")
+    assert "a_u.jpg is 16x8, but all faces of this cube must be 16x16" in refused("source=cubes")
 
 
 @pytest.mark.parametrize(
@@ -224,7 +224,7 @@ def test_a_home_without_a_class_and_too_few_homes_are_reported(folder, capsys):
     run("homes=[Home2,Home3]")
     said = capsys.readouterr().out
     assert "Home3 lacks bathroom.\n" in said
-    assert "At least four homes are needed" in said
+    assert "need at least four homes" in said
     assert "repro" not in said
     shutil.rmtree(folder / "homes")
     run()

@@ -51,11 +51,11 @@ def test_a_table_names_home_floor_room_and_label(table, tmp_path):
             "rooms.csv line 1: the header is 'house,floor,file,room'; write home,file,room",
         ),
         ("file,room", "file,file", "rooms.csv line 1: the header is"),
-        ("2,b/c.jpg", "b/c.jpg", "rooms.csv line 3: 3 columns; write home,floor,file,room"),
+        ("2,b/c.jpg", "b/c.jpg", "rooms.csv line 3 has 3 columns; write home,floor,file,room"),
         ("2,b/c.jpg", "2,", "rooms.csv line 3: file is empty"),
-        ("flat,2", "flat,up/..", "rooms.csv line 3: 'up/..' is not a floor"),
+        ("flat,2", "flat,up/..", "rooms.csv line 3: 'up/..' is not a valid floor"),
         ("flat,2", "../flat,2", "rooms.csv line 3: home=../flat: it names a file or folder"),
-        ("flat,2", "FLAT,2", "line 3: the homes 'flat' and 'FLAT' differ only in capital letters"),
+        ("flat,2", "FLAT,2", "line 3: the names of the homes 'flat' and 'FLAT' differ only in case"),
         (
             "bedroom 2",
             "bedrom 2",
@@ -63,7 +63,7 @@ def test_a_table_names_home_floor_room_and_label(table, tmp_path):
         ),
         ("b/c.jpg", "b/x.jpg", "b/x.jpg: the picture is missing (.*rooms.csv line 3)"),
         ("b/c.jpg", "../c.jpg", "rooms.csv line 3: '../c.jpg' is not a path below"),
-        ("b/c.jpg", "a.jpg", "rooms.csv line 3: a.jpg is listed before (.*rooms.csv line 2)"),
+        ("b/c.jpg", "a.jpg", "rooms.csv line 3: a.jpg is already listed (.*rooms.csv line 2)"),
         ("b/c.jpg", "x" * 300, "cannot be read (File name too long)"),
         ("hall", '"hall', "rooms.csv line 5: a quotation mark is not closed"),
     ],
@@ -82,17 +82,17 @@ def test_the_override_that_a_refused_room_names_adds_it(table, room, changes):
     text = TABLE.replace("bedroom 2", f'"{room}"')
     with pytest.raises(PlacecatError, match="unknown room") as caught:
         table(text, *changes)
-    (override,) = shlex.split(str(caught.value).partition("e.g. ")[2])
+    (override,) = shlex.split(str(caught.value).partition("for example ")[2])
     found = table(text + "flat,1,e.jpg,lounge\n" if changes else text, override)
     assert found[1].label == "living_room"
 
 
 def test_a_source_without_its_folder_or_table_is_refused(table, tmp_path):
-    with pytest.raises(PlacecatError, match="nowhere: no such folder; give the folder of the panoramas"):
+    with pytest.raises(PlacecatError, match="nowhere does not exist; give the folder of the panoramas"):
         sources.read(tmp_path / "nowhere", settings())
     with pytest.raises(PlacecatError, match=r"rooms\.csv: the table of rooms is missing"):
         sources.read(tmp_path, settings())
-    with pytest.raises(PlacecatError, match="no panorama here"):
+    with pytest.raises(PlacecatError, match="contains no panorama"):
         table("home,file,room\n")
     with pytest.raises(PlacecatError, match="homes: there is no home 'vila'; did you mean 'villa'"):
         table(TABLE, "homes=[vila]")
@@ -183,18 +183,18 @@ def test_zind_gives_floors_rooms_and_labels(zind):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('"merger"', '"merged"', "zind_data.json: merger holds no floor"),
+        ('"merger"', '"merged"', "zind_data.json: merger has no floor"),
         (
             '{"pano_4"',
             '7, "x": {"pano_4"',
-            "merger.floor_01.complete_room_02.partial_room_03 holds no panorama",
+            "merger.floor_01.complete_room_02.partial_room_03 has no panorama",
         ),
         ('"pano_4": {', '"pano_7": [], "pano_4": {', "partial_room_03.pano_7 is not a panorama"),
-        ('"label": "garage"', '"label": 7', "partial_room_03.pano_4 needs label and image_path"),
+        ('"label": "garage"', '"label": 7', "partial_room_03.pano_4: label and image_path must be text"),
         ("panos/4.jpg", "panos/9.jpg", "007/panos/9.jpg: the picture is missing"),
         ("panos/4.jpg", "../../secret.jpg", "'../../secret.jpg' is not a path below"),
-        ('"floor_02"', '"../floor"', "'../floor' is not a valid name of a floor"),
-        ("}, ", "}, \n,", "zind_data.json line 2: not valid JSON"),
+        ('"floor_02"', '"../floor"', "'../floor' is not a valid floor name"),
+        ("}, ", "}, \n,", "zind_data.json line 2 is not valid JSON"),
     ],
 )
 def test_a_mistake_in_zind_is_named(zind, old, new, message):
@@ -206,8 +206,8 @@ def test_a_mistake_in_zind_is_named(zind, old, new, message):
 
 
 def test_odd_zind_is_refused(zind, tmp_path):
-    with pytest.raises(PlacecatError, match=r"zind_data\.json: not valid JSON \(RecursionError\)"):
+    with pytest.raises(PlacecatError, match=r"zind_data\.json is not valid JSON \(RecursionError\)"):
         zind("[" * 100_000)
     shutil.rmtree(tmp_path / "007")
-    with pytest.raises(PlacecatError, match=r"no home here; expected HOME/zind_data\.json"):
+    with pytest.raises(PlacecatError, match=r"contains no home; expected HOME/zind_data\.json"):
         sources.read(tmp_path, settings("source=zind"))

@@ -171,7 +171,7 @@ def test_a_layout_gets_its_settings(tmp_path):
     }
     source = DataSetHome("alma", dataset | chosen, None)
     with pytest.raises(
-        PlacecatError, match=r"dataset\.camera names none for alma: add dataset\.camera\.alma"
+        PlacecatError, match=r"dataset\.camera lists no camera for alma: add dataset\.camera\.alma"
     ):
         DataSetHome("alma", dataset | chosen | {"camera": {"anto": "RGBD_2"}}, None)
     images = [frame.image for frame in source.frames(1)]

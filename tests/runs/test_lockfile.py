@@ -58,7 +58,7 @@ def test_features_of_another_data_set_are_refused(tmp_path, monkeypatch):
     lock["stages"]["features"] = {"deps": [{"path": "data/sequences", "md5": "0123.dir"}]}
     (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
     check_data({"dataset": dataset})
-    with pytest.raises(PlacecatError, match="the features belong to another data set"):
+    with pytest.raises(PlacecatError, match="the features come from another data set"):
         check_data({"dataset": dataset | {"root": "there"}})
     # The stage `sequences` has run, and `features` has not.
     lock["stages"]["features"]["deps"][0]["md5"] = "89ab.dir"

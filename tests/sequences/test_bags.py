@@ -81,7 +81,7 @@ def test_labels_may_come_on_a_topic(tmp_path):
     labels = open_home("bags", tmp_path, "a", labels_topic=TOPIC).frames["label"].tolist()
     assert labels == [""] * 10 + ["kitchen"] * 20 + ["bedroom"] * 10
     (tmp_path / "a/floor.csv").write_text("start,end,label\n1,40,kitchen\n")
-    with pytest.raises(PlacecatError, match=r"a/floor\.csv: dataset\.labels_topic labels the same frames"):
+    with pytest.raises(PlacecatError, match=r"a/floor\.csv and dataset\.labels_topic label the same frames"):
         open_home("bags", tmp_path, "a", labels_topic=TOPIC)
     with pytest.raises(PlacecatError, match=r"messages of sensor_msgs/msg/Image, not of std_msgs/msg/String"):
         (tmp_path / "a/floor.csv").unlink()
@@ -108,7 +108,7 @@ def test_lost_frames_have_no_row_and_keep_their_labels(tmp_path):
         ({}, r"1\.bag: several topics have pictures; choose one with dataset\.topic"),
         ({"topic": "/nowhere"}, r"no topic '/nowhere'.* Correct dataset\.topic"),
         ({"topic": 3}, r"1\.bag: there is no topic 3; the bag has .* Correct dataset\.topic"),
-        ({"topic": CAMERA, "labels_topic": "/words"}, r"labels_topic labels the same frames"),
+        ({"topic": CAMERA, "labels_topic": "/words"}, r"labels_topic label the same frames"),
     ],
 )
 def test_mistakes_in_the_settings(root, settings, message):
@@ -119,16 +119,16 @@ def test_mistakes_in_the_settings(root, settings, message):
 def test_mistakes_on_disk(root, tmp_path):
     walk(root / "Home2/1.bag", count=3)
     walk(root / "Home2/2.bag", count=3, size=(32, 24))
-    with pytest.raises(PlacecatError, match=r"2\.bag: frames are 32x24, but in 1\.bag 64x48"):
+    with pytest.raises(PlacecatError, match=r"2\.bag: the frames are 32x24, but those of 1\.bag are 64x48"):
         open_home("bags", root, "Home2")
     walk(root / "Home3/1.bag", count=3)
     walk(root / "Home3/1.mcap", count=3)
-    with pytest.raises(PlacecatError, match=r"1\.mcap: 1\.bag has the same name"):
+    with pytest.raises(PlacecatError, match=r"1\.mcap and 1\.bag have the same name"):
         open_home("bags", root, "Home3")
     (root / "Home4").mkdir()
-    with pytest.raises(PlacecatError, match=r"Home4: no bag here; correct dataset\.homes"):
+    with pytest.raises(PlacecatError, match=r"Home4 contains no bag; correct dataset\.homes"):
         open_home("bags", root, "Home4")
-    with pytest.raises(PlacecatError, match="no home here; expected folders of bags"):
+    with pytest.raises(PlacecatError, match="contains no home; expected folders of bags"):
         list_homes("bags", root / "Home4")
 
 

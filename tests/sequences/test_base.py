@@ -63,21 +63,21 @@ class TestOpenHome:
 
     @pytest.mark.parametrize("layout", LAYOUTS)
     def test_missing_root(self, layout: str, tmp_path: Path) -> None:
-        with pytest.raises(PlacecatError, match=r"nowhere: no such folder; set dataset.root"):
+        with pytest.raises(PlacecatError, match=r"nowhere does not exist; set dataset.root"):
             open_home(layout, tmp_path / "nowhere", "Home1", fps=5.0)
-        with pytest.raises(PlacecatError, match=r"nowhere: no such folder; set dataset.root"):
+        with pytest.raises(PlacecatError, match=r"nowhere does not exist; set dataset.root"):
             list_homes(layout, tmp_path / "nowhere")
 
     @pytest.mark.parametrize("layout", LAYOUTS)
     def test_root_is_a_file(self, layout: str, tmp_path: Path) -> None:
         (tmp_path / "file").write_text("x")
-        with pytest.raises(PlacecatError, match=r"file: not a folder; set dataset.root"):
+        with pytest.raises(PlacecatError, match=r"file is not a folder; set dataset.root"):
             list_homes(layout, tmp_path / "file")
 
     @pytest.mark.parametrize("layout", LAYOUTS)
     def test_empty_root(self, layout: str, tmp_path: Path) -> None:
         with pytest.raises(
-            PlacecatError, match=r"no home here; expected .* Correct dataset.root or dataset.layout"
+            PlacecatError, match=r"contains no home; expected .* Correct dataset.root or dataset.layout"
         ):
             list_homes(layout, tmp_path)
 
@@ -199,8 +199,8 @@ class TestPlaceLabels:
             place_labels(home.frames["label"], CLASSES, ["transition"], {}, home=home)
         assert str(caught.value) == (
             "Home7, sequence 2, frame 3 (data/Home7/label.txt line 12): unknown label 'bedrom' (did you mean "
-            "'bedroom'?); correct it, or add it to dataset.ignored to leave such frames unlabelled "
-            "(dataset.aliases if it is another name for a class)."
+            "'bedroom'?); correct it, add it to dataset.ignored to leave such frames unlabelled, or "
+            "add it to dataset.aliases if it is another name for a class."
         )
 
     def test_unknown_label_in_chosen_rows(self) -> None:

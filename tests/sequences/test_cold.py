@@ -99,8 +99,8 @@ def test_another_image_folder(tmp_path: Path) -> None:
     ("text", "message"),
     [
         ("", r"places\.lst: the label file is empty"),
-        (f"{NAMES[0]} CR\n{NAMES[1]}\n", r"places\.lst line 2: 't.*' where an image name and a label belong"),
-        (f"{NAMES[0]} CR A\n", r"line 1: .* where an image name and a label belong"),
+        (f"{NAMES[0]} CR\n{NAMES[1]}\n", r"places\.lst line 2: 't.*' must be an image name and a label"),
+        (f"{NAMES[0]} CR A\n", r"line 1: .* must be an image name and a label"),
         (f"../{NAMES[0]} CR\n", r"line 1: '\.\./t.* is not an image name"),
         (f"/etc/{NAMES[0]} CR\n", r"line 1: '/etc/.* is not an image name"),
         ("t1.000000_x/../../../a.jpeg CR\n", r"line 1: .* is not an image name"),
@@ -168,12 +168,12 @@ def test_no_label_file(tmp_path: Path) -> None:
 def test_one_frame_has_no_rate(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
     write_list(tmp_path, "town/seq1", f"{NAMES[0]} CR\n")
-    with pytest.raises(PlacecatError, match=r"the frame rate is unknown from the files; set dataset.fps"):
+    with pytest.raises(PlacecatError, match=r"the frame rate is not in the files; set dataset.fps"):
         cold.read_home(tmp_path, "town-seq1")
     assert len(cold.read_home(tmp_path, "town-seq1", fps=5.0).frames) == 1
 
 
 def test_a_name_with_a_slash_is_refused(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
-    with pytest.raises(PlacecatError, match=r"'town/seq1' has a slash; write 'town-seq1'"):
+    with pytest.raises(PlacecatError, match=r"'town/seq1' contains a slash; write 'town-seq1'"):
         cold.read_home(tmp_path, "town/seq1")

@@ -55,15 +55,13 @@ def test_a_folder_of_other_pictures_is_listed_and_refused(tmp_path: Path) -> Non
 
 
 def test_messages(tmp_path: Path) -> None:
-    with pytest.raises(PlacecatError, match=r"flat: no such folder; correct dataset.homes"):
+    with pytest.raises(PlacecatError, match=r"flat does not exist; correct dataset.homes"):
         folder.read_home(tmp_path, "flat", fps=2.0)
     (tmp_path / "flat").mkdir()
-    with pytest.raises(PlacecatError, match=r"flat: no frames here \(\.jpeg, \.jpg, \.png\)"):
+    with pytest.raises(PlacecatError, match=r"flat contains no frames \(\.jpeg, \.jpg, \.png\)"):
         folder.read_home(tmp_path, "flat", fps=2.0)
     write_home(tmp_path)
-    with pytest.raises(
-        PlacecatError, match=r"flat: the frame rate is unknown from the files; set dataset.fps"
-    ):
+    with pytest.raises(PlacecatError, match=r"flat: the frame rate is not in the files; set dataset.fps"):
         folder.read_home(tmp_path, "flat")
     (tmp_path / "flat.csv").write_text("start,end,label\n1,3,kitchen\n")
     with pytest.raises(
@@ -72,7 +70,7 @@ def test_messages(tmp_path: Path) -> None:
         folder.read_home(tmp_path, "flat", fps=2.0)
     (tmp_path / "flat/labels.csv").write_text(CSV)
     with pytest.raises(
-        PlacecatError, match=r"flat\.csv: .*flat/labels\.csv labels the same home; remove one"
+        PlacecatError, match=r"flat\.csv and .*flat/labels\.csv label the same home; remove one"
     ):
         folder.read_home(tmp_path, "flat", fps=2.0)
     (tmp_path / "flat/labels.csv").unlink()

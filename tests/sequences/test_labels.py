@@ -128,15 +128,15 @@ def test_csv_of_a_spreadsheet() -> None:
         ("start,end,label\n1,9.5,a\n", r"line 2: '9\.5' is not a whole number"),
         ("start,end,label\n1,٩,a\n", r"line 2: '٩' is not a whole number"),
         ("start,end,label\n1,,a\n", r"line 2: '' is not a whole number"),
-        ("start,end,label\n1,9\n", r"line 2: 2 columns; write start,end,label"),
-        ("start,end,label\n1,9,a,b\n", r"line 2: 4 columns"),
+        ("start,end,label\n1,9\n", r"line 2 has 2 columns; write start,end,label"),
+        ("start,end,label\n1,9,a,b\n", r"line 2 has 4 columns"),
         ("start,end,label\n1,4,a\n5,9,\n", r"line 3: the label is empty"),
         ("start_seconds,end_seconds,label\n0,now,a\n", r"line 2: 'now' is not a time"),
         ("start_seconds,end_seconds,label\n0,nan,a\n", r"line 2: 'nan' is not a time"),
         ("start_seconds,end_seconds,label\n-1,0.36,a\n", r"line 2: '-1' is not a time"),
         (
             "start_seconds,end_seconds,label\n0,0.01,a\n",
-            r"line 2: no frame between 0 and 0\.01 s at 25 frames",
+            r"line 2: no frame lies between 0 and 0\.01 s at 25 frames",
         ),
         ("start_seconds,end_seconds,label\n0,0.16,a\n0.2,0.36,b\n", r"line 3: frame 5 of the video .*gap"),
         ("start_seconds,end_seconds,label\n0,0.36,a\n0.2,0.36,b\n", r"line 3: .*line 2 ends at frame 9"),
@@ -165,10 +165,10 @@ def test_the_ending_may_be_in_either_case(tmp_path: Path) -> None:
     assert label_csv(tmp_path, "flat.csv", "nowhere/labels.csv") == "flat.CSV"
     assert label_csv(tmp_path, "flat/labels.csv") == "flat/labels.Csv"
     assert label_csv(tmp_path, "labels.csv") is None
-    with pytest.raises(PlacecatError, match=r"flat\.CSV: .*flat/labels\.Csv labels the same home; remove"):
+    with pytest.raises(PlacecatError, match=r"flat\.CSV and .*flat/labels\.Csv label the same home; remove"):
         label_csv(tmp_path, "flat.csv", "flat/labels.csv")
     (tmp_path / "flat.csv").write_text("")
-    with pytest.raises(PlacecatError, match=r"flat\.csv labels the same home; remove one"):
+    with pytest.raises(PlacecatError, match=r"flat\.csv label the same home; remove one"):
         label_csv(tmp_path, "flat.csv")
 
 
@@ -194,7 +194,7 @@ def test_label_file_is_missing_or_a_folder(tmp_path: Path) -> None:
     ("content", "message"),
     [
         ("start,end,label\n1,9,kitchen\n".encode("utf-16"), "UTF-16; save it as UTF-8"),
-        ("start,end,label\n1,9,küche\n".encode("latin-1"), "line 2: not UTF-8"),
+        ("start,end,label\n1,9,küche\n".encode("latin-1"), "line 2 is not UTF-8"),
         (b'start,end,label\n1,4,"kitchen\n5,9,bath\n', "line 2: a quotation mark is not closed"),
         (b"start,end,label\n" + b"1,9,kitchen\n" * 1_500_000, "larger than 16 MB"),
     ],

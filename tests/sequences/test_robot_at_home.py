@@ -113,7 +113,7 @@ def test_the_places_of_both_are_settings(made: tuple[Path, list[Seen]], copied: 
     (copied / "rh.db").rename(copied / "other.db")
     (copied / "files").rename(copied / "pictures")
     assert list_homes("robot_at_home", copied, database="other.db", camera="RGBD_2") == list(HOMES)
-    with pytest.raises(PlacecatError, match=r"no home here; expected rh\.db of Robot@Home2"):
+    with pytest.raises(PlacecatError, match=r"contains no home; expected rh\.db of Robot@Home2"):
         list_homes("robot_at_home", copied)
     with pytest.raises(PlacecatError, match=r"dataset\.data: the layout 'robot_at_home' has no such setting"):
         list_homes("robot_at_home", copied, data="other.db")
@@ -146,13 +146,13 @@ ONE = "files/rgbd/session_1/alma/bathroom1/subsession_1"
         ("DROP TABLE rh_rooms", r"the table rh_rooms is missing"),
         ("DROP TABLE rh_homes; CREATE VIEW rh_homes AS SELECT 0 id, 'alma' name", r"rh_homes is missing"),
         ("ALTER TABLE rh_lblrgbd DROP COLUMN time_stamp", r"rh_lblrgbd has no column time_stamp"),
-        ("UPDATE rh_lblrgbd SET time_stamp = 'noon'", r"rh_lblrgbd has 'noon' in its column time_stamp"),
-        ("UPDATE rh_homes SET name = NULL", r"rh_homes has 'None' in its column name"),
+        ("UPDATE rh_lblrgbd SET time_stamp = 'noon'", r"rh_lblrgbd has 'noon' in column time_stamp"),
+        ("UPDATE rh_homes SET name = NULL", r"rh_homes has 'None' in column name"),
         (
             "UPDATE rh_homes SET name = zeroblob(2000000)",
             r"cannot be read as an SQLite database \(string or blob too big\)",
         ),
-        ("DELETE FROM rh_homes WHERE name = 'alma'", r"no home 'alma'.*\(there are 'anto, .*dataset\.homes"),
+        ("DELETE FROM rh_homes WHERE name = 'alma'", r"no home 'alma'.*\(it has 'anto, .*dataset\.homes"),
         ("DELETE FROM rh_sensors WHERE name = 'RGBD_1'", r"no camera 'RGBD_1'.*HOKUYO1, RGBD_2, .*RGBD_4'\)"),
         ("DELETE FROM rh_lblrgbd WHERE sensor_id = 1", r"alma has no frame of the camera RGBD_1 in rh_lbl"),
         ("DELETE FROM rh_room_types", r"\d+ of rh_lblrgbd refers to 0, which is not in rh_room_types"),
@@ -194,7 +194,7 @@ def test_files_that_are_no_database(copied: Path) -> None:
     file.unlink()
     with pytest.raises(PlacecatError, match=r"rh\.db: the database is missing; .*dataset\.root"):
         open_home("robot_at_home", copied, "alma")
-    with pytest.raises(PlacecatError, match=r"no home here; expected rh\.db"):
+    with pytest.raises(PlacecatError, match=r"contains no home; expected rh\.db"):
         list_homes("robot_at_home", copied)
 
 
@@ -204,7 +204,9 @@ def test_missing_pictures(copied: Path) -> None:
         open_home("robot_at_home", copied, "alma")
     open_home("robot_at_home", copied, "alma", camera="RGBD_2")
     shutil.rmtree(copied / "files/rgbd")
-    with pytest.raises(PlacecatError, match=r"files/rgbd: the folder of pictures is missing; unpack them"):
+    with pytest.raises(
+        PlacecatError, match=r"files/rgbd: the folder of pictures is missing; unpack the pictures"
+    ):
         open_home("robot_at_home", copied, "alma")
 
 

@@ -61,7 +61,7 @@ def test_list_homes(tmp_path: Path) -> None:
     (tmp_path / "folder.avi").mkdir()
     assert video.list_homes(tmp_path) == ["b2", "b10"]
     (tmp_path / "b2.mkv").write_bytes(b"")
-    with pytest.raises(PlacecatError, match=r"b2\.mkv: b2\.avi has the same name; rename or remove one"):
+    with pytest.raises(PlacecatError, match=r"b2\.mkv and b2\.avi have the same name; rename or remove one"):
         video.list_homes(tmp_path)
 
 
@@ -75,10 +75,10 @@ def test_a_video_in_a_subfolder(tmp_path: Path) -> None:
 
 def test_messages(tmp_path: Path) -> None:
     with pytest.raises(
-        PlacecatError, match=r"flat: no video of this name \(\.avi, .*\); correct dataset.homes"
+        PlacecatError, match=r"flat: there is no video of this name \(\.avi, .*\); correct dataset.homes"
     ):
         video.read_home(tmp_path, "flat")
-    with pytest.raises(PlacecatError, match=r"town/flat: no video of this name"):
+    with pytest.raises(PlacecatError, match=r"town/flat: there is no video of this name"):
         video.read_home(tmp_path, "town/flat")
     (tmp_path / "flat.avi").write_bytes(b"no video")
     with pytest.raises(PlacecatError, match=r"flat\.avi: not a readable video"):
@@ -144,6 +144,6 @@ def test_a_phone_turned_while_filming_is_refused(tmp_path: Path) -> None:
     turned_on_the_way(tmp_path / "flat.webm")
     (tmp_path / "wide.webm").unlink()
     with pytest.raises(
-        PlacecatError, match=r"flat\.webm: frame 6 is 48x64, but earlier ones are 64x48 .* cut the video"
+        PlacecatError, match=r"flat\.webm: frame 6 is 48x64, but earlier frames are 64x48 .* cut the video"
     ):
         video.read_home(tmp_path, "flat")

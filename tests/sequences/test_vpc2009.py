@@ -138,17 +138,17 @@ END = "-1 -1 end\n"
         ("1/\nnine\n1 9 a\n" + END * 2, r"line 2: 'nine' is not a whole number"),
         (
             "1/\n9 frames\n1 9 a\n" + END * 2,
-            r"line 2: '9 frames' where the number of frames of floor 1/ belongs",
+            r"line 2: '9 frames' must be the number of frames of floor 1/",
         ),
-        ("1/\n0\n" + END * 2, r"line 2: '0' where the number of frames"),
+        ("1/\n0\n" + END * 2, r"line 2: '0' must be the number of frames"),
         ("1/\n9\n" + END * 2, r"label\.txt: floor 1/ has no labels"),
-        ("1/\n9\n1 9 dining room\n" + END * 2, r"line 3: '1 9 dining room' where 'first last label'"),
-        ("1/\n9\n1 9\n" + END * 2, r"line 3: '1 9' where"),
-        ("1/\n9\n\nNOTES: none\n1 9 a\n" + END * 2, r"line 4: 'NOTES: none' where"),
-        ("9\n1 9 a\n" + END * 2, r"line 1: '9' where a floor such as '1/'"),
-        (END * 2, r"line 1: '-1 -1 end' where a floor"),
-        ("../\n9\n1 9 a\n" + END * 2, r"line 1: '\.\./' where a floor"),
-        ("/etc/\n9\n1 9 a\n" + END * 2, r"line 1: '/etc/' where a floor"),
+        ("1/\n9\n1 9 dining room\n" + END * 2, r"line 3: '1 9 dining room' must be 'first last label'"),
+        ("1/\n9\n1 9\n" + END * 2, r"line 3: '1 9' must be"),
+        ("1/\n9\n\nNOTES: none\n1 9 a\n" + END * 2, r"line 4: 'NOTES: none' must be"),
+        ("9\n1 9 a\n" + END * 2, r"line 1: '9' must be a floor such as '1/'"),
+        (END * 2, r"line 1: '-1 -1 end' must be a floor"),
+        ("../\n9\n1 9 a\n" + END * 2, r"line 1: '\.\./' must be a floor"),
+        ("/etc/\n9\n1 9 a\n" + END * 2, r"line 1: '/etc/' must be a floor"),
         ("1/\n9\n1 9 a\n-1 -1 end\n1/\n9\n1 9 a\n" + END * 2, r"line 5: floor 1/ is listed twice"),
         (
             "1/\n9\n1 9 a\n2/\n5\n1 5 b\n" + END * 2,
@@ -156,7 +156,7 @@ END = "-1 -1 end\n"
         ),
         ("1/\n9\n1 9 a\n", r"label\.txt: floor 1/ has no end line; write '-1 -1 end' at the end"),
         ("1/\n9\n1 9 a\n" + END, r"label\.txt: the second end line, which ends the labels, is missing"),
-        ("1/\n9\n1 9 a\n-1 -1 end\nNOTES:\n", r"line 5: 'NOTES:' where a floor such as '1/' or '-1 -1 end'"),
+        ("1/\n9\n1 9 a\n-1 -1 end\nNOTES:\n", r"line 5: 'NOTES:' must be a floor such as '1/', or"),
     ],
 )
 def test_label_messages(text: str, message: str) -> None:
@@ -189,7 +189,7 @@ class TestFrames:
 
     def test_extra_frame(self, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"1": 6})
-        self.fails(tmp_path, r"1/00000005\.jpg: a frame too many \(.*label\.txt line 2 declares 4 frames\)")
+        self.fails(tmp_path, r"1/00000005\.jpg is past the end \(.*label\.txt line 2 declares 4 frames\)")
 
     @pytest.mark.parametrize("extra", ["cover.jpg", "00000000.jpg", "00000001 (2).jpg"])
     def test_image_that_is_no_frame(self, extra: str, tmp_path: Path) -> None:
@@ -199,13 +199,13 @@ class TestFrames:
             vpc2009.read_home(tmp_path, "Home1", fps=5.0)
         assert (
             str(caught.value)
-            == f"{tmp_path}/Home1/1/{extra}: not a frame number from 1; rename or remove it."
+            == f"{tmp_path}/Home1/1/{extra} has no frame number from 1; rename or remove it."
         )
 
     def test_frame_twice(self, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"1": 4})
         write_image(tmp_path / "Home1/1/2.jpg", 1)
-        self.fails(tmp_path, r"1/2\.jpg: the same frame as 00000002\.jpg")
+        self.fails(tmp_path, r"1/2\.jpg is the same frame as 00000002\.jpg")
 
     def test_missing_floor(self, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"2": 4})
@@ -230,7 +230,7 @@ class TestFrames:
         self.fails(tmp_path, r"1/00000001\.jpg: not a readable image")
 
     def test_missing_label_file_and_home(self, tmp_path: Path) -> None:
-        self.fails(tmp_path, r"Home1: no such folder; correct dataset.homes or dataset.root")
+        self.fails(tmp_path, r"Home1 does not exist; correct dataset.homes or dataset.root")
         (tmp_path / "Home1").mkdir()
         self.fails(tmp_path, r"label\.txt: the label file is missing")
 

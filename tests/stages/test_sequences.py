@@ -50,7 +50,7 @@ def test_one_camera_for_all_homes_or_one_a_home(tmp_path, dataset):
 
 
 def test_a_home_without_a_camera_gives_a_message_and_leaves_nothing(tmp_path, dataset):
-    with pytest.raises(PlacecatError, match=r"names none for Home2: add dataset\.camera\.Home2"):
+    with pytest.raises(PlacecatError, match=r"lists no camera for Home2: add dataset\.camera\.Home2"):
         cameras(tmp_path, dataset | {"camera": {"Home1": "one"}})
     assert not (tmp_path / "data/sequences").exists()
 

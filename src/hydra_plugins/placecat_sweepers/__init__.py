@@ -1,4 +1,4 @@
-"""The sweepers, where Hydra looks for them. Hydra always imports this module, so slow imports come late."""
+"""The sweepers, where Hydra finds plugins. Hydra always imports this module, so slow imports come late."""
 
 import sys
 from abc import abstractmethod
@@ -43,7 +43,7 @@ class _Checked(Sweeper):
         self.launcher.launch(lines, initial_job_idx=0)
 
     def logged(self, arguments: "Sequence[str]") -> "Sequence[str] | None":
-        """The name of the sweep in MLflow; None if it is not logged."""
+        """Return what identifies the sweep in MLflow, its sweeper and overrides; None if it is not logged."""
         return [str(self.config.hydra.sweeper._target_), *arguments] if self.config.track else None
 
     @abstractmethod
@@ -62,7 +62,7 @@ class GridSweeper(_Checked):
         experiments = sweep.check(self.config, lines, combinations)
         for own, experiment in zip(combinations, experiments, strict=True):
             if own.get(summary.HOME, "all") != "all":
-                # Use the name of the home, however it was spelled.
+                # Show the home's name as in the data set, however it was spelled.
                 own[summary.HOME] = "+".join(experiment.homes)
         with sweep.begun(self.config, combinations) as folder:
             jobs.run(folder, lines, experiments, self.launch)

@@ -22,7 +22,7 @@ def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str,
 
 
 def label(overrides: Mapping[str, Any]) -> str:
-    """Name a candidate, e.g. ``scaling=standard, gamma_scale=1.0``, by the last part of each setting."""
+    """Name a candidate by the last part of each setting, as in ``scaling=standard, gamma_scale=1.0``."""
     return ", ".join(f"{name.rpartition('.')[2]}={value}" for name, value in overrides.items())
 
 

@@ -36,21 +36,21 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
     content = conf_file.read(path, ("margin", "smallest", *KINDS))
     margin = content["margin"]
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not 0 <= margin < 100:
-        raise PlacecatError(f"{path}: margin is {margin!r}; give points of accuracy, 0 or more")
+        raise PlacecatError(f"{path}: margin is {margin!r}; give points of accuracy, from 0 to below 100")
     for kind in KINDS:
         settings.refuse_unknown(content[kind], ["names", "grids"], f"{path}: {kind}")
         for grid in settings.get(content[kind], "grids"):
             for name, values in grid.items():
                 if not isinstance(values, list) or not values:
-                    raise PlacecatError(f"{path}: {kind} needs a list of values for {name}")
+                    raise PlacecatError(f"{path}: {kind} needs a list of one or more values for {name}")
     return content
 
 
 def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
     """Judge every candidate on the data set of params.yaml, and choose over all data sets in `output`.
 
-    Rows of this data set and these kinds are replaced in `output`; other rows stay. Returns the result of
-    :func:`placecat.choice.candidates.choose`. Raises PlacecatError for invalid settings, or if features or
+    Replaces the rows of this data set and these kinds in `output`, and keeps the others. Returns the result
+    of :func:`placecat.choice.candidates.choose`. Raises PlacecatError for invalid settings, or if features or
     cues have not been computed.
     """
     options, params = read_settings(), settings.load()
@@ -144,7 +144,7 @@ def _smoothing_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> T
 def _without_codebook(params: Mapping[str, Any], name: str) -> Mapping[str, Any]:
     cue: Mapping[str, Any] = settings.get(params, f"cues.{name}")
     if cue["codebook"] is not None:
-        raise PlacecatError(f"{SETTINGS}: the cue {name} has a codebook; name cues without one")
+        raise PlacecatError(f"{SETTINGS}: the cue {name} has a codebook; list only cues without one")
     return cue
 
 

@@ -43,8 +43,8 @@ def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]
 def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
     """Train a cue without clusters by a plan that leaves out some homes, and judge the cue on those homes.
 
-    The plan tests one or two homes. If it tests two, each is an unseen training home, with the other as the
-    test home. `smallest` is as for :func:`placecat.evaluation.probabilities.log_loss`.
+    The plan tests one or two homes. If it tests two, each is judged as an unseen training home, with the
+    other as the test home. `smallest` is as for :func:`placecat.evaluation.probabilities.log_loss`.
     """
     unseen = predict_unseen(plan, cue)
     judged = {home: judge_home(home, proba, smallest) for home, proba in unseen.items()}
@@ -87,7 +87,7 @@ _HELD_OUT = ("cross_validated", "cross_validated_truth")
 
 
 def _both_ways(judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
-    """Pair each judged home with its test home: the other home if there are two, otherwise itself."""
+    """Pair each judged home with its test home: the other one if there are two homes, otherwise itself."""
     homes = list(judged)
     return [(test, home, *judged[home]) for test, home in zip(homes, reversed(homes), strict=True)]
 
@@ -105,15 +105,15 @@ def judge_smoothing(
     cues that have seen other frames of the same home.
 
     `smoothing` has the settings of :func:`placecat.fusion.smoothing.fit`. `source` is the fold's file from
-    the stage `cues`; raises PlacecatError if it lacks cross-validated distributions. `unseen` maps each
+    the stage `cues`; a PlacecatError is raised if it lacks cross-validated distributions. `unseen` maps each
     training home to (frames, n_classes) distributions of all its frames, from a cue that has seen neither
     this home nor the test home. A training home is smoothed with statistics of the other training homes, and
     the test home with statistics of all training homes.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(
-            f"{source} has no array cross_validated: smoothing is judged on cues with cross_validate: true; "
-            "run `dvc repro`"
+            f"{source} has no array cross_validated, which judging the smoothing needs: set "
+            "cross_validate: true for this cue, and run `dvc repro`"
         )
     held_out, truth = (fold_file.read(source, name) for name in ("cross_validated", "cross_validated_truth"))
     homes = [part.home for part in plan.cues]

@@ -1,4 +1,4 @@
-"""Choose where loops run: on this machine or on a Dask cluster, as the `compute` settings say."""
+"""Choose where loops run: on this machine or on a Dask cluster, depending on the `compute` settings."""
 
 import os
 import re
@@ -21,7 +21,7 @@ _connect: Callable[[], "Cluster | None"] | None = None
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Run the loops of a block as set in params.yaml; disconnect from a cluster at its end."""
+    """Run the loops in a block as set in params.yaml; disconnect from the cluster, if any, when it ends."""
     global _connect
     before = _connect
     with ExitStack() as connected:
@@ -48,7 +48,7 @@ def _as_set(connected: ExitStack) -> "Cluster | None":
 
 
 def local_workers() -> int:
-    """Return the number of worker processes on this machine: PLACECAT_WORKERS, or else the number of cores.
+    """Return the number of local worker processes: PLACECAT_WORKERS if set, else the number of cores.
 
     PLACECAT_WORKERS is an environment variable, not a setting, because results do not depend on it. Raises
     PlacecatError unless its value is a whole number from 1 to 1024.
@@ -70,7 +70,7 @@ def wanted_workers() -> int | None:
     if not (re.fullmatch("[0-9]{1,9}", value) and 1 <= int(value) <= _MOST_WORKERS):
         raise PlacecatError(
             f"PLACECAT_WORKERS={value} is not a number of processes: give 1 to {_MOST_WORKERS}, or unset it "
-            "for as many as there are cores"
+            "to use all cores"
         )
     return int(value)
 

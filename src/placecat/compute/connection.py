@@ -22,10 +22,10 @@ _SECONDS_BETWEEN_LOOKS = 1.0
 class Cluster:
     """Run tasks on a scheduler's Dask cluster.
 
-    `scheduler` is an address, e.g. ``tcp://10.0.0.1:8786``. `wait` is the time in seconds to wait for the
+    `scheduler` is an address, such as ``tcp://10.0.0.1:8786``. `wait` is the time in seconds to wait for the
     scheduler, for the first worker, and for a new worker after all have gone. `may_differ` lists the items of
-    :func:`placecat.compute.fingerprint.fingerprint` that may differ from this process. Raises PlacecatError
-    if Dask is not installed, no scheduler answers, or workers are missing or unfit.
+    :func:`placecat.compute.fingerprint.fingerprint` that may differ from those of this process. Raises
+    PlacecatError if Dask is not installed, if no scheduler answers, or if workers are missing or unfit.
     """
 
     def __init__(self, *, scheduler: str, wait: float = 30, may_differ: Sequence[str] = ()) -> None:
@@ -34,7 +34,7 @@ class Cluster:
         for item in may_differ:
             if item not in here:
                 raise PlacecatError(
-                    f"compute.may_differ has {item!r}, which is not compared (valid: {', '.join(here)})"
+                    f"compute.may_differ has {item!r}, which is not compared: choose from {', '.join(here)}"
                 )
         self._wait = float(wait)
         self._client = _connect(client, scheduler, self._wait)
@@ -141,8 +141,8 @@ def _result(future: Any) -> bytes:
     except KilledWorker as error:
         last = getattr(error.last_worker, "address", error.last_worker)
         raise PlacecatError(
-            f"{error.allowed_failures + 1} workers died of the same task, the last one {last}: their logs "
-            "say why; if memory ran out, start fewer per machine (--nworkers N of `placecat worker`)"
+            f"{error.allowed_failures + 1} workers died while running the same task, the last one {last}: "
+            "see their logs; if memory ran out, start fewer per machine (--nworkers N of `placecat worker`)"
         ) from None
 
 
@@ -179,7 +179,7 @@ def _connect(client: Any, scheduler: str, wait: float) -> Any:
 
 
 async def _kind(address: str, wait: float) -> str:
-    """Return the kind of Dask server at an address, e.g. ``Scheduler``."""
+    """Return the kind of Dask server at an address, such as ``Scheduler``."""
     from distributed import Security, rpc
 
     # Certificates for tls:// addresses come from the Dask configuration.

@@ -14,9 +14,9 @@ PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
 
 @cache
 def fingerprint() -> dict[str, str]:
-    """Describe this process's environment once: later file changes do not affect loaded modules.
+    """Describe this process's environment, once: later changes to files do not affect loaded modules.
 
-    Maps each item to its state. ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by
+    Returns each item's state. ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by
     NumPy, SciPy and OpenCV, and ``processor`` the vector instructions used by NumPy and OpenCV.
     """
     # Imported late: PACKAGES alone does not need OpenCV.

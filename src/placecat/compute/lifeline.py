@@ -1,6 +1,6 @@
 """End a process soon after its parent has ended for any reason.
 
-The run, DVC, a stage and its workers form a chain of processes, and any of them may be killed. Each watches
+The run, DVC, a stage and its workers form a chain of processes, any of which may be killed, so each watches
 its parent. The kernel signal PR_SET_PDEATHSIG does not help: it exists only on Linux, and comes too early if
 a thread started the process, as in joblib.
 """
@@ -42,7 +42,7 @@ def end_stage_with_dvc() -> None:
 
 
 def stop_on_signals() -> None:
-    """Raise `Stopped` on Ctrl-C and SIGTERM, once: the terminal and the run may both send one."""
+    """Raise `Stopped` on Ctrl-C or SIGTERM, only once, since the terminal and the run may both send one."""
     for number in _SIGNALS:
         signal.signal(number, _stop)
 

@@ -1,4 +1,4 @@
-"""Run parallel loops here or on a cluster; results and their order do not depend on the processes."""
+"""Run parallel loops here or on a cluster; the number of processes does not affect results or their order."""
 
 import os
 import signal
@@ -19,7 +19,7 @@ from placecat.progress import Progress
 
 
 def workers() -> int:
-    """Return the number of worker processes, on the cluster if there is one, else on this machine."""
+    """Return the number of worker processes on the cluster, or on this machine if there is no cluster."""
     cluster = compute.cluster()
     return compute.local_workers() if cluster is None else cluster.workers()
 
@@ -72,7 +72,7 @@ def stream(
 
 @contextmanager
 def _without_ctrl_c() -> Iterator[None]:
-    """Delay Ctrl-C until the end of a block; worker processes, which are started in it, ignore Ctrl-C.
+    """Delay Ctrl-C until the end of a block; worker processes started in the block ignore Ctrl-C.
 
     Threads and processes inherit the blocked signals of the thread that starts them.
     """
@@ -88,7 +88,7 @@ def _without_ctrl_c() -> Iterator[None]:
 def _explained(results: Iterator[Any], description: str, jobs: int) -> Iterator[Any]:
     from joblib.externals.loky.process_executor import TerminatedWorkerError
 
-    fewer = f"run again with fewer than {jobs}: PLACECAT_WORKERS={max(1, jobs // 2)}"
+    fewer = f"run again with fewer than {jobs} workers: PLACECAT_WORKERS={max(1, jobs // 2)}"
     if jobs == 1:
         fewer = "run again with more memory"
     try:
@@ -118,5 +118,5 @@ def single_threaded(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
 
 @lru_cache(maxsize=1)
 def _libraries(modules: int) -> ThreadpoolController:
-    """Find the loaded libraries that have threads; only another number of imported modules changes them."""
+    """Find the loaded libraries that use threads; search again only after further imports."""
     return ThreadpoolController()

@@ -1,4 +1,4 @@
-"""Start a cluster's workers, and run tasks on one that computes the same bits as this machine."""
+"""Start a cluster's workers, and run tasks on workers that compute the same bits as this machine."""
 
 import contextlib
 import importlib.util
@@ -22,10 +22,10 @@ _seen: set[str] = set()
 
 
 def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
-    """Replace this process with ``dask worker``, with single-threaded processes, by default one per core.
+    """Replace this process with ``dask worker`` and its single-threaded processes, by default one per core.
 
     Importing placecat.stages has already chosen the OpenBLAS kernels through the environment. `scheduler` is
-    an address; `options` are additional options of ``dask worker``, e.g. ``["--nworkers", "4"]``. Raises
+    an address; `options` are additional options of ``dask worker``, such as ``["--nworkers", "4"]``. Raises
     PlacecatError if Dask is not installed.
     """
     if importlib.util.find_spec("distributed") is None:

@@ -47,7 +47,7 @@ class Experiment:
         }
 
     def described(self) -> dict[str, Any]:
-        """Every setting that affects the numbers, as JSON types."""
+        """Return every setting that affects the numbers, as JSON types."""
         return {
             "data": self.data.name,
             "judge": self.judge,
@@ -63,11 +63,11 @@ def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
     """Resolve a combination of settings; read labels and array sizes, but no features.
 
     `config` is the composed conf/experiment.yaml as plain containers. `params` is the params.yaml that the
-    features were computed with. Raises PlacecatError if the combination is invalid; the message names the
-    mistake and the remedy.
+    features were computed with. Raises PlacecatError if the combination is invalid; the message says what is
+    wrong and what to do.
     """
     schema.check(config, schema.Experiment)
-    # Editors also write params.yaml.
+    # Check these too, since params.yaml may have been edited.
     schema.check({name: settings.get(params, name) for name in ("protocol", "probabilities")})
     data = data_sets.find(params, config["data"])
     homes = data_sets.find_homes(data, config["test_home"])
@@ -112,7 +112,9 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
         raise PlacecatError(f"descriptor.color={own['color']} appends the descriptor to itself: use null")
     for name in ("max_regions", "y_weight"):
         if own[name] is None:
-            raise PlacecatError(f"descriptor.{name} is missing: give descriptor {own['name']} a number")
+            raise PlacecatError(
+                f"descriptor.{name} is missing: set it to a number for descriptor {own['name']}"
+            )
     own["y_weight"] = float(own["y_weight"])
     if not own["tracked"]:
         del own["tracked"]
@@ -120,7 +122,7 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _base(classifier: Mapping[str, Any]) -> Any:
-    """The untrained estimator of a classifier, or None if it has none."""
+    """Build the untrained estimator of a classifier; return None if it has none."""
     return estimators.build(classifier["base"], "classifier.base") if "base" in classifier else None
 
 
@@ -134,8 +136,8 @@ def _codebook(
     model = str(settings.get(classifier, "model"))
     if descriptor["kind"] != "local" and cues.of_regions_only(model):
         raise PlacecatError(
-            f"{_name(classifier)} decides from salient regions, but descriptor {descriptor['name']} is for "
-            "whole frames: use a descriptor of regions, or another classifier"
+            f"{_name(classifier)} needs salient regions, but descriptor {descriptor['name']} describes whole "
+            "frames: use a descriptor of regions, or another classifier"
         )
     usual, whose = 1, "salient regions"
     if descriptor["kind"] == "holistic" and model in config["cells_of_frames"]:
@@ -144,8 +146,8 @@ def _codebook(
         cells = usual
     if cells != 1 and (descriptor["kind"] == "local" or model == "knn"):
         raise PlacecatError(
-            f"codebook.cells={cells}: {_name(classifier)} on descriptor {descriptor['name']} of {whose} "
-            "clusters whole descriptors: use 1"
+            f"codebook.cells={cells}: {_name(classifier)} cannot split descriptor {descriptor['name']} of "
+            f"{whose}: use 1"
         )
     return {"cells": cells, "tree": tree}
 
@@ -160,7 +162,7 @@ def _check_data(experiment: Experiment, kernel_rows: int) -> None:
     lengths = {_length(data, home, experiment.settings["descriptor"]) for home in every}
     if len(lengths) > 1:
         raise PlacecatError(
-            "homes have descriptors of different lengths: run `make repro` to compute them again"
+            "the descriptors of the homes differ in length: run `make repro` to compute them again"
         )
     _check_length(experiment.settings, lengths.pop())
     present = {home: set(truth.tolist()) for home, (_, truth) in training.items()}
@@ -170,12 +172,12 @@ def _check_data(experiment: Experiment, kernel_rows: int) -> None:
         missing = [place for number, place in enumerate(data.classes) if number not in seen]
         if missing:
             raise PlacecatError(
-                f"for {tested.sequence} no training frame shows {missing[0]}, in "
-                f"{', '.join(part.sequence for part in plan.cues)}: "
+                f"testing on {tested.sequence} needs training frames of {missing[0]}, but "
+                f"{', '.join(part.sequence for part in plan.cues)} have none: "
                 "use other data" + ("" if experiment.judge == TEST_HOME else f" or judge={TEST_HOME}")
             )
         if not len(tested.chosen()[0]):
-            raise PlacecatError(f"{tested.sequence} has no labelled frame to test on")
+            raise PlacecatError(f"{tested.sequence} has no labelled frame to test on: use another test home")
     classifier, descriptor = experiment.settings["classifier"], experiment.settings["descriptor"]
     is_kernel = isinstance(_base(classifier), KernelMachine)
     if is_kernel and descriptor["kind"] == "local":
@@ -229,13 +231,13 @@ def _check_length(own: Mapping[str, Any], length: int) -> None:
         divisors = [number for number in (1, 2, 4, 8, 16, 32, 64) if length % number == 0]
         raise PlacecatError(
             f"codebook.cells={cells}: descriptor {own['descriptor']['name']} of {length} values cannot be "
-            f"split into that many: use one of {', '.join(map(str, divisors))}"
+            f"split into that many parts: use one of {', '.join(map(str, divisors))}"
         )
     reduction = own["classifier"].get("reduction")
     if reduction is None:
         return
     try:
-        # It checks its settings before it refuses to fit a single sample.
+        # The reduction checks its settings before it refuses to fit a single sample.
         SpatialPCA(**reduction).fit(np.zeros((1, length), np.float32))
     except NotComputable:
         pass

@@ -14,9 +14,10 @@ from placecat.training.plan import Plan
 
 @dataclass(frozen=True)
 class Data:
-    """A data set with features: its name (the main data set's or a split's) and its places' names.
+    """A data set with features.
 
-    `by_test` maps each sequence that can be tested to the plan that tests only that sequence.
+    `name` is that of the main data set or of a split, and `classes` are the names of its places. `by_test`
+    maps each sequence that can be tested to the plan that tests only that sequence.
     """
 
     name: str
@@ -36,14 +37,14 @@ class Data:
         # As in the tables, cross-validation needs two homes to train a cue on.
         if len(plans) < 3:
             raise PlacecatError(
-                f"judge=training_homes leaves out one training home and needs two others, but {self.name} "
-                f"has only {len(plans)} besides {test}: use judge={TEST_HOME}"
+                f"judge=training_homes leaves out one training home and trains on at least two others, but "
+                f"{self.name} has only {len(plans)} besides {test}: use judge={TEST_HOME}"
             )
         return plans
 
 
 def find(params: Mapping[str, Any], name: str) -> Data:
-    """Look up ``main`` or a split of params.yaml; for another name, raise a PlacecatError that lists all."""
+    """Look up ``main`` or a split of params.yaml; for other names, raise a PlacecatError that lists these."""
     if name == MAIN:
         plans = planning.of_homes(params, "5-5-1")
         return Data(plans[0].dataset, plans[0].classes, {plan.test: plan for plan in plans})
@@ -55,7 +56,7 @@ def find(params: Mapping[str, Any], name: str) -> Data:
 
 
 def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
-    """Find test homes: ``all``, or names, of which only letters and digits are compared.
+    """Find the test homes in a setting: ``all`` or names, whose case and punctuation do not matter.
 
     Raises PlacecatError if a name is unknown, ambiguous or repeated.
     """
@@ -73,17 +74,16 @@ def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
         meant = [name] if name in data.by_test else spellings.get(_plain(str(name)), [])
         if len(meant) != 1:
             why = (
-                "is trained on in this split"
+                "is a training home of this split"
                 if _plain(str(name)) in training
-                else ("could be several" if meant else "does not exist")
+                else ("is ambiguous" if meant else "does not exist")
             )
             raise PlacecatError(
-                f"test_home={name} {why}: data set {data.name} is tested on {', '.join(data.by_test)} "
-                f"(or {ALL})"
+                f"test_home={name} {why}: for data set {data.name}, use {', '.join(data.by_test)} or {ALL}"
             )
         found.append(meant[0])
     if len(set(found)) != len(found):
-        raise PlacecatError(f"test_home names {max(found, key=found.count)} twice")
+        raise PlacecatError(f"test_home lists {max(found, key=found.count)} twice: remove one of them")
     return tuple(found)
 
 

@@ -26,7 +26,7 @@ _log = logging.getLogger(__name__)
 def job(config: DictConfig) -> float:
     """Compute one experiment, write result.json to Hydra's output folder, and return the accuracy.
 
-    The accuracy is the mean over test homes in percent, or NaN if there is no number. result.json holds the
+    The accuracy is the mean over test homes in percent, or NaN if there is none. result.json holds the
     result of :func:`placecat.experiment.running.compute` and its origin. In a sweep, the job raises nothing,
     so that its failure does not end the other experiments: result.json holds the reason, and the sweep ends
     with status 1. A single experiment is also printed and logged here.
@@ -57,7 +57,7 @@ def job(config: DictConfig) -> float:
         _log.debug("", exc_info=True)
         files.write_text(folder / output.TRACEBACK, traceback.format_exc())
         result = output.failure(
-            f"{type(error).__name__}: {error} (an error of placecat: see {folder / output.TRACEBACK})"
+            f"{type(error).__name__}: {error} (a bug in placecat: see {folder / output.TRACEBACK})"
         )
     # Kept in a separate file, since result.json must not depend on when and where it was computed.
     files.write_json(folder / output.SECONDS, round(time.perf_counter() - start, 2))

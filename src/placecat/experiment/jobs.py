@@ -36,11 +36,11 @@ def run(
     for number, experiment in zip(numbers, experiments, strict=True):
         own = folder / str(number)
         if experiment is None or not is_finished(own, made_from(experiment)):
-            # There is no result, its job failed, or it comes from other settings, data or code.
+            # The result is missing, is a failure, or comes from other settings, data or code.
             (own / output.RESULT).unlink(missing_ok=True)
             todo.append(number)
     if len(todo) < len(lines):
-        print(f"{len(lines) - len(todo)} of {len(lines)} experiments are finished in {folder}: not run again")
+        print(f"{len(lines) - len(todo)} of {len(lines)} experiments in {folder} are finished: not run again")
     os.environ[job.WORKERS_OF] = str(os.getpid())
 
     def start(some: Sequence[int]) -> None:

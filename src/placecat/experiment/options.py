@@ -19,8 +19,8 @@ def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
     """Map each descriptor's name in experiments to its settings in a cue (:mod:`placecat.training.store`).
 
     Descriptors come from conf/descriptor, from cues whose descriptor has no file there, and from
-    conf/optional. If both kinds use a name, ``NAME`` describes salient regions and ``holistic_NAME`` whole
-    frames.
+    conf/optional. If two descriptors share a name, ``NAME`` describes salient regions and ``holistic_NAME``
+    describes whole frames.
     """
     further = (inferred.descriptors(conf), inferred.optional_descriptors(conf))
 

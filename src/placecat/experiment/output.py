@@ -1,4 +1,4 @@
-"""An experiment's files, and its result on one line."""
+"""Name an experiment's files, read its result, and format it on one line."""
 
 from pathlib import Path
 from typing import Any
@@ -22,14 +22,14 @@ def failure(message: str) -> dict[str, Any]:
 
 
 def read(folder: Path) -> dict[str, Any]:
-    """Read result.json in a job's folder; a failure if it is missing or not JSON."""
+    """Read result.json from a job's folder; return a failure if it is missing or not JSON."""
     path = folder / RESULT
     try:
         result: dict[str, Any] = files.read_json(path)
     except FileNotFoundError:
-        return failure(f"it left no result in {folder}")
+        return failure(f"the experiment left no result in {folder}")
     except ValueError:
-        return failure(f"{path} is damaged: remove it and run again")
+        return failure(f"{path} is damaged: remove it and run the experiment again")
     return result
 
 

@@ -1,4 +1,4 @@
-"""Compute one experiment with the functions behind the tables; describe the origin of its result."""
+"""Compute one experiment with the functions behind the tables, and describe the origin of its result."""
 
 import hashlib
 from collections.abc import Mapping
@@ -23,7 +23,7 @@ from placecat.training.plan import Plan
 
 # The items of `fingerprint` that are part of a result's origin.
 _OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
-# The measures and confusion of one tested home and seed, or the reason why there are none.
+# The measures and confusion for one tested home and seed, or the reason why there are none.
 Outcome = dict[str, Any] | str
 
 
@@ -31,10 +31,10 @@ def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
     """Train and test for every test home, fold and seed; the number of `workers` does not affect results.
 
     Returns JSON types only: ``settings``; ``classes``; ``accuracy`` in percent, ``log_loss`` in nats and
-    ``calibration_error`` in percent, each a mean over test homes or None; ``reason``, why a test home has
-    none; and ``homes``. Each test home has the same measures as means over seeds and folds, or the
-    ``reason`` why it has none, and ``folds``: the measures and ``confusion`` (counts, true places as rows)
-    of each tested home and seed.
+    ``calibration_error`` in percent, each a mean over test homes or None; ``reason``, why the first test home
+    without measures has none, or None; and ``homes``. Each test home has the same measures as means over
+    seeds and folds, or the ``reason`` why it has none, and ``folds``: the measures and ``confusion`` (counts,
+    with true places as rows) for each tested home and seed.
     """
     plans = experiment.plans()
     keys = [
@@ -118,7 +118,7 @@ def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
 
 
 def is_finished(folder: Path, wanted: dict[str, Any]) -> bool:
-    """Whether a job's folder holds a result, an accuracy or a reason, with the wanted origin."""
+    """Return whether a job's folder holds a result (an accuracy or a reason) with the wanted origin."""
     found = output.read(folder)
     return output.FAILED not in found and made_from_of(found) == wanted
 

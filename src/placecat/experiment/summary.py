@@ -1,4 +1,4 @@
-"""Tables of a sweep's or an experiment's results; print, write and log them."""
+"""Tabulate the results of a sweep or an experiment; print, write and log them."""
 
 import math
 import sys
@@ -53,7 +53,7 @@ class Ran:
 
     @property
     def spread(self) -> float:
-        """The largest minus the smallest seed's accuracy, as in the tables; NaN if nothing is random."""
+        """The highest minus the lowest accuracy of a seed, as in the tables; NaN if nothing is random."""
         by_seed: dict[str, list[float]] = {}
         for home in self.result.get("homes", {}).values():
             for fold in home["folds"].values():
@@ -74,7 +74,7 @@ def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
 
 
 def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
-    """One row per experiment: number, swept keys, measures, the accuracy's spread, and a note on problems.
+    """Tabulate experiments, one per row: number, swept keys, measures, spread of accuracy, note on problems.
 
     ``log_loss`` is in nats; the other measures and ``spread`` are in percent. A missing value is NaN.
     """
@@ -95,13 +95,13 @@ def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
 
 
 def _value(one: Ran, measure: str) -> float:
-    """An experiment's value of a measure, unrounded; NaN if it has none."""
+    """Return an experiment's unrounded value of a measure; NaN if it has none."""
     value = one.result.get(measure)
     return float("nan") if value is None else float(value)
 
 
 def _values(ran: Sequence[Ran], measure: str) -> pd.DataFrame:
-    """The experiments' swept keys and unrounded values of a measure; NaN where there is none."""
+    """Tabulate the experiments' swept keys and unrounded values of a measure; NaN if there is none."""
     frame = pd.DataFrame([{**one.values, measure: _value(one, measure)} for one in ran])
     # A sweep may contain the same values twice.
     return frame.drop_duplicates(list(ran[0].values) or None)
@@ -136,9 +136,9 @@ def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
 
 
 def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
-    """The settings with the highest accuracy, and that accuracy, averaged over swept test homes.
+    """Return the settings with the highest accuracy, averaged over swept test homes, and that accuracy.
 
-    None if no settings have an accuracy in every home.
+    Returns None if no settings have an accuracy in every home.
     """
     frame = _values(ran, "accuracy")
     others = [key for key in ran[0].values if key != HOME]
@@ -220,12 +220,12 @@ def text_of_one(result: dict[str, Any]) -> str:
     table = confusion(result)
     shares = 100 * table / np.maximum(table.sum(axis=1, keepdims=True), 1)
     frame = pd.DataFrame(shares, index=result["classes"], columns=result["classes"])
-    title = "Decided (columns), in percent of the true place's frames (rows)"
+    title = "Decided places (columns), in percent of the frames of the true place (rows)"
     return "\n".join([*lines, "", title, "", frame.to_string(float_format="{:.1f}".format)])
 
 
 def confusion(result: dict[str, Any]) -> np.ndarray:
-    """Counts summed over all homes, folds and seeds, (classes, classes); rows are true places."""
+    """Sum the counts over all homes, folds and seeds: (classes, classes); rows are true places."""
     counts = [
         np.array(found["confusion"])
         for home in result["homes"].values()
@@ -270,7 +270,8 @@ def _log(write: Callable[[Any], str]) -> bool:
         print(f"Logged: {write(tracking)}")
     except PlacecatError as error:
         print(
-            f"placecat: nothing was logged to MLflow: {error}; track=false turns logging off", file=sys.stderr
+            f"placecat: nothing was logged to MLflow: {error}; set track=false to turn logging off",
+            file=sys.stderr,
         )
         return False
     return True

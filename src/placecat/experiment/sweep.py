@@ -1,4 +1,4 @@
-"""A sweep: list its experiments, and check all of them before any runs."""
+"""List a sweep's experiments, and check all of them before the first one runs."""
 
 import itertools
 import sys
@@ -96,7 +96,7 @@ def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -
 
 @contextmanager
 def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
-    """Lock and yield the sweep's folder, with its finished jobs; if the block fails, report the results.
+    """Lock and yield the sweep's folder, which may hold finished jobs; report the results if the block fails.
 
     Waits while another process has the lock. On Ctrl-C, prints how to continue.
     """
@@ -109,7 +109,7 @@ def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterato
         try:
             yield folder
         except KeyboardInterrupt:
-            print(f"placecat: stopped; the same command continues {folder}", file=sys.stderr, flush=True)
+            print(f"placecat: stopped; the same command resumes {folder}", file=sys.stderr, flush=True)
             raise
         except Exception:
             # Do not log yet, since the same command will continue the sweep.

@@ -31,7 +31,7 @@ _FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
 
 
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
-    """Log a sweep and its experiments, unless already logged; replace an incomplete log.
+    """Log a sweep and its experiments, unless they are already logged; replace an incomplete log.
 
     `folder` is the sweep's folder, with its summary. A sweep is identified by its overrides and by its
     experiments' settings, data and code. Returns the log's location as text. Raises PlacecatError if MLflow
@@ -145,7 +145,7 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
 
 
 def _params(used: dict[str, Any]) -> dict[str, str]:
-    """An experiment's parameters, named as those of the tables' rows."""
+    """Return an experiment's parameters, named like those of the tables' rows."""
     parts = ("descriptor", "classifier", "codebook")
     rest = settings.flatten({name: value for name, value in used.items() if name not in parts})
     cue = params_of_cue(used["descriptor"], used["classifier"], used.get("codebook"))

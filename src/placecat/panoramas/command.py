@@ -19,9 +19,9 @@ from placecat.settings import read_yaml
 
 SETTINGS = paths.CONF / "panoramas.yaml"
 LOOKS = "looks.csv"
-# Data set in conf/dataset that reads the homes.
+# Name of the data set in conf/dataset that reads the homes.
 DATASET = "my_homes"
-# The terminal names at most this many unused panoramas; the card names all.
+# The terminal lists at most this many unused panoramas; the card lists all.
 _NAMED = 5
 
 
@@ -39,7 +39,7 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
     """Turn the panoramas in a folder into homes, and print the next command.
 
     `destination` is a new folder, which appears only when it is complete. `changes` are as for
-    :func:`read_settings`. Returns 0. User errors raise PlacecatError and leave nothing behind.
+    :func:`read_settings`. Returns 0. Raises PlacecatError for user errors, and then leaves nothing behind.
     """
     settings = read_settings(changes)
     classes = read_yaml(paths.CONF / "dataset" / f"{DATASET}.yaml")["classes"]
@@ -64,7 +64,7 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
 def _refuse_existing(destination: Path) -> None:
     files.check_target(destination)
     if destination.exists() or destination.is_symlink():
-        raise PlacecatError(f"{destination} exists: give the name of a new folder, or move it away")
+        raise PlacecatError(f"{destination} already exists: give the name of a new folder, or move it away")
 
 
 def _write_frames(folder: Path, source: Path, plans: Plans, settings: Mapping[str, Any]) -> None:
@@ -109,13 +109,15 @@ def _print(
         some = ", ".join(absent[:_NAMED]) + (", ..." if len(absent) > _NAMED else "")
         verb = "is" if len(absent) == 1 else "are"
         print(f"{len(absent)} of {_number(len(panoramas), 'panorama')} {verb} in no frame: {some}")
-        print("More visits or a smaller longest_look show more of them.")
-    print(f"{one_line(destination)}/{texts.CARD} says how they were made.")
+        print("To show more of them, raise visits or lower longest_look.")
+    print(f"{one_line(destination)}/{texts.CARD} describes how the frames were made.")
     # One home is tested, one is left out, and at least two are training homes.
     if len(plans) < 4:
-        print("At least four homes are needed to train and test: add some.")
+        print("Training and testing need at least four homes: add more.")
     else:
-        print(f"\nNow:\n\n  {_next(destination, list(plans), settings['fps'], is_complete=not lacking)}")
+        print(
+            f"\nNext, run:\n\n  {_next(destination, list(plans), settings['fps'], is_complete=not lacking)}"
+        )
 
 
 def _number(count: int, what: str) -> str:

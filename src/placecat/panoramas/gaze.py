@@ -34,7 +34,7 @@ def gaze(
     fov, tilt
         Ranges of the horizontal field of view, which stays constant, and of the tilt, in degrees.
     turn, speed
-        Ranges of a turn's angle to either side, in degrees, and of its mean speed, in degrees/s.
+        Ranges of the angle of a turn to either side, in degrees, and of its mean speed, in degrees/s.
     rest
         Range of the pause between two turns, in seconds.
     rng
@@ -66,7 +66,7 @@ def gaze(
 
 
 def least_jerk(done: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Map the elapsed share of a movement's time to the share of its way (Flash and Hogan 1985).
+    """Return the share of a movement's way that is done after a share of its time (Flash and Hogan 1985).
 
     Both shares are from 0 to 1; the movement starts and ends at rest.
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 FLOOR = re.compile(r"[A-Za-z0-9_-]{1,50}")
-"""Floor names that label files allow."""
+"""Pattern of the floor names that label files allow."""
 _NUMBER = re.compile(r"[\s_-]*[0-9]+$")
 
 
@@ -15,8 +15,8 @@ class Panorama:
 
     The names `home` and `floor` are used as folder names; `room` is unique on its floor, and `label` is its
     place category. `files` are one equirectangular picture, or six faces of a cube in the order of
-    `placecat.panoramas.cube.FACES`, as POSIX paths relative to the source's folder. `origin` is the file and
-    place in it that list the panorama, for messages.
+    `placecat.panoramas.cube.FACES`, as POSIX paths relative to the source's folder. `origin`, for messages,
+    is the file and the place in it where the panorama is listed.
     """
 
     home: str

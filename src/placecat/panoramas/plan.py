@@ -1,4 +1,4 @@
-"""Plan where each frame of a walk through a home looks, floor by floor."""
+"""Plan the direction of view of each frame of a walk through a home, floor by floor."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -21,8 +21,8 @@ _OF_GAZE = ("fps", "fov", "tilt", "turn", "speed", "rest")
 class Look:
     """Consecutive frames that show one panorama.
 
-    On its floor, `stay` is the number of the stay, from 0, and `first` that of the first frame, from 1.
-    `path` is (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
+    `stay` is the number of the stay on its floor, from 0, and `first` is the number of the first frame on
+    that floor, from 1. `path` is (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     """
 
     panorama: Panorama
@@ -43,8 +43,8 @@ Plans = Mapping[str, Mapping[str, Sequence[Look]]]
 def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str, list[Look]]:
     """Plan the walk through a home from its panoramas and the settings of conf/panoramas.yaml.
 
-    Seeds depend on the home's and the floor's names and on the setting `walk`. Maps each floor, in natural
-    order, to its looks in order.
+    Returns the looks of each floor in order; floors are in natural order. Seeds depend on the home's and the
+    floor's names and on the setting `walk`.
     """
     of_walk = {name: settings[name] for name in _OF_WALK}
     of_gaze = {name: settings[name] for name in _OF_GAZE}

@@ -19,13 +19,13 @@ def render(
 ) -> list[bytes]:
     """Render views of a panorama; return each as the content of a JPEG file.
 
-    Raises PlacecatError if a picture cannot be read, an equirectangular picture is not 2:1, or the faces are
-    not squares of the same size.
+    Raises PlacecatError if a picture cannot be read, if an equirectangular picture is not twice as wide as
+    high, or if the faces are not squares of the same size.
 
     Parameters
     ----------
     files, origin
-        As in `placecat.panoramas.panorama.Panorama`; the paths are complete.
+        As in `placecat.panoramas.panorama.Panorama`, but with complete paths.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     width, height, quality
@@ -46,8 +46,8 @@ def render(
         for file, picture in zip(files, pictures, strict=True):
             if picture.shape[:2] != (side, side):
                 raise PlacecatError(
-                    f"{file}: {picture.shape[1]}x{picture.shape[0]} is not a face of a cube of "
-                    f"{side}x{side} ({origin})."
+                    f"{file} is {picture.shape[1]}x{picture.shape[0]}, but all faces of this cube must be "
+                    f"{side}x{side} ({origin}); replace it."
                 )
         prepared, look = cube.prepare(pictures, focal), cube.look
     views = (look(prepared, view_rays(pan, tilt, fov, width, height)) for pan, tilt, fov in path)

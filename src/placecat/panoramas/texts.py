@@ -1,4 +1,4 @@
-"""The texts beside the frames: a home's label file and table of panoramas, and the data card of all homes."""
+"""The files that accompany the frames: each home's label file and table of looks, and one data card."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby

@@ -15,7 +15,7 @@ class Room(NamedTuple):
 
 
 class Part(NamedTuple):
-    """Part of a stay: the stay's, room's and panorama's numbers, from 0, and the number of frames."""
+    """Part of a stay: the numbers of the stay, room and panorama, from 0, and the number of frames."""
 
     stay: int
     room: int

@@ -33,7 +33,7 @@ def main() -> None:
     os.environ[lifeline.DVC] = str(os.getpid())
     from dvc.utils.serialize import _common
 
-    # A test detects whether a new DVC version renames this function. `placecat mend` then still works.
+    # A test fails if a new DVC version renames this function; `placecat mend` works even then.
     _common._dump_data = _write_whole
     from dvc.cli import main as dvc
 

@@ -1,4 +1,4 @@
-"""Split a stage's output into items, e.g. one per cue or home, and remake only those whose inputs changed.
+"""Split a stage's output into items, such as cues or homes, and remake only those whose inputs have changed.
 
 Each item has a manifest with checksums of its inputs and files, but no times or absolute paths.
 """
@@ -99,7 +99,7 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
 
 @contextmanager
 def _item(folder: Path, made_from: str) -> Iterator[Path]:
-    """Yield a temporary folder for an item's files; finally, add the manifest and rename the folder."""
+    """Yield a temporary folder for an item's files; then add the manifest and rename the folder."""
     with files.replacing(folder) as temporary:
         yield temporary
         unchanged.check()
@@ -107,7 +107,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove everything but `names` from a folder, e.g. items of other settings; create a missing folder."""
+    """Remove all but `names` from a folder, such as items of other settings; create a missing folder."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:

@@ -25,9 +25,9 @@ def link(folder: Path, paths: Iterable[Path]) -> None:
 
 
 def commands(stages: Sequence[str]) -> dict[str, list[str]]:
-    """Return the command of each stage in dvc.yaml; PlacecatError if a stage is missing there."""
+    """Return the command of each stage in dvc.yaml; raise PlacecatError if a stage is missing there."""
     defined = defined_stages()
     for stage in stages:
         if stage not in defined:
-            raise PlacecatError(f"dvc.yaml has no stage {stage!r}: it has {', '.join(defined)}")
+            raise PlacecatError(f"dvc.yaml has no stage {stage!r}: use one of {', '.join(defined)}")
     return {stage: [sys.executable, *defined[stage]["cmd"].split()[1:]] for stage in stages}

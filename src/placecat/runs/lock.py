@@ -21,7 +21,7 @@ _FOREVER = -1.0
 
 @contextmanager
 def alone() -> Iterator[None]:
-    """Block other runs and changes of params.yaml; raise PlacecatError if another run has the lock.
+    """Prevent other runs and changes to params.yaml; raise PlacecatError if another run has the lock.
 
     Calls may be nested.
     """
@@ -39,7 +39,7 @@ def alone() -> Iterator[None]:
 
 
 def one_at_a_time(stage: str) -> AbstractContextManager[object]:
-    """Wait while another process runs the same stage; it may be cleaning up after its DVC was killed."""
+    """Wait while another process runs the same stage, perhaps to clean up after its DVC was killed."""
     if not TEMPORARY.parent.is_dir():
         return nullcontext()
     TEMPORARY.mkdir(exist_ok=True)
@@ -57,9 +57,9 @@ def waiting(path: Path, said: str) -> AbstractContextManager[object]:
 
 
 def of_folder(folder: Path, work: str) -> AbstractContextManager[object]:
-    """Lock a folder, made if missing, during a block.
+    """Lock a folder, which is created if missing, during a block.
 
-    Raises PlacecatError, which says what another process does there (`work`), if it holds the lock.
+    If another process holds the lock, raises a PlacecatError that says what it is doing there (`work`).
     """
     folder.mkdir(parents=True, exist_ok=True)
     held = _acquired(folder / ".lock", 2)
@@ -69,7 +69,7 @@ def of_folder(folder: Path, work: str) -> AbstractContextManager[object]:
 
 
 def _acquired(path: Path, seconds: float, *, is_singleton: bool = False) -> Any:
-    """Acquire a lock, which is released at the end of a block; None if another process holds it so long."""
+    """Acquire a lock for a block; return None if another process still holds it after `seconds`."""
     # Imported late: it takes longer than the rest of a short command.
     from filelock import FileLock, Timeout
 
@@ -87,7 +87,7 @@ def _wait_for_dvc() -> None:
     end, is_said = time.monotonic() + _ENDING, False
     while user := _dvc_in_use():
         if not is_said:
-            print(f"Process {user[0]} ({user[1]}) runs a stage here.", file=sys.stderr, flush=True)
+            print(f"Process {user[0]} ({user[1]}) is running a stage here.", file=sys.stderr, flush=True)
             is_said = True
         if time.monotonic() > end:
             raise PlacecatError(_goes_on(f"process {user[0]}: {user[1]}"))

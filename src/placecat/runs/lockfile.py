@@ -30,15 +30,15 @@ def data_version(stage: str = "sequences") -> str:
 
 
 def check_data(params: Mapping[str, Any]) -> None:
-    """Raise PlacecatError if, according to DVC, the features belong to another ``dataset`` than `params`."""
+    """Raise PlacecatError if DVC recorded features of another ``dataset`` than the one in `params`."""
     version = data_version()
     stages = settings.read_yaml(LOCK)["stages"]
     listed = stages["sequences"].get("params", {}).get("params.yaml", {}).get("dataset")
     described = {dep["path"]: dep.get("md5") for dep in stages.get("features", {}).get("deps", [])}
     if listed != params["dataset"] or described.get(paths.SEQUENCES.as_posix()) != version:
         raise PlacecatError(
-            "the features belong to another data set than params.yaml: run `placecat repro` with this "
-            "data set first, or `dvc repro features tracks`"
+            "the features come from another data set than the one in params.yaml: first run `placecat repro` "
+            "with this data set, or `dvc repro features tracks`"
         )
 
 

@@ -48,7 +48,7 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Back up the complete records of dvc.lock; for the others, keep earlier copies.
+    """Back up the complete records of dvc.lock; keep earlier copies of incomplete or missing ones.
 
     Without a dvc.lock, the backup is deleted.
     """

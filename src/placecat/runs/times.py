@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 
 # Environment variable that names the `placecat repro` call in which a stage runs.
 CALL = "PLACECAT_CALL"
-# `runs` is always 1; the files in git still have this column, since some stages once ran once per home.
+# `runs` is always 1; the files in git keep this column from the time when some stages ran once per home.
 COLUMNS = ["stage", "runs", "seconds"]
 
 
@@ -47,7 +47,7 @@ def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_c
 
 
 def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
-    """Return the last full run's times as in :func:`gather`, and its facts; PlacecatError if none exists."""
+    """Return the last full run's times, as in :func:`gather`, and its facts; refuse if there was none."""
     try:
         content = files.read_json(paths.COMPLETE_TIMES)
     except FileNotFoundError:

@@ -23,7 +23,7 @@ def start(stage: str) -> None:
 
 
 def check() -> None:
-    """Refuse results if anything changed since :func:`start`; the PlacecatError names the first path."""
+    """Refuse results if anything has changed since :func:`start`; the PlacecatError gives the first path."""
     if _at_start is None:
         return
     stage, before = _at_start
@@ -32,14 +32,15 @@ def check() -> None:
         if before.get(path) != now.get(path):
             raise PlacecatError(
                 f"{path} was changed while the stage {stage} ran, so its results are not recorded: "
-                "run it again"
+                "run the stage again"
             )
 
 
 def state(stage: str) -> dict[str, str]:
-    """Map params.yaml and every file that dvc.yaml lists for a stage to their states.
+    """Return the states of params.yaml and of every file that dvc.yaml lists for a stage, by path.
 
-    The state of settings and code is a checksum; that of other files, which may be large, is size and time.
+    The state of settings and code is a checksum; that of other files, which may be large, is their size and
+    modification time.
     """
     found = {}
     for dep in [str(paths.PARAMS), *_dependencies(stage)]:
@@ -47,7 +48,7 @@ def state(stage: str) -> dict[str, str]:
         for file in (Path(dep), *Path(dep).rglob("*")):
             if not file.is_file() or "__pycache__" in file.parts:
                 continue
-            # Another process may remove it now.
+            # Another process may remove the file now.
             with contextlib.suppress(FileNotFoundError):
                 stat = file.stat()
                 content = files.checksum(file) if by_content else f"{stat.st_size} {stat.st_mtime_ns}"

@@ -22,8 +22,9 @@ _REPLACED = ("search", "judge", "test_home", "track", "data=main")
 def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, str], home: str) -> str:
     """Write the results and a summary to the sweep's folder; return the summary as Markdown.
 
-    `tried` lists the settings that were tried, starts first. `base` maps ``descriptor``, ``classifier`` and
-    ``data`` to their chosen options. `home` is the test home, which the search did not use.
+    `tried` lists the settings that were tried, beginning with the starts. `base` maps ``descriptor``,
+    ``classifier`` and ``data`` to their chosen options. `home` is the test home, which the search did not
+    use.
     """
     starts, found = dict(zip(space.starts, tried, strict=False)), best(tried)
     without = [one for one in tried if one.accuracy is None]

@@ -26,9 +26,9 @@ class Space:
     """A search space.
 
     `distributions` maps keys to Optuna's distributions, which spell choices as Hydra does. `starts` maps the
-    source of each start, e.g. ``conf/cue/hog_y.yaml``, to its keys and values. `fixed` are the overrides that
-    all experiments share. `digits` is the number of significant digits of floats that Optuna chooses; starts
-    are not rounded.
+    source of each start, such as ``conf/cue/hog_y.yaml``, to its keys and values. `fixed` are the overrides
+    that all experiments share. `digits` is the number of significant digits of floats that Optuna chooses;
+    starts are not rounded.
     """
 
     distributions: "dict[str, BaseDistribution]"
@@ -49,7 +49,7 @@ class Space:
         return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
 
     def ends(self) -> list[tuple[str, ...]]:
-        """Overrides of the first start, and of its variants that set one key to a limit or to a choice."""
+        """Return the overrides of the first start and of its variants with one key at a limit or choice."""
         first = next(iter(self.starts.values()))
         found = [first]
         for key, own in self.distributions.items():
@@ -61,21 +61,21 @@ class Space:
 def check(config: Mapping[str, Any]) -> None:
     """Refuse a search whose result would be meaningless.
 
-    Raises PlacecatError if Optuna is not installed, if ``judge`` is not ``training_homes``, or unless there
-    is exactly one test home.
+    Raises PlacecatError if Optuna is not installed, if ``judge`` is not ``training_homes``, or if there is
+    not exactly one test home.
     """
     if importlib.util.find_spec("optuna") is None:
         raise PlacecatError("a search needs Optuna: install it with `pip install -e .[search]`")
     judge, home = config["judge"], config["test_home"]
     if judge != JUDGE:
         raise PlacecatError(
-            f"judge={judge}: a search is judged on training homes only, since a setting "
-            f"chosen by its accuracy on the test home says nothing about new homes; use judge={JUDGE}"
+            f"judge={judge}: a search is judged on training homes only, since choosing by accuracy on the "
+            f"test home would make that accuracy too optimistic; use judge={JUDGE}"
         )
     if home == "all" or (not isinstance(home, str | int) and len(home) != 1):
         raise PlacecatError(
-            f"test_home={home}: a search leaves out one test home, since a setting chosen on all folds has "
-            "seen every home; name one, e.g. test_home=home_1, and search once for each"
+            f"test_home={home}: a search must leave out one test home, since a choice on all folds would use "
+            "every home; set one, such as test_home=home_1, and search once for each"
         )
 
 
@@ -94,11 +94,11 @@ def read(
 ) -> Space:
     """Read the space from the configuration and the command line, which takes precedence.
 
-    `spans` maps keys to spans as in conf/search, e.g. ``interval(0.1, 2)`` or ``choice(a, b)``. `arguments`
-    are overrides; a key that has a single value there is not searched. `config` is the first start: the
-    experiment composed without the searched settings, but with Hydra's. `params` is the content of
-    params.yaml; see :func:`find_starts`. Raises PlacecatError if nothing is searched, a key
-    does not belong to the method, or a start lies outside the space.
+    `spans` maps keys to spans as in conf/search, such as ``interval(0.1, 2)`` or ``choice(a, b)``.
+    `arguments` are overrides; a key that has a single value there is not searched. `config` is the first
+    start: the experiment composed without the searched settings, but with Hydra's. `params` is the content of
+    params.yaml; see :func:`find_starts`. Raises PlacecatError if nothing is searched, if a key does not
+    belong to the method, or if a start lies outside the space.
     """
     parser = OverridesParser.create()
     written = [*(f"{key}={value}" for key, value in spans.items()), *arguments]
@@ -106,14 +106,14 @@ def read(
     searched = {key: one for key, one in by_key.items() if one.is_sweep_override()}
     if not searched:
         raise PlacecatError(
-            "there is nothing to search: give a setting several values, e.g. "
+            "there is nothing to search: give a setting several values, for example "
             "'classifier.base.gamma=tag(log, interval(0.1, 10))'"
         )
     for key, one in searched.items():
         if key.split(".")[0].split("@")[0] not in _OF_THE_METHOD:
             raise PlacecatError(
                 f"{one.input_line}: a search chooses only settings of {', '.join(_OF_THE_METHOD)}; {key} "
-                "belongs to the measurement and has one value"
+                "belongs to the measurement, so give it a single value"
             )
     found = find_starts(list(searched), config, params)
     distributions = {}
@@ -147,7 +147,7 @@ def _distribution(
         try:
             distribution = kind(ends[0], ends[-1], log="log" in span.tags, **options)
         except (ValueError, IndexError) as error:
-            raise PlacecatError(f"{override.input_line} is not a span: {error}") from None
+            raise PlacecatError(f"{override.input_line} is not a valid span: {error}") from None
     else:
         texts = list(dict.fromkeys(override.sweep_string_iterator()))
         meaning = [parser.parse_override(f"{key}={text}").value() for text in texts]
@@ -161,8 +161,8 @@ def _distribution(
             create_trial(params={key: value}, distributions={key: distribution}, value=0.0)
         except ValueError:
             raise PlacecatError(
-                f"{override.input_line} does not contain {found[name]}, the value of {name}. That value is "
-                "tried first, so the result is at least as good: widen the range"
+                f"{override.input_line} does not contain {found[name]}, the value of {name}, which is tried "
+                "first so that the result is at least as good: widen the range"
             ) from None
     return distribution, as_known
 
@@ -200,7 +200,7 @@ def _value(key: str, config: DictConfig) -> Any:
 def _of_cue(
     cue: Mapping[str, Any], params: Mapping[str, Any], config: DictConfig, keys: Sequence[str]
 ) -> dict[str, Any]:
-    """Return a cue's searched classifier settings; {} if its descriptor or classifier is another one."""
+    """Return a cue's searched classifier settings; {} if its descriptor or classifier is a different one."""
     codebook = cue.get("codebook")
     descriptor = cue["descriptor"] if codebook is None else params["codebooks"][codebook]["descriptor"]
     wanted = {f"descriptor.{name}": value for name, value in descriptor.items()}

@@ -30,14 +30,14 @@ def search(
 
     The first trials are the starts, so the best settings are at least as good as each start. Repeated
     settings are not run again, since they would give the same accuracy. Returns all settings that were run,
-    in order. Raises PlacecatError if `n_trials` or `batch_size` is too small, or if the experiments before
-    the sampler uses results all lack an accuracy.
+    in order. Raises PlacecatError if `n_trials` or `batch_size` is too small, or if no experiment has an
+    accuracy by the time the sampler starts to use results.
 
     Parameters
     ----------
     run
         Function that runs experiments, given their overrides and the first one's number. Returns their
-        accuracies in percent; NaN if one has none.
+        accuracies in percent, or NaN for an experiment without one.
     n_trials
         Number of trials, including starts and repeated settings.
     batch_size
@@ -81,5 +81,5 @@ def search(
 
 
 def best(tried: Sequence[Tried]) -> Tried:
-    """The settings with the highest accuracy; among ties, the first, so starts win over other settings."""
+    """Return the settings with the highest accuracy; the first wins a tie, so starts come before others."""
     return max(tried, key=lambda one: -math.inf if one.accuracy is None else one.accuracy)

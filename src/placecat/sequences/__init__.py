@@ -1,8 +1,8 @@
-"""Read homes and their labels; each module reads one layout on disk.
+"""Read homes and their labels; each module of this package reads one layout on disk.
 
-A layout is a module of this package that defines ``list_homes(root)`` and ``read_home(root, name, *, fps,
-camera)``, as documented by `list_homes` and `open_home` here. Its file name is its name in the settings. To
-add a layout, add a file.
+A layout is a module that defines ``list_homes(root)`` and ``read_home(root, name, *, fps, camera)``, as
+documented by `list_homes` and `open_home` here. Settings refer to it by its file name. To add a layout, add a
+file.
 """
 
 from collections.abc import Mapping
@@ -31,11 +31,11 @@ READER = ("list_homes", "read_home")
 
 
 def list_homes(layout: str, root: Path | str, **settings: Any) -> list[str]:
-    """List the homes in a folder, at least one, in natural order (Home2 before Home10).
+    """List the homes in a folder in natural order (Home2 before Home10).
 
-    The parameters are the same as for :func:`open_home`; settings that matter only there are ignored. Raises
-    PlacecatError if the layout or a setting is unknown, or if the folder is missing, unreadable, or without a
-    home of this layout.
+    The parameters are the same as for :func:`open_home`; settings that only `open_home` needs are ignored.
+    Raises PlacecatError if the layout or a setting is unknown, or if the folder is missing, unreadable, or
+    contains no home of this layout.
     """
     reader = _reader(layout, settings)
     taken = lookup.parameters(__name__, layout, "list_homes")
@@ -58,8 +58,8 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
     name
         One of ``list_homes(layout, root)``.
     **settings
-        Keyword parameters of the layout's ``read_home``: ``fps`` (frames per second, or None if the layout
-        knows it), ``camera`` (its name) and others.
+        Keyword parameters of the layout's ``read_home``: ``fps`` (frames per second, or None to take the rate
+        from the files), ``camera`` (its name) and others.
     """
     reader = _reader(layout, settings)
     with reading(Path(root) / name):
@@ -67,15 +67,16 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
 
 
 def open_home_of(dataset: Mapping[str, Any], name: str, **changed: Any) -> Home:
-    """Read a home with its data set's settings, except those `changed`; errors as in :func:`open_home`.
+    """Read a home with the settings of its data set, except those in `changed`.
 
     `dataset` is as in conf/dataset; its ``camera`` is one name for all homes, or maps each home to a name.
+    Errors are as for :func:`open_home`.
     """
     layout, camera = dataset["layout"], dataset["camera"]
     if not isinstance(camera, str):
         if name not in camera:
             raise PlacecatError(
-                f"dataset.camera names none for {name}: add dataset.camera.{name}, or name one for all"
+                f"dataset.camera lists no camera for {name}: add dataset.camera.{name}, or one for all homes"
             )
         camera = camera[name]
     taken = lookup.parameters(__name__, layout, "read_home")
@@ -84,7 +85,7 @@ def open_home_of(dataset: Mapping[str, Any], name: str, **changed: Any) -> Home:
 
 
 def _reader(layout: str, settings: Mapping[str, Any]) -> ModuleType:
-    """Import a layout, and refuse settings that it lacks."""
+    """Import a layout, and refuse settings that it does not have."""
     reader = lookup.module(__name__, layout, "dataset.layout", *READER)
     known = lookup.parameters(__name__, layout, "read_home")
     for setting in settings:

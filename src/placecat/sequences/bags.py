@@ -40,15 +40,15 @@ def read_home(
     fps
         Frames per second; None takes the times from the pictures' stamps.
     topic
-        Topic of the pictures; None uses the only one in each bag.
+        Topic of the pictures; None uses the only picture topic of each bag.
     labels_topic
-        Topic of the labels (std_msgs/String). A frame has the last label received before it; frames before
-        the first label are unlabelled. None uses the label files.
+        Topic of the labels (std_msgs/String). Each frame takes the last label received before it; frames
+        before the first label are unlabelled. None uses the label files.
     """
     folder = home_folder(root, name)
     bags = _bags(folder)
     if not bags:
-        raise PlacecatError(f"{folder}: no bag here; correct dataset.homes or dataset.root.")
+        raise PlacecatError(f"{folder} contains no bag; correct dataset.homes or dataset.root.")
     rate = None if fps is None else frame_rate(fps, name)
 
     def floors() -> Iterator[Part]:
@@ -59,7 +59,7 @@ def read_home(
                 labels = find_labels(root, [label_file], recording.timing, "the bag")
             elif file := label_csv(root, label_file):
                 raise PlacecatError(
-                    f"{root / file}: dataset.labels_topic labels the same frames; remove one of the two."
+                    f"{root / file} and dataset.labels_topic label the same frames; remove one of the two."
                 )
             else:
                 labels = _labels_on_topic(recording, labels_topic)
@@ -74,7 +74,7 @@ def _bags(folder: Path) -> dict[str, Path]:
 
 
 def _labels_on_topic(recording: BagRecording, topic: str) -> Labels:
-    """Read labels by the time they were received, since strings have no stamps."""
+    """Match labels and frames by the times they were received, since strings have no stamps."""
     bag = Bag(recording.path)
     bag.require(topic, (STRING,), "dataset.labels_topic")
     times, labels = zip(*bag.strings(topic), strict=True)

@@ -1,4 +1,4 @@
-"""A home and its frames in order; every layout returns this type."""
+"""The type `Home`, which every layout returns: a home and its frames in order."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -27,9 +27,9 @@ class Home:
     fps
         Frames per second.
     camera
-        Name of the camera; frames with the same name share camera height, lens and colour response.
+        Name of the camera; homes with the same name have the same camera height, lens and colour response.
     width, height
-        Size of every frame in pixels, after turning; measured on the first frame.
+        Size of every frame in pixels after turning, measured on the first frame.
     frames
         One row per frame, in order, indexed 0, 1, ...: ``sequence`` (str: the floor of a VPC home, the
         sequence folder of COLD, "1" for a video or a folder), ``number`` (int32, from 1 in each sequence),
@@ -43,8 +43,8 @@ class Home:
     label_lines
         (frames,) int32, each frame's line in the label file, from 1; 0 without a label.
     lost, damaged, note
-        Numbers of frames that cannot be decoded, which have no row; numbers of frames decoded with errors;
-        and a description of the damage, or "".
+        Numbers of the frames that cannot be decoded and so have no row; numbers of the frames decoded with
+        errors; and a description of the damage, or "" if there is none.
     """
 
     name: str
@@ -85,8 +85,8 @@ def frame_table(
 ) -> pd.DataFrame:
     """Build `Home.frames` with its column types, indexed from 0.
 
-    `sequence`, `source` and `position` have one value per frame, or one for all. `turn` applies to every
-    frame, in degrees clockwise; 0 omits the column `TURN`.
+    `sequence`, `source` and `position` have one value per frame, or a single value for all frames. `turn` is
+    the clockwise rotation of all frames in degrees; 0 omits the column `TURN`.
     """
     columns = {
         "sequence": sequence,

@@ -1,7 +1,7 @@
 """The COLD database: ``<site>/<sequence>/localization/places.lst`` and images in ``<sequence>/std_cam``.
 
-A line of the label file is ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. The label stays a
-code; the setting ``aliases`` of the data set maps each code to a class.
+Each line of the label file has the form ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. Labels
+stay codes; the data set's setting ``aliases`` maps each code to a class.
 
 A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. A site's
 name alone stands for all its sequences as one home. Sequences of one site show the same rooms, so only folds
@@ -50,18 +50,18 @@ def read_home(
 ) -> Home:
     """Read one sequence, ``<site>-<sequence>``, or all of a ``<site>``; see `placecat.sequences.open_home`.
 
-    Times come from the file names. Without `fps`, the rate follows from the median time between frames.
-    `images` is the image folder of a sequence. Images that the label file does not list are skipped.
+    Times come from the file names. Without `fps`, the rate is computed from the median time between frames.
+    `images` is the image folder of each sequence. Images that the label file does not list are skipped.
     """
     relative(name, "dataset.homes")
     if "/" in name:
-        raise PlacecatError(f"dataset.homes: {name!r} has a slash; write {name.replace('/', '-', 1)!r}.")
+        raise PlacecatError(f"dataset.homes: {name!r} contains a slash; write {name.replace('/', '-', 1)!r}.")
     folder = home_folder(root, name.replace("-", "/", 1))
     is_sequence = (folder / LABEL_FILE).is_file()
     folders = [folder] if is_sequence else sorted(_sequences(folder), key=lambda path: natural(path.name))
     if not folders:
         raise PlacecatError(
-            f"{folder / LABEL_FILE}: the label file is missing; correct dataset.homes or restore it."
+            f"{folder / LABEL_FILE}: the label file is missing; restore it, or correct dataset.homes."
         )
     tables, lines = [], []
     for sequence in folders:
@@ -106,9 +106,9 @@ def code(label: str) -> str | None:
 
 
 def read_places(file: Path) -> list[Entry]:
-    """Read the entries of a ``places.lst`` in file order; their times increase.
+    """Read the entries of a ``places.lst`` in file order, in which their times must increase.
 
-    Raises PlacecatError, naming the line, if a line is not an image name and a label, or its image is not
+    Raises PlacecatError, naming the line, if a line is not an image name and a label, or if its image is not
     later than the previous one.
     """
     entries: list[Entry] = []
@@ -118,7 +118,7 @@ def read_places(file: Path) -> list[Entry]:
             continue
         where = f"{file} line {line}"
         if len(words) != 2:
-            raise PlacecatError(f"{where}: {shown(text.strip())} where an image name and a label belong.")
+            raise PlacecatError(f"{where}: {shown(text.strip())} must be an image name and a label.")
         image = _IMAGE.fullmatch(words[0])
         if image is None:
             raise PlacecatError(
@@ -133,8 +133,8 @@ def read_places(file: Path) -> list[Entry]:
         time = int(image[1]) * 1_000_000 + int(image[2])
         if entries and time <= entries[-1].time:
             raise PlacecatError(
-                f"{where}: {words[0]!r} is not later than the image of line {entries[-1].line}; put them in "
-                "order."
+                f"{where}: {words[0]!r} is not later than the image of line {entries[-1].line}; sort the "
+                "lines by time."
             )
         entries.append(Entry(words[0], label, time, line))
     return entries

@@ -26,7 +26,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
     images = list_frames(path)
     if not images:
         raise PlacecatError(
-            f"{path}: no frames here ({', '.join(SUFFIXES)}); correct dataset.homes or dataset.root."
+            f"{path} contains no frames ({', '.join(SUFFIXES)}); correct dataset.homes or dataset.root."
         )
     rate = frame_rate(fps, name)
     timing = even(len(images), rate)

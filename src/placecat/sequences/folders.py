@@ -14,7 +14,7 @@ def inside(path: Path, folder: Path, origin: str) -> None:
     """Refuse a path that leaves a folder through a symbolic link; `origin` is where the path is listed."""
     if not path.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
-            f"{origin}: {path} is a link that leads out of {folder}; put the data itself there."
+            f"{origin}: {path} is a link that leads out of {folder}; replace the link with the data itself."
         )
 
 
@@ -47,28 +47,28 @@ def home_folder(root: Path, name: str) -> Path:
 
 
 def existing(folder: Path, advice: str) -> Path:
-    """Return a folder. The PlacecatError if it is missing or not a folder ends with `advice`."""
+    """Return a folder; if it is missing or not a folder, raise a PlacecatError that ends with `advice`."""
     if not folder.is_dir():
-        what = "not a folder" if folder.exists() else "no such folder"
-        raise PlacecatError(f"{folder}: {what}; {advice}")
+        what = "is not a folder" if folder.exists() else "does not exist"
+        raise PlacecatError(f"{folder} {what}; {advice}")
     return folder
 
 
 def by_name(paths: Iterable[Path]) -> dict[str, Path]:
-    """Map names to paths, in natural order; file names lose their suffix, and duplicates are refused."""
+    """Map names, those of files without suffixes, to paths in natural order; refuse duplicates."""
     named: dict[str, Path] = {}
     for path in sorted(paths, key=lambda one: natural(one.name)):
         first = named.setdefault(path.name if path.is_dir() else path.stem, path)
         if first != path:
-            raise PlacecatError(f"{path}: {first.name} has the same name; rename or remove one.")
+            raise PlacecatError(f"{path} and {first.name} have the same name; rename or remove one of them.")
     return named
 
 
 def some_homes(homes: Collection[str], root: Path, expected: str) -> list[str]:
-    """Sort home names in natural order; the PlacecatError for none names what is `expected` in `root`."""
+    """Sort home names in natural order; without any, raise a PlacecatError that says what is `expected`."""
     if not homes:
         raise PlacecatError(
-            f"{root}: no home here; expected {expected}. Correct dataset.root or dataset.layout."
+            f"{root} contains no home; expected {expected}. Correct dataset.root or dataset.layout."
         )
     return sorted(homes, key=natural)
 
@@ -80,6 +80,6 @@ def frame_rate(fps: float | None, home: str, known: float | None = None) -> floa
     """
     rate = known if fps is None else fps
     if rate is None or not np.isfinite(rate) or rate <= 0:
-        what = "unknown from the files" if rate is None else f"{rate}"
+        what = "not in the files" if rate is None else f"{rate}"
         raise PlacecatError(f"{home}: the frame rate is {what}; set dataset.fps to a positive number.")
     return float(rate)

@@ -37,9 +37,10 @@ class Segment(NamedTuple):
 def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence: str, counted: str) -> None:
     """Check that segments, in file order, cover frames 1 to `count` exactly once.
 
-    The PlacecatError for a gap, an overlap, a segment that ends before it starts or after the last frame, or
-    unlabelled frames at the end names the line; it calls the label file `file`, what the frames belong to
-    `sequence` (``floor 1``, ``the video``), and the source of the count `counted` (``line 2``).
+    Raises PlacecatError, naming the line, if there is a gap or an overlap, if a segment ends before it starts
+    or after the last frame, or if frames at the end are unlabelled. In the message, `file` is the label file,
+    `sequence` is what the frames belong to (``floor 1``, ``the video``), and `counted` is the source of the
+    count (``line 2``).
     """
     if not segments:
         raise PlacecatError(f"{file}: {sequence} has no labels; label its frames 1 to {count}.")
@@ -55,7 +56,7 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
             gap, has = _frames(last + 1, segment.start - 1), "has" if segment.start == last + 2 else "have"
             raise PlacecatError(
                 f"{where}: {gap} of {sequence} {has} no label (a gap); add a row before this line, for "
-                "example transition."
+                "example with the label transition."
             )
         if segment.start <= last:
             before = (
@@ -90,24 +91,24 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
 
 
 def label_csv(root: Path, *names: str) -> str | None:
-    """Find the label file with one of these names (``....csv``, relative to `root`), as spelled on disk.
+    """Find the label file with one of these names (``....csv``, relative to `root`).
 
-    The suffix may be upper or lower case. Returns None if there is no such file; raises PlacecatError if
-    there are several.
+    Returns its relative path as spelled on disk, where the suffix may be upper or lower case; None if there
+    is no such file. Raises PlacecatError if there are several.
     """
     found: list[Path] = []
     for wanted in (root / name for name in names):
         beside = wanted.parent.iterdir() if wanted.parent.is_dir() else ()
         found += sorted(path for path in beside if path.with_suffix(path.suffix.lower()) == wanted)
     if len(found) > 1:
-        raise PlacecatError(f"{found[0]}: {found[1]} labels the same home; remove one.")
+        raise PlacecatError(f"{found[0]} and {found[1]} label the same home; remove one of them.")
     return found[0].relative_to(root).as_posix() if found else None
 
 
 class Labels(NamedTuple):
     """The labels of n frames: names ("" for none), and lines in `file`, (n,) int32 (0 for none).
 
-    `file`, the label file, is relative to the folder of the homes, or None.
+    `file` is the label file's path relative to the folder of the homes, or None.
     """
 
     names: list[str]
@@ -116,7 +117,7 @@ class Labels(NamedTuple):
 
 
 def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str) -> Labels:
-    """Read the label file that :func:`label_csv` finds; without one, no frame has a label.
+    """Read the label file that :func:`label_csv` finds; without a file, no frame has a label.
 
     `timing` covers all frames; `sequence` and errors are as for :func:`read_label_csv`.
     """
@@ -134,9 +135,9 @@ def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str]
     ``start_seconds,end_seconds,label`` with times from 0. A time selects the nearest boundary between frames,
     so a few decimals are enough. Every frame must be in exactly one row.
 
-    `timing` covers all frames; messages call these `sequence` (``the video`` or ``the folder``). Returns the
+    `timing` covers all frames; messages call them `sequence` (``the video`` or ``the folder``). Returns the
     label of each frame, stripped of spaces, and the line of its row, (frames,) int32. Raises PlacecatError,
-    naming the line, if the header, a number or a label is wrong, or a frame is in no row or in several.
+    naming the line, if the header, a number or a label is wrong, or if a frame is in no row or in several.
     """
     rows = read_rows(path)
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
@@ -149,7 +150,7 @@ def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str]
     for line, row in rows[1:]:
         cells = [cell.strip() for cell in row]
         if len(cells) != 3:
-            raise PlacecatError(f"{path} line {line}: {len(cells)} columns; write {','.join(header)}.")
+            raise PlacecatError(f"{path} line {line} has {len(cells)} columns; write {','.join(header)}.")
         if not cells[2]:
             raise PlacecatError(f"{path} line {line}: the label is empty; write one, for example transition.")
         if header == FRAME_HEADER:
@@ -170,7 +171,7 @@ def read_text(path: Path) -> str:
     """
     try:
         if path.is_file() and path.stat().st_size > MOST_BYTES:
-            raise PlacecatError(f"{path}: larger than {MOST_BYTES >> 20} MB; this is not a label file.")
+            raise PlacecatError(f"{path} is larger than {MOST_BYTES >> 20} MB, so it is not a label file.")
         content = path.read_bytes()
     except FileNotFoundError:
         raise PlacecatError(
@@ -194,20 +195,22 @@ def read_rows(path: Path) -> list[tuple[int, list[str]]]:
     lines = read_text(path).splitlines()
     for number, line in enumerate(lines, start=1):
         if "\ufffd" in line:
-            raise PlacecatError(f"{path} line {number}: not UTF-8; save the file as UTF-8.")
+            raise PlacecatError(f"{path} line {number} is not UTF-8; save the file as UTF-8.")
         if line.count('"') % 2:
             raise PlacecatError(f"{path} line {number}: a quotation mark is not closed; close or remove it.")
     reader = csv.reader(lines)
     try:
         return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
     except csv.Error as error:
-        raise PlacecatError(f"{path} line {reader.line_num}: not a CSV ({error}).") from None
+        raise PlacecatError(
+            f"{path} line {reader.line_num} is not valid CSV ({error}); correct it."
+        ) from None
 
 
 def whole(text: str, path: Path, line: int) -> int:
     """Read a whole number: up to ten digits with an optional minus sign.
 
-    Otherwise raises a PlacecatError that names `path` and `line`.
+    For any other text, raises a PlacecatError that names `path` and `line`.
     """
     if not _WHOLE.fullmatch(text):
         raise PlacecatError(f"{path} line {line}: {shown(text)} is not a whole number; write a frame number.")
@@ -237,8 +240,8 @@ def _from_seconds(
         bounds.append(_boundary(seconds, starts, fps))
     if bounds[1] <= bounds[0]:
         raise PlacecatError(
-            f"{path} line {line}: no frame between {cells[0]} and {cells[1]} s at {fps:g} frames a second; "
-            "correct the times."
+            f"{path} line {line}: no frame lies between {cells[0]} and {cells[1]} s at {fps:g} frames a "
+            "second; correct the times."
         )
     return bounds[0] + 1, bounds[1]
 

@@ -23,7 +23,7 @@ def read_frames(home: str) -> pd.DataFrame:
 
 
 def sequence_slices(home: str) -> list[slice]:
-    """Return a slice for each uncut run of a home's frames, e.g. one per floor."""
+    """Return a slice of a home's frames for each of its sequences, such as a floor."""
     names = read_frames(home)["sequence"].to_numpy()
     cuts = np.flatnonzero(names[1:] != names[:-1]) + 1
     return [slice(start, end) for start, end in pairwise([0, *cuts.tolist(), len(names)])]

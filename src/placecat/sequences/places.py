@@ -22,7 +22,7 @@ def place_labels(
     """Convert label names to class numbers: (len(labels),) int16, -1 for unlabelled frames.
 
     Frames without a label, or with a label in `ignored` (``transition``, ``corridor``, ...), stay in the
-    sequence as unlabelled. They are neither scored nor trained on, but the smoothing filter runs through them
+    sequence unlabelled. They are neither scored nor trained on, but the smoothing filter does not skip them
     (thesis 3.3.2). Raises PlacecatError if a label is not a class, an ignored label or an alias, or if an
     alias stands for neither a class nor an ignored label.
 
@@ -40,7 +40,7 @@ def place_labels(
         The home of the labels, for messages.
     """
     if not classes:
-        raise PlacecatError("dataset.classes is empty; name at least one class.")
+        raise PlacecatError("dataset.classes is empty; list at least one class.")
     for alias, name in aliases.items():
         if name not in classes and name not in ignored:
             raise PlacecatError(
@@ -60,7 +60,7 @@ def place_labels(
 
 
 def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str) -> None:
-    """Check that a home shows every class; the PlacecatError names the classes without frames.
+    """Check that a home has frames of every class; the PlacecatError lists the classes without frames.
 
     `labels` is (frames,) int16 from `place_labels`; `home` is its name, for messages.
     """
@@ -68,9 +68,9 @@ def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str
     absent = [name for name, there in zip(classes, present, strict=True) if not there]
     if absent:
         raise PlacecatError(
-            f"{home}: no frame is labelled {' or '.join(absent)}; label some, or remove the home "
-            "from dataset.homes or the class from dataset.classes; dataset.require_all_classes=false scores "
-            "the home over the classes that it has."
+            f"{home}: no frame is labelled {' or '.join(absent)}; label some, remove the home from "
+            "dataset.homes or the class from dataset.classes, or set dataset.require_all_classes=false, "
+            "which scores the home over the classes that it has."
         )
 
 
@@ -89,6 +89,6 @@ def _unknown_label(name: str, row: object, known: Sequence[str], home: Home | No
         if frame["sequence"] in home.label_files:
             place += f" ({home.root / home.label_files[frame['sequence']]} line {line})"
     return (
-        f"{place}: unknown label {name!r}{_nearest(name, known)}; correct it, or add it to dataset.ignored "
-        "to leave such frames unlabelled (dataset.aliases if it is another name for a class)."
+        f"{place}: unknown label {name!r}{_nearest(name, known)}; correct it, add it to dataset.ignored to "
+        "leave such frames unlabelled, or add it to dataset.aliases if it is another name for a class."
     )

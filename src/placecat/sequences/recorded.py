@@ -1,4 +1,4 @@
-"""Homes made of recordings (videos or bags): each recording is a sequence with a label CSV next to it."""
+"""Homes made of recordings (videos or bags); each recording is a sequence."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -18,11 +18,11 @@ Part = tuple[str, Recording | BagRecording, Timing, Labels]
 
 
 def home_of(name: str, root: Path, camera: str, parts: Iterable[Part], kind: str) -> Home:
-    """Decode all frames of a home's recordings to find the lost ones, and list the others.
+    """Decode all frames of a home's recordings to find the lost ones, and list the rest.
 
-    A lost frame has no row but keeps its number, because labels refer to frame numbers. The home has the
-    recordings' median frame rate; messages call a recording `kind` (``video`` or ``bag``). Raises
-    PlacecatError if no frame of a recording can be decoded, or frames differ in size.
+    A lost frame has no row but keeps its number, because labels refer to frame numbers. The home's frame rate
+    is the median rate of the recordings; messages call a recording `kind` (``video`` or ``bag``). Raises
+    PlacecatError if no frame of a recording can be decoded, or if frames differ in size.
     """
     rates, tables, lines, label_files = [], [], [], {}
     recordings: list[Recording | BagRecording] = []
@@ -32,8 +32,9 @@ def home_of(name: str, root: Path, camera: str, parts: Iterable[Part], kind: str
         sizes.append(size)
         if size != sizes[0]:
             raise PlacecatError(
-                f"{recording.path}: frames are {size[0]}x{size[1]}, but in {recordings[0].path.name} "
-                f"{sizes[0][0]}x{sizes[0][1]}; a home needs one frame size."
+                f"{recording.path}: the frames are {size[0]}x{size[1]}, but those of "
+                f"{recordings[0].path.name} are {sizes[0][0]}x{sizes[0][1]}; all frames of a home must have "
+                "the same size."
             )
         numbers = _readable(recording, size, kind)
         rows = np.array(numbers) - 1
@@ -63,16 +64,16 @@ def home_of(name: str, root: Path, camera: str, parts: Iterable[Part], kind: str
 
 
 def _readable(recording: Recording | BagRecording, first: Size, kind: str) -> list[int]:
-    """Return the numbers of the frames that can be decoded, and require their size to be `first`."""
+    """Return the numbers of the frames that can be decoded; refuse frames whose size is not `first`."""
     numbers = []
     for frame in recording.pictures():
         if (size := frame.size) is None:
             continue
         if size != first:
             raise PlacecatError(
-                f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, but earlier ones are "
-                f"{first[0]}x{first[1]} (was the camera turned?); a home needs one frame size: cut the "
-                f"{kind} there."
+                f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, but earlier frames are "
+                f"{first[0]}x{first[1]} (was the camera turned?); all frames of a home must have the same "
+                f"size: cut the {kind} there."
             )
         numbers.append(frame.number)
     return numbers

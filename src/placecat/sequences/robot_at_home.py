@@ -1,7 +1,7 @@
-"""Robot@Home2: the database ``rh.db`` and the pictures ``files/rgbd``, as unpacked from the archive.
+"""Robot@Home2: the database ``rh.db`` and the pictures in ``files/rgbd``, as unpacked from the archive.
 
 A robot with four cameras drove through five homes. A home has one sequence per session: the frames of one
-camera, ordered by time. The label of a frame is the type of its room, e.g. ``livingroom``; the data set
+camera, ordered by time. The label of a frame is the type of its room, such as ``livingroom``; the data set's
 setting ``aliases`` maps each type to a class. Recordings of several rooms have the type ``fullhouse``.
 
 References
@@ -28,7 +28,7 @@ from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
 DATABASE, PICTURES = "rh.db", "files/rgbd"
 OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
-"""Tables for each value of `observations`: frames with labelled objects, or all, even discarded ones."""
+"""Tables for each value of `observations`: frames with labelled objects, or all, even discarded frames."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
 """Suffix of colour pictures; other files hold depth and labels."""
@@ -89,8 +89,8 @@ def read_home(
     Parameters
     ----------
     fps
-        Frames per second, which replaces the times in the database. None keeps these times; the rate then
-        follows from the median time between frames.
+        Frames per second; frames are then evenly spaced. None uses the times in the database, and computes
+        the rate from the median time between frames.
     camera
         ``RGBD_1`` to ``RGBD_4``.
     observations
@@ -99,7 +99,7 @@ def read_home(
         Clockwise rotation of the pictures in degrees.
     longest_gap
         Longest time between two frames of a session, in seconds; longer gaps (between rooms) are shortened to
-        it.
+        this time.
     database, pictures
         Paths of the database and of the folder with colour pictures, relative to `root`.
     """
@@ -108,8 +108,8 @@ def read_home(
     folder = root / relative(pictures, "dataset.pictures")
     tables = OBSERVATIONS[observations]
     with opened(file, _TABLES | dict.fromkeys(tables, _OBSERVED)) as data:
-        home = _number(data.rows("rh_homes"), name, f"{file}: there is no home", "dataset.homes")
-        sensor = _number(data.rows("rh_sensors"), camera, f"{file}: there is no camera", "dataset.camera")
+        home = _number(data.rows("rh_homes"), name, f"{file} has no home", "dataset.homes")
+        sensor = _number(data.rows("rh_sensors"), camera, f"{file} has no camera", "dataset.camera")
         frames = sorted(
             (one for table in tables for one in _observations(data, file, table, home, sensor)),
             key=lambda one: (natural(one.session), one.ticks, one.number),
@@ -130,11 +130,11 @@ def read_home(
 
 
 def _number(rows: Iterable[tuple[int, str]], name: str, missing: str, setting: str) -> int:
-    """Return the number of a name in a table."""
+    """Look up the number of a name in a table's rows."""
     numbers = {named: number for number, named in rows}
     if name not in numbers:
         question, there = did_you_mean(name, numbers), shown(", ".join(numbers))
-        raise PlacecatError(f"{missing} {name!r}{question} (there are {there}); correct {setting}.")
+        raise PlacecatError(f"{missing} {name!r}{question} (it has {there}); correct {setting}.")
     return numbers[name]
 
 
@@ -171,7 +171,7 @@ def _known(named: Mapping[int, Any], number: int, where: str, table: str) -> Any
 
 
 def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], list[float], float | None]:
-    """Return each frame's number in its session, each frame's seconds, and the rate of the median step."""
+    """Return each frame's number in its session, its time in seconds, and the rate of the median step."""
     # Whole ticks are exact; seconds since 1601 are not.
     longest = round(longest_gap * TICKS)
     numbers, ticks, steps = [1], [0], []
@@ -189,7 +189,8 @@ def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], l
 def _check_pictures(file: Path, root: Path, folder: Path, sources: list[str]) -> None:
     if not folder.is_dir():
         raise PlacecatError(
-            f"{folder}: the folder of pictures is missing; unpack them there, or correct dataset.pictures."
+            f"{folder}: the folder of pictures is missing; unpack the pictures there, or correct "
+            "dataset.pictures."
         )
     wanted: dict[Path, dict[str, str]] = {}
     for path in (root / source for source in sources):

@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 from placecat.sequences.labels import shown
 
 Columns = Mapping[str, type | UnionType]
-"""Maps each column name to the type of its values: int, str, or either with None."""
+"""Maps each column name to the type of its values: int or str, possibly with None."""
 MOST_BYTES = 1 << 20
 """Largest size of a row, far larger than a path or a name. Our choice."""
 
@@ -23,7 +23,7 @@ class SqliteFile:
         self._path, self._connection, self._tables = path, connection, tables
 
     def rows(self, table: str, **equal: int) -> Iterator[tuple[Any, ...]]:
-        """Yield the expected columns of the rows with the values `equal`; PlacecatError for a wrong type."""
+        """Yield the expected columns of the rows that match `equal`; refuse values of a wrong type."""
         columns = self._tables[table]
         condition = " AND ".join(f"{name} = ?" for name in equal) or "TRUE"
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {condition}"
@@ -31,8 +31,8 @@ class SqliteFile:
             for (column, kind), value in zip(columns.items(), row, strict=True):
                 if not isinstance(value, kind):
                     raise PlacecatError(
-                        f"{self._path}: the table {table} has {shown(str(value))} in its column {column}; "
-                        "restore the file."
+                        f"{self._path}: the table {table} has {shown(str(value))} in column {column}, which "
+                        "is invalid; restore the file."
                     )
             yield row
 

@@ -1,8 +1,8 @@
 """The VPC-2009 home database: ``HomeN/<floor>/%08d.jpg`` and ``HomeN/label.txt``.
 
-The label file lists for each floor in turn: folder, number of frames, segments (``first last label``, from 1
-on every floor, both ends included) and an end line. A second end line ends the labels; free text may
-follow. Spaces or tabs separate columns.
+For each floor in turn, the label file lists the folder, the number of frames, the segments (``first last
+label``, counted from 1 on every floor, both ends included) and an end line. A second end line ends the
+labels; free text may follow. Spaces or tabs separate columns.
 
 References
 ----------
@@ -66,7 +66,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
 
 
 def read_floors(file: Path) -> list[Floor]:
-    """Read the floors of a ``label.txt`` in file order, at least one.
+    """Read the floors of a ``label.txt`` in file order; there is at least one.
 
     Raises PlacecatError, naming the line, if anything but floors precedes the second end line.
     """
@@ -84,17 +84,18 @@ def read_floors(file: Path) -> list[Floor]:
             floor = _FLOOR.fullmatch(words[0])
             if floor is None or len(words) > 1:
                 raise PlacecatError(
-                    f"{where}: {shown(text.strip())} where a floor such as '1/' or '-1 -1 end' belongs."
+                    f"{where}: {shown(text.strip())} must be a floor such as '1/', or '-1 -1 end' after the "
+                    "last floor."
                 )
             name, count, segments = floor[1], 0, []
             if any(name == other.name for other in floors):
                 raise PlacecatError(
-                    f"{where}: floor {name}/ is listed twice; correct its name or join the two."
+                    f"{where}: floor {name}/ is listed twice; correct its name, or merge the two lists."
                 )
         elif not count:
             if len(words) > 1 or whole(words[0], file, line) < 1:
                 raise PlacecatError(
-                    f"{where}: {shown(text.strip())} where the number of frames of floor {name}/ belongs."
+                    f"{where}: {shown(text.strip())} must be the number of frames of floor {name}/."
                 )
             count, count_line = int(words[0]), line
         elif words == _END:
@@ -106,9 +107,7 @@ def read_floors(file: Path) -> list[Floor]:
                 f"{where}: floor {name}/ has no end line; write '-1 -1 end' before this line."
             )
         elif len(words) != 3:
-            raise PlacecatError(
-                f"{where}: {shown(text.strip())} where 'first last label' or '-1 -1 end' belongs."
-            )
+            raise PlacecatError(f"{where}: {shown(text.strip())} must be 'first last label' or '-1 -1 end'.")
         else:
             segments.append(Segment(whole(words[0], file, line), whole(words[1], file, line), words[2], line))
     missing = (
@@ -129,8 +128,10 @@ def _images(folder: Path, floor: Floor, file: Path) -> list[str]:
         match = _FRAME.fullmatch(image)
         number = int(match[1]) if match else 0
         if number < 1 or number in found:
-            what = f"the same frame as {found[number]}" if number in found else "not a frame number from 1"
-            raise PlacecatError(f"{path / image}: {what}; rename or remove it.")
+            what = (
+                f"is the same frame as {found[number]}" if number in found else "has no frame number from 1"
+            )
+            raise PlacecatError(f"{path / image} {what}; rename or remove it.")
         found[number] = image
     declared = f"{file} line {floor.line} declares {floor.count} frames"
     for number in range(1, floor.count + 1):
@@ -142,6 +143,6 @@ def _images(folder: Path, floor: Floor, file: Path) -> list[str]:
     extra = [number for number in found if number > floor.count]
     if extra:
         raise PlacecatError(
-            f"{path / found[min(extra)]}: a frame too many ({declared}); remove it, or correct the labels."
+            f"{path / found[min(extra)]} is past the end ({declared}); remove it, or correct the labels."
         )
     return [found[number] for number in range(1, floor.count + 1)]

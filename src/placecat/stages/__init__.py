@@ -1,4 +1,4 @@
-"""The DVC stages, each in a module of its name: stages read and write files; other packages compute."""
+"""The DVC stages, each in a module of the same name. Stages read and write files; other packages compute."""
 
 import argparse
 import inspect
@@ -23,8 +23,9 @@ _STARTED = time.perf_counter()
 def _use_common_kernels() -> None:
     """Make OpenBLAS use its AVX2 kernels, which all current x86-64 processors support.
 
-    By default OpenBLAS picks kernels for the processor, and their sums differ in the last bits. The choice
-    must precede NumPy's import, so importing this package makes it. OPENBLAS_CORETYPE overrides it.
+    By default OpenBLAS picks kernels for the processor, and their sums differ in the last bits. The kernels
+    must be chosen before NumPy is imported, so importing this package chooses them. OPENBLAS_CORETYPE
+    overrides the choice.
     """
     if os.environ.get("OPENBLAS_CORETYPE") or platform.machine() not in ("x86_64", "AMD64"):
         return
@@ -57,10 +58,10 @@ if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
-    The settings choose whether its loops run on this machine or a cluster (:mod:`placecat.compute`). After a
-    user's mistake, or if its dependencies change while it runs (:mod:`placecat.runs.unchanged`), it exits
-    with a message and status 1, without a traceback. On success, it writes its running time to data/times
-    (:mod:`placecat.runs.times`).
+    The settings determine whether the stage's loops run on this machine or on a cluster
+    (:mod:`placecat.compute`). After a user's mistake, or if its dependencies change while it runs
+    (:mod:`placecat.runs.unchanged`), the stage exits with a message and status 1, without a traceback. On
+    success, it writes its running time to data/times (:mod:`placecat.runs.times`).
     """
     from placecat.config.check import check
 

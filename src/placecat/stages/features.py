@@ -112,7 +112,7 @@ def describe(
 
 
 def _names(described: Sequence[Mapping[str, np.ndarray]]) -> list[str]:
-    """Return the arrays' names in order; some parts have no variants."""
+    """Return the names of all arrays in order; some parts lack the variants' arrays."""
     return list(dict.fromkeys(name for one in described for name in one))
 
 

@@ -61,7 +61,7 @@ def _information(home: str) -> NDArray[np.float32]:
 
 
 def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str, Path]:
-    """Return the folders of the results that a filter names."""
+    """Return the folder of each cue and system that a filter is applied to."""
     cues = {cue: paths.CUES / cue / settings.get(params, f"cues.{cue}.schemes")[0] for cue in options["cues"]}
     return cues | {system: paths.INTEGRATION / system for system in options["systems"]}
 

@@ -21,7 +21,7 @@ from placecat.stages import run
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import dataset_of, folder_of, tables_of
 
-# Text columns, even if the text looks like a number, e.g. section 4.10.
+# Columns to read as text, even if the text looks like a number, such as section 4.10.
 _TEXT = ("group", "row", "column", "name", "section", "quantity", "home", "note")
 
 
@@ -97,7 +97,7 @@ def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
 
 
 def _if_kept(show: Callable[..., dict[str, Any] | None], *kept: Path) -> dict[str, Any] | None:
-    """Show results kept in git, given the files of their facts and tables; None if one is missing."""
+    """Show results that are kept in git, from their files of facts and tables; None if a file is missing."""
     facts, *tables = kept
     return show(files.read_json(facts), *tables) if all(path.is_file() for path in kept) else None
 
@@ -117,7 +117,7 @@ def _speed(facts: dict[str, Any], table: Path) -> dict[str, Any]:
 
 
 def _scale(facts: dict[str, Any], *tables: Path) -> dict[str, Any]:
-    """Show the run at the real home database's scale."""
+    """Show the run at the scale of the real home database."""
     measured, growth = (files.read_table(path, SCALE_TEXT) for path in tables)
     return shown_scale(measured, growth, facts) | {"chart": png_of(growth_chart, measured)}
 

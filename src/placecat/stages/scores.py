@@ -69,7 +69,7 @@ def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quali
 
 
 def measure_stays(source: Source) -> Measured:
-    """Count one result's decisions in each stay in its test homes."""
+    """Count one result's decisions for each stay in its test homes."""
     names, by_seed, stays = [], [], {}
     for home in source.homes:
         name = source.listed(home)

@@ -42,7 +42,7 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
 
 
 def _open(folder: Path, dataset: Mapping[str, Any], name: str) -> Home:
-    # A worker stays in the folder it was started in, but messages name paths as the user wrote them.
+    # A worker stays in the folder where it was started, but messages show paths as the user wrote them.
     with contextlib.chdir(folder):
         return open_home_of(dataset, name)
 
@@ -62,7 +62,7 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     files.write_csv(folder / "labels.csv", table)
     files.write_csv(folder / "sources.csv", _checksums(home))
     facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
-    # Undamaged footage with a constant frame rate adds nothing.
+    # Only damaged footage, or footage with a varying frame rate, has these facts.
     odd = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
     facts |= {name: value for name, value in odd.items() if value}
     if not home.is_even:

@@ -10,7 +10,7 @@ from placecat.training.saved import smooth_home
 
 
 def main() -> None:
-    """Smooth every system, and every cue and filtered result that the settings name."""
+    """Smooth every system, and every cue and filtered result listed in the settings."""
     params = settings.load()
     smoothing = settings.get(params, "smoothing")
     tested = settings.get(params, "protocol.test_homes")

@@ -62,7 +62,7 @@ def main() -> None:
 
 
 def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings behind a table's numbers; changes to others do not supersede the table."""
+    """Return the settings behind a table's numbers; changes to other settings do not supersede the table."""
     shown: dict[str, Any] = {"protocol": params["protocol"]}
     if "trial" in table:
         return shown | {

@@ -122,7 +122,7 @@ class Outcomes:
 
 
 def _shared(trial: Mapping[str, Any]) -> str:
-    """Name a trial's group by descriptor and codebook, or classifier without scheme and base settings."""
+    """Name a trial's group by descriptor, and by codebook or classifier without scheme and base settings."""
     codebook, classifier = trial.get("codebook"), trial["classifier"]
     if codebook is None:
         codebook = {name: value for name, value in classifier.items() if name != "scheme"}

@@ -21,8 +21,8 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas in a folder according to the settings of conf/panoramas.yaml.
 
     Checks that the pictures exist, but does not decode them. Raises PlacecatError if the source is unknown,
-    there is no panorama, or a file is missing or invalid; the message names the file and, if possible, the
-    line.
+    if the folder contains no panorama, or if a file is missing or invalid; the message names the file and, if
+    possible, the line.
     """
     source = lookup.module(__name__, settings["source"], "source", "read")
     existing(root, "give the folder of the panoramas.")
@@ -35,7 +35,9 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
                     raise PlacecatError(f"homes: there is no home {home!r}{did_you_mean(home, there)}")
             panoramas = [one for one in panoramas if one.home in settings["homes"]]
         if not panoramas:
-            raise PlacecatError(f"{root}: no panorama here; correct SOURCE, source or labels.")
+            raise PlacecatError(
+                f"{root} contains no panorama; correct SOURCE, or the settings source or labels."
+            )
         for one in panoramas:
             schema.check_value(one.home, _HOME, f"{one.origin}: home")
             schema.check_value(one.room, _ROOM, f"{one.origin}: room")
@@ -48,7 +50,7 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
     hint = ""
     if len(panorama.files) > 1:
         pattern = settings["cubes"]["file"]
-        hint = f"; correct file there, or cubes.file={pattern}, which gives the names of the faces"
+        hint = f"; correct the cell file there, or cubes.file={pattern}, which gives the names of the faces"
     for file in panorama.files:
         path = root / file
         if not path.is_file():
@@ -64,10 +66,12 @@ def _check_names(panoramas: list[Panorama]) -> None:
         first = homes.setdefault(one.home.casefold(), one.home)
         if first != one.home:
             raise PlacecatError(
-                f"{one.origin}: the homes {first!r} and {one.home!r} differ only in capital letters; "
-                "rename one."
+                f"{one.origin}: the names of the homes {first!r} and {one.home!r} differ only in case; "
+                "rename one of them."
             )
         for file in one.files:
             where = files.setdefault(file, one.origin)
             if where != one.origin:
-                raise PlacecatError(f"{one.origin}: {file} is listed before ({where}); remove one.")
+                raise PlacecatError(
+                    f"{one.origin}: {file} is already listed ({where}); remove one of the two."
+                )

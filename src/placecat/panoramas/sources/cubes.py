@@ -12,7 +12,7 @@ from placecat.panoramas.sources.equirectangular import read_table
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas in a folder; see `placecat.panoramas.sources.read`.
 
-    The setting `cubes` says how to turn a row's cell `file` into the names of the six pictures.
+    The setting `cubes` determines the names of the six pictures from the cell `file` of a row.
     """
     pattern, names = settings["cubes"]["file"], settings["cubes"]["faces"]
 

@@ -34,20 +34,22 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
     """
     path = root / settings["table"]
     if not path.is_file():
-        raise PlacecatError(f"{path}: the table of rooms is missing; write one with {','.join(_NEEDED)}.")
+        raise PlacecatError(
+            f"{path}: the table of rooms is missing; write one with the columns {','.join(_NEEDED)}."
+        )
     rows = read_rows(path)
     header = [cell.strip() for cell in rows[0][1]] if rows else []
     if len(set(header)) < len(header) or not set(_NEEDED) <= set(header) <= {*_NEEDED, *_OPTIONAL}:
         raise PlacecatError(
             f"{path} line {rows[0][0] if rows else 1}: the header is {shown(','.join(header))}; write "
-            f"{','.join(_NEEDED)}, and {_OPTIONAL[0]} if there are several."
+            f"{','.join(_NEEDED)}, and {_OPTIONAL[0]} if there are several floors."
         )
     labels = labels_by_kind(settings["labels"])
     panoramas = []
     for line, row in rows[1:]:
         where = f"{path} line {line}"
         if len(row) != len(header):
-            raise PlacecatError(f"{where}: {len(row)} columns; write {','.join(header)}.")
+            raise PlacecatError(f"{where} has {len(row)} columns; write {','.join(header)}.")
         cells = dict(zip(header, (cell.strip() for cell in row), strict=True))
         for name in _NEEDED:
             if not cells[name]:
@@ -55,14 +57,15 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
         floor = cells.get("floor", _ONLY_FLOOR)
         if not FLOOR.fullmatch(floor):
             raise PlacecatError(
-                f"{where}: {shown(floor)} is not a floor; write a number, or letters, digits, _ and -."
+                f"{where}: {shown(floor)} is not a valid floor; use letters, digits, _ and - (at most 50)."
             )
         label = labels.get(kind(cells["room"]))
         if label is None:
             question = did_you_mean(kind(cells["room"]), labels) or "."
             raise PlacecatError(
                 f"{where}: unknown room {shown(cells['room'])}{question} Correct it, or add it to a label in "
-                f"conf/panoramas.yaml or on the command line, e.g. {_adding(kind(cells['room']), settings)}"
+                "conf/panoramas.yaml or on the command line, for example "
+                f"{_adding(kind(cells['room']), settings)}"
             )
         pictures = tuple(str(relative(file, where)) for file in files(cells["file"]))
         room = "_".join(cells["room"].casefold().split())

@@ -28,7 +28,7 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas of all homes in a folder; see `placecat.panoramas.sources.read`."""
     folders = [folder for folder in root.iterdir() if (folder / DATA).is_file()]
     if not folders:
-        raise PlacecatError(f"{root}: no home here; expected HOME/{DATA}.")
+        raise PlacecatError(f"{root} contains no home; expected HOME/{DATA}. Correct SOURCE.")
     found = []
     for folder in sorted(folders, key=lambda path: natural(path.name)):
         found += list(_home(folder, settings["zind"], labels_by_kind(settings["labels"])))
@@ -41,7 +41,7 @@ def _home(folder: Path, settings: Mapping[str, Any], labels: Mapping[str, str]) 
         where = f"{path}: {'.'.join(names)}"
         room, image = (content.get(name) for name in ("label", "image_path"))
         if not isinstance(room, str) or not isinstance(image, str):
-            raise PlacecatError(f"{where} needs label and image_path as text.")
+            raise PlacecatError(f"{where}: label and image_path must be text; download the file again.")
         if settings["inside_only"] and content.get("is_inside") is False:
             continue
         label = labels.get(kind(room), settings["others"])
@@ -49,22 +49,24 @@ def _home(folder: Path, settings: Mapping[str, Any], labels: Mapping[str, str]) 
             continue
         floor, complete_room = names[1], names[2]
         if not FLOOR.fullmatch(floor):
-            raise PlacecatError(f"{where}: {floor!r} is not a valid name of a floor.")
+            raise PlacecatError(f"{where}: {floor!r} is not a valid floor name; download the file again.")
         file = f"{folder.name}/{relative(image, where)}"
         yield Panorama(f"zind_{folder.name}", floor, f"{complete_room}_{label}", label, (file,), where)
 
 
 def _load(path: Path) -> Any:
     if path.stat().st_size > MOST_BYTES:
-        raise PlacecatError(f"{path}: larger than {MOST_BYTES >> 20} MB; this is not the data of a home.")
+        raise PlacecatError(f"{path} is larger than {MOST_BYTES >> 20} MB, so it is not the data of a home.")
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except json.JSONDecodeError as error:
         raise PlacecatError(
-            f"{path} line {error.lineno}: not valid JSON ({error.msg}); download it again."
+            f"{path} line {error.lineno} is not valid JSON ({error.msg}); download the file again."
         ) from None
     except (UnicodeDecodeError, RecursionError) as error:
-        raise PlacecatError(f"{path}: not valid JSON ({type(error).__name__}); download it again.") from None
+        raise PlacecatError(
+            f"{path} is not valid JSON ({type(error).__name__}); download it again."
+        ) from None
 
 
 def _panoramas(path: Path, content: Any) -> Iterator[tuple[list[str], dict[str, Any]]]:
@@ -75,10 +77,10 @@ def _panoramas(path: Path, content: Any) -> Iterator[tuple[list[str], dict[str, 
         deeper = []
         for names, holder in level:
             if not isinstance(holder, dict):
-                raise PlacecatError(f"{path}: {'.'.join(names)} holds no {what}; download it again.")
+                raise PlacecatError(f"{path}: {'.'.join(names)} has no {what}; download the file again.")
             deeper += [([*names, name], inner) for name, inner in holder.items()]
         level = deeper
     for names, panorama in level:
         if not isinstance(panorama, dict):
-            raise PlacecatError(f"{path}: {'.'.join(names)} is not a panorama; download it again.")
+            raise PlacecatError(f"{path}: {'.'.join(names)} is not a panorama; download the file again.")
         yield names, panorama
