@@ -103,7 +103,7 @@ def values():
     yield "dataset.homes", "banana", r"write \[banana\]"
     yield "dataset.root", "", "empty"
     yield "dataset.root", "s3://bucket/homes", "is an address"
-    yield "dataset.root", "~/homes", "whole path"
+    yield "dataset.root", "~/homes", "full path"
     for root in (".", "..", "data", "/", "data/../data"):
         yield "dataset.root", root, "in another folder"
     yield "dataset.title", "a\x1b]0;b\x07", "printed"

@@ -40,7 +40,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="placecat",
-        description="Visual place categorization, reproducibly. Run it in the project's folder.",
+        description="Reproducible visual place categorization. Run it in the project's folder.",
     )
     parser.add_argument("--version", action="version", version=f"placecat {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND", title="commands")
@@ -55,12 +55,12 @@ def _parser() -> argparse.ArgumentParser:
         "Start `dask worker` with settings that give the same bits on every machine: one thread per process, "
         "common kernels. By default there are as many processes as cores. Ctrl-C ends them.",
     )
-    address = "of the scheduler (`dask scheduler`), e.g. tcp://10.0.0.1:8786"
+    address = "address of the scheduler (`dask scheduler`), e.g. tcp://10.0.0.1:8786"
     worker.add_argument("scheduler", metavar="ADDRESS", help=address)
     further = "further options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB"
     worker.add_argument("options", nargs=argparse.REMAINDER, metavar="OPTION", help=further)
     # Hydra parses the arguments of these two commands.
-    commands.add_parser("experiment", help="train and test any descriptor and classifier, or a sweep of them")
+    commands.add_parser("experiment", help="train and test any descriptor and classifier, or many in a sweep")
     commands.add_parser("search", help="search settings by their accuracy on training homes")
     return parser
 
@@ -91,12 +91,12 @@ def _add_pipeline(commands: Commands) -> None:
         "replicate",
         _replicate,
         "run the pipeline on many homes, group by group, and judge the findings on all",
-        "Split the homes of a data set into groups of six, run the pipeline on each group, and judge the "
-        f"findings on all homes, into {paths.REPLICATION}. Needs the outputs of `placecat repro`. Continues "
-        "a killed run.",
+        "Split the homes of a data set into groups of six, run the pipeline on each group, judge the "
+        f"findings on all homes, and write the results to {paths.REPLICATION}. Needs the outputs of "
+        "`placecat repro`. Continues a killed run.",
     )
     replicate.add_argument("overrides", nargs="*", metavar="OVERRIDE", help=override)
-    chosen = "run only these groups, e.g. 1 2; other results are taken from the folder"
+    chosen = "run only these groups, e.g. 1 2; earlier results of the other groups are reused"
     replicate.add_argument("--groups", nargs="+", type=int, default=(), metavar="K", help=chosen)
     add_command(
         commands,
@@ -104,7 +104,7 @@ def _add_pipeline(commands: Commands) -> None:
         _mend,
         "clean up after a killed run",
         "Restore the records of dvc.lock that a killed run cut off, and remove its temporary files. "
-        "`placecat repro` does this first; call it yourself before `dvc repro`.",
+        "`placecat repro` does this first; before `dvc repro`, run it yourself.",
     )
 
 
@@ -119,7 +119,7 @@ def _add_results(commands: Commands) -> None:
         epilog=_STATUS,
     )
     sides = "any git revision, or a folder with params.yaml and reports/"
-    revision, other = f"{sides}; HEAD by default", f"the other side, {sides}; this folder by default"
+    revision, other = f"{sides}; HEAD by default", f"what to compare it with: {sides}; this folder by default"
     compare.add_argument("old", nargs="?", default="HEAD", metavar="REVISION", help=revision)
     compare.add_argument("new", nargs="?", default="", metavar="OTHER", help=other)
     page = "write a page with tables, figures, verdicts and settings side by side"
@@ -143,7 +143,7 @@ def _add_results(commands: Commands) -> None:
     )
     cell = "its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 HMM home_3"
     explain.add_argument("cell", nargs="+", metavar="CELL", help=cell)
-    again = "compute it again from the outputs of the stages, and check that the bits agree"
+    again = "compute it again from the outputs of the stages, and check that every bit agrees"
     explain.add_argument("--again", action="store_true", help=again)
     add_command(
         commands,
@@ -158,7 +158,7 @@ def _add_results(commands: Commands) -> None:
 
 def _params(options: argparse.Namespace) -> int:
     write_params(options.overrides)
-    print(f"{paths.PARAMS} is written.")
+    print(f"Wrote {paths.PARAMS}.")
     return 0
 
 

@@ -21,11 +21,11 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number that no settings can compute from these data; tables show the reason instead."""
+    """A number that cannot be computed from these data with any settings; tables show the reason instead."""
 
 
 class SettingError(PlacecatError):
-    """A setting that is wrong whatever the data."""
+    """A setting that is wrong for any data."""
 
 
 # Remedies for errors of disks, file systems and system limits.
@@ -70,7 +70,7 @@ def exiting() -> Iterator[None]:
 
 
 def printable(text: str) -> str:
-    """Escape unprintable and control characters, e.g. as ``\\x1b``, except line ends and tabs."""
+    """Escape unprintable and control characters, for example as ``\\x1b``, except line ends and tabs."""
     if text.isprintable():
         return text
     return "".join(
@@ -85,7 +85,7 @@ def one_line(text: object) -> str:
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Turn a system error while reading a user's file, e.g. a missing permission, into a PlacecatError."""
+    """Turn a system error while reading a user's file, such as a missing permission, into a PlacecatError."""
     try:
         yield
     except OSError as error:

@@ -28,7 +28,7 @@ def replacing(target: Path) -> Iterator[Path]:
 
     The block creates a file or a folder at that path. Either may replace a file at `target`, but only a
     folder may replace a folder. Raises PlacecatError like :func:`check_target`, if a file would replace a
-    folder, or if writing fails, e.g. because the disk is full.
+    folder, or if writing fails, for example because the disk is full.
     """
     target = Path(target)
     check_target(target)
@@ -54,20 +54,20 @@ def replacing(target: Path) -> Iterator[Path]:
 def check_target(target: Path) -> None:
     """Refuse a path that is or contains the current folder, or that has no name (``.``, ``..``)."""
     if target.name in ("", ".", "..") or Path.cwd().is_relative_to(target.resolve()):
-        raise PlacecatError(f"{target} is or contains a folder that is in use: write to another name")
+        raise PlacecatError(f"{target} is or contains a folder that is in use: choose another name")
 
 
 def check_file(target: Path) -> None:
     """Refuse to overwrite a folder, device or pipe, and any path that :func:`check_target` refuses."""
     check_target(target)
     if target.is_dir():
-        raise PlacecatError(f"{target} is a folder: name a file to write to")
+        raise PlacecatError(f"{target} is a folder: choose the name of a file")
     if target.exists() and not target.is_file():
-        raise PlacecatError(f"{target} is not an ordinary file: write to another name")
+        raise PlacecatError(f"{target} is not an ordinary file: choose another name")
 
 
 def check_writable(target: Path) -> None:
-    """Check in advance that a file can be written; errors as for :func:`check_file`, or if writing fails."""
+    """Check in advance that a file can be written; otherwise, raise PlacecatError like :func:`check_file`."""
     check_file(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -46,7 +46,7 @@ def _add_train(commands: Commands) -> None:
     without = "leave a home out of all training, to test on it; may be repeated"
     train.add_argument("--without", action="append", default=[], metavar="HOME", help=without)
     train.add_argument("--seed", type=int, help="a seed of protocol.seeds; by default model.seed")
-    output = f"by default {paths.MODEL}, or a name in {paths.MODELS}"
+    output = f"by default {paths.MODEL}; with SYSTEM, --without or --seed, a file in {paths.MODELS}"
     train.add_argument("--output", type=Path, metavar="FILE", help=output)
 
 
@@ -66,22 +66,22 @@ def _add_predict(commands: Commands) -> None:
     predict.add_argument("source", metavar="SOURCE", help=source)
     model = f"by default {paths.MODEL}"
     predict.add_argument("--model", type=Path, default=paths.MODEL, metavar="FILE", help=model)
-    output = "by default predictions/ and the name of the source"
+    output = "by default, a folder in predictions/ named after the source"
     predict.add_argument("--output", type=Path, metavar="FOLDER", help=output)
     film = predict.add_mutually_exclusive_group()
     mp4 = "also write an annotated video: place, confidence, probabilities, salient regions"
     film.add_argument("--video", dest="film", action="store_const", const=".mp4", help=mp4)
     webm = "also write it as WebM, which browsers can play; slower"
     film.add_argument("--webm", dest="film", action="store_const", const=".webm", help=webm)
-    resize = "scale frames to a size that the model knows; crop the middle of frames of another shape"
+    resize = "scale frames to a size used in training; crop frames of another shape to their middle"
     predict.add_argument("--resize", action="store_true", help=resize)
-    labels = "a CSV file of the true places (start,end,label), to compare with"
+    labels = "a CSV file of the true places (start,end,label) to compare the predictions with"
     predict.add_argument("--labels", type=Path, metavar="CSV", help=labels)
     dataset = "for home:NAME, choose another data set, e.g. dataset=my_homes; may be repeated"
     predict.add_argument(
         "--set", dest="overrides", action="append", default=[], metavar="OVERRIDE", help=dataset
     )
-    ignored = "a label in CSV whose frames are not scored, like transitions; may be repeated"
+    ignored = "a label in CSV whose frames are not scored, such as transitions; may be repeated"
     predict.add_argument("--ignore", action="append", default=[], metavar="LABEL", help=ignored)
     every = "use every Nth frame, which is faster; 1 by default"
     predict.add_argument("--every", type=int, default=1, metavar="N", help=every)
@@ -103,16 +103,16 @@ def _add_predict(commands: Commands) -> None:
 def _add_import(commands: Commands) -> None:
     kinds = commands.add_parser(
         "import",
-        help="make homes from other pictures",
-        description="Make homes that `placecat repro` reads from other pictures.",
+        help="make homes from other kinds of pictures",
+        description="From other kinds of pictures, make homes that `placecat repro` can read.",
     ).add_subparsers(required=True, metavar="KIND", title="kinds")
     panoramas = add_command(
         kinds,
         "panoramas",
         _import_panoramas,
         "360-degree pictures",
-        "Make homes from 360-degree pictures: a view walks through them and turns, by a seed. Writes frames, "
-        "labels and a data card. The settings are in conf/panoramas.yaml.",
+        "Make homes from 360-degree pictures: a virtual camera walks through them and turns, controlled by a "
+        "random seed. Writes frames, labels and a data card. The settings are in conf/panoramas.yaml.",
     )
     panoramas.add_argument("source", type=Path, metavar="SOURCE", help="the folder of the panoramas")
     panoramas.add_argument("destination", type=Path, metavar="DESTINATION", help="a new folder for the homes")

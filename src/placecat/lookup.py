@@ -65,7 +65,7 @@ def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
 
 
 def estimator(package: str, name: object, what: str) -> str:
-    """Name a module's only scikit-learn estimator; errors as for `require`, or if it has none or several."""
+    """Return the name of a module's only estimator; errors as for `require`, or if it has none or several."""
     full = f"{package}.{require(package, name, what)}"
     classes = [node for node in _statements(full).values() if isinstance(node, ast.ClassDef)]
     public = [
@@ -85,9 +85,10 @@ def parameters(package: str, name: str, definition: str) -> dict[str, tuple[bool
     """List the settings of a function or class without importing it.
 
     A function's settings are its keyword-only parameters; a class's are all parameters of ``__init__``.
-    Maps each setting, in source order, to whether it is required and its type; empty if the module lacks
-    `definition`. A type includes its range, if any (:mod:`placecat.ranges`). It is Any if the annotation uses
-    anything but Python's types, :mod:`typing`, the ranges, and names defined in this package's modules.
+    Maps each setting, in source order, to whether it is required and its type; the result is empty if the
+    module lacks `definition`. A type includes its range, if any (:mod:`placecat.ranges`). It is Any if the
+    annotation uses anything but Python's types, :mod:`typing`, the ranges, and names defined in this
+    package's modules.
     """
     found = _taking(package, name, definition)
     if found is None:
@@ -99,7 +100,7 @@ def parameters(package: str, name: str, definition: str) -> dict[str, tuple[bool
 
 
 def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
-    """List a dictionary's entries, e.g. those of ``FIGURES``, in all modules: tuples that end in a function.
+    """List the entries of a dictionary such as ``FIGURES`` in all modules, tuples that end in a function.
 
     Maps each key to the names of its module and function; a lambda, which has no settings, is named "".
     """

@@ -21,7 +21,7 @@ def load(path: Path = paths.PARAMS) -> dict[str, Any]:
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
-    """Read a YAML file that contains a mapping; if it is missing or empty, the error names `remedy`."""
+    """Read a YAML file that contains a mapping; if it is missing or empty, the error suggests `remedy`."""
     try:
         content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)
     except FileNotFoundError:
@@ -29,7 +29,7 @@ def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]
     except (yaml.YAMLError, UnicodeDecodeError) as error:
         raise PlacecatError(f"{path} is not valid YAML: {' '.join(str(error).split())}") from None
     if not isinstance(content, dict):
-        raise PlacecatError(f"{path} is empty: {remedy}")
+        raise PlacecatError(f"{path} is empty or not a mapping: {remedy}")
     return content
 
 
@@ -48,7 +48,7 @@ def get(params: Mapping[str, Any], name: str) -> Any:
 
 
 def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str) -> None:
-    """Refuse settings that are not parameters of `function`; the PlacecatError lists valid ones."""
+    """Refuse settings that are not parameters of `function`; the PlacecatError lists the valid ones."""
     refuse_unknown(settings, list(inspect.signature(function).parameters), where)
 
 
@@ -75,8 +75,8 @@ def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], 
 def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, where: str) -> dict[str, Any]:
     """Return a copy of nested settings with some changed by dotted name.
 
-    The PlacecatError for an unknown setting says that `who`, e.g. ``table_12 changes``, names a setting that
-    `where` lacks.
+    For an unknown setting, the PlacecatError begins with `who`, e.g. ``table_12 changes``, and says that
+    `where` has no such setting.
     """
     result = copy.deepcopy(dict(content))
     for name, value in overrides.items():

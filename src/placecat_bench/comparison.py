@@ -31,8 +31,8 @@ class Comparison:
     The target is `faster`, the least factor by which our code must be faster, or `at_most`, the largest
     allowed multiple of the peer's time. `ours` and `theirs` are the calls to time; `repeats` is the number of
     pairs. `warm_up` first makes each call once; turn it off if a call takes minutes. If the target is missed,
-    the `parts` of our code are timed, to show where the time goes. Raises ValueError unless there are exactly
-    one target and at least 5 repeats.
+    the `parts` of our code are timed, to show where the time goes. Raises ValueError unless there is exactly
+    one target and there are at least 5 repeats.
     """
 
     piece: str
@@ -49,7 +49,7 @@ class Comparison:
     def __post_init__(self) -> None:
         _check_one(self.piece, faster=self.faster, at_most=self.at_most)
         if self.repeats < LEAST_REPEATS:
-            raise ValueError(f"{self.piece}: {self.repeats} repeats are too few, use {LEAST_REPEATS} or more")
+            raise ValueError(f"{self.piece}: {self.repeats} repeats are too few: use {LEAST_REPEATS} or more")
 
     @property
     def target(self) -> str:

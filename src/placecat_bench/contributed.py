@@ -1,7 +1,7 @@
 """Run OpenCV's contributed saliency in a separate process, since its package replaces the one placecat uses.
 
-As a program, ``python contributed.py NAME FILE`` answers each line that it reads: it computes the maps of all
-pictures in an .npz file, and then prints a line.
+As a program, ``python contributed.py NAME FILE`` reads lines from standard input. For each line, it computes
+the maps of all pictures in an .npz file and then prints a line.
 """
 
 import os
@@ -43,7 +43,7 @@ def contributed(name: str, pictures: Sequence[NDArray[np.uint8]]) -> Iterator[Ca
                 with suppress(BrokenPipeError):
                     print(file=process.stdin, flush=True)
                 if not process.stdout.readline():
-                    raise PlacecatError(f"{PACKAGE} below {FOLDER} does not work: run `make bench`")
+                    raise PlacecatError(f"{PACKAGE} in {FOLDER} does not work: run `make bench`")
 
             yield compute
             process.communicate()

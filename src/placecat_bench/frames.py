@@ -1,4 +1,4 @@
-"""Frames for the pieces on vision, one from each rendered home."""
+"""Frames for the pieces of vision code, one from each rendered home."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -45,7 +45,7 @@ def jpegs(homes: Path = HOMES) -> list[Image]:
     """
     videos = sorted(homes.glob("*.mp4"))
     if not videos:
-        raise PlacecatError(f"{homes} has no videos: restore the rendered homes with git")
+        raise PlacecatError(f"{homes} has no videos: restore the rendered homes from git")
     return [encoded(_frame(path)) for path in videos]
 
 

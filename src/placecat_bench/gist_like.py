@@ -56,7 +56,7 @@ def draw_frames(n: int, features: int, homes: Sequence[int]) -> Frames:
 def points_behind(
     ours: NDArray[np.generic], theirs: NDArray[np.generic], positive: NDArray[np.bool_]
 ) -> float:
-    """Return by how many percent points the accuracy of our decisions, (n,), is below that of theirs."""
+    """Return how many percentage points the accuracy of our (n,) decisions is below that of theirs."""
     return 100.0 * float(np.mean(theirs == positive) - np.mean(ours == positive))
 
 

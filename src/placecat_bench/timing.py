@@ -39,7 +39,7 @@ def median_seconds(call: Callable[[], Any], repeats: int) -> float:
 
 
 class Latest:
-    """A call that keeps its last result, which is compared too and may take minutes."""
+    """A call that keeps its last result, so that comparing results needs no further call."""
 
     def __init__(self, call: Callable[..., Any], *args: Any) -> None:
         self._call = partial(call, *args)
@@ -50,5 +50,5 @@ class Latest:
         return self._result
 
     def result(self) -> Any:
-        """Return the last call's result; make the call first if there was none."""
+        """Return the last call's result; make the call first if it was never made."""
         return self._result if hasattr(self, "_result") else self()

@@ -70,7 +70,7 @@ POOL = {"method": "log_pool", "shrinkage": 0.1}
         ("systems.das_551_best.integrator", POOL | {"shrinkage": -1.0}, "shrinkage"),
         ("systems.das_551_best.integrator", POOL | {"smallest": 0.0}, "smallest"),
         ("systems.das_551_best.integrator", POOL | {"smallest": None}, "smallest is a number"),
-        ("systems.das_551_best.integrator.smallest", 1e-6, "smallest is .* only for method: log_pool"),
+        ("systems.das_551_best.integrator.smallest", 1e-6, "smallest is .* needs method: log_pool"),
         ("systems.das_551_extra.integrator", POOL, "extra: true does not work with log_pool"),
         ("splits.university.integrator", POOL, "log_pool does not work with a fixed split"),
     ],

@@ -113,7 +113,7 @@ def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) ->
 
 
 def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: str) -> "DictConfig":
-    """Apply overrides with Hydra to `source`: merged settings or a folder with config.yaml, named `where`."""
+    """Apply overrides with Hydra to `source`, merged settings or a folder; messages call it `where`."""
     from hydra import compose as hydra_compose
     from hydra import initialize, initialize_config_dir
     from hydra.core.config_store import ConfigStore
@@ -181,7 +181,7 @@ def _digest(overrides: Sequence[str], target: Path) -> str:
     read = [*paths.CONF.rglob("*.yaml"), *paths.TABLE_DEFINITIONS.rglob("*.yaml")]
     for path in [*sorted(read), target]:
         own = path.read_bytes() if path.is_file() else b""
-        # The content depends on the environment, so the checksum must never match.
+        # The content depends on environment variables, so the checksum must never match.
         if b"oc.env" in own:
             own = os.urandom(16)
         content.update(f"{path} {hashlib.sha256(own).hexdigest()}".encode())

@@ -38,8 +38,8 @@ def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]
 
     `choices` pairs choices, as Hydra names them, with files, e.g. ``("dataset", "my_homes")`` or
     ``("classifier@cues.gist.classifier", "knn")``. Returns plain containers with unresolved references
-    (``${...}``). Raises Unusual, e.g. for a missing file, invalid YAML, an empty choice, a package in a
-    header, or a list of files.
+    (``${...}``). Raises Unusual in cases such as a missing file, invalid YAML, an empty choice, a package in
+    a header, or a list of files.
     """
     if len(dict(choices)) < len(choices) or not all(file for _, file in choices):
         raise Unusual(str(choices))

@@ -13,7 +13,7 @@ from placecat.vision import discovery
 def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
     """Find descriptors that cues and codebooks name but no file of conf/descriptor describes.
 
-    Maps ``local`` and ``holistic``, unless empty, to descriptor names, and each name to the default settings
+    Maps ``local`` and ``holistic``, if not empty, to descriptor names, and each name to the default settings
     of its module's ``describe``. Raises PlacecatError if a cue or codebook file is not YAML, a descriptor has
     no module, a module cannot be imported, or a setting has no default.
     """

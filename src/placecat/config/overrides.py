@@ -1,4 +1,4 @@
-"""Check overrides by Hydra's grammar; messages show how to quote unreadable ones."""
+"""Check overrides against Hydra's grammar; messages show how to quote unreadable ones."""
 
 import re
 import shlex
@@ -34,7 +34,7 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
 
 
 def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where: str) -> str | None:
-    """Report the first overridden setting that `content` lacks and the valid ones; None if all exist.
+    """Report the first overridden setting that `content` lacks, and the valid settings; None if all exist.
 
     `where` is the file or folder of the settings.
 
@@ -58,7 +58,7 @@ def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where:
                 place = ".".join(path[:depth]) or where
                 question = did_you_mean(name, map(str, section))
                 if not question and depth == len(path) - 1 and depth:
-                    question = f"; a new one needs a plus, +{override.input_line}"
+                    question = f"; to add it, write +{override.input_line}"
                 valid = ", ".join(map(str, section))
                 return f"{place} has no setting {name!r}{question} (valid: {valid or 'none'})"
             section = section[name]

@@ -20,21 +20,21 @@ ACCURACIES, POWER = "accuracies.csv", "power.csv"
 
 
 def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
-    """Run a data set's groups of homes and judge the findings on all of them; return what to print.
+    """Run a data set's groups of homes and judge the findings on all homes; return the text to print.
 
     `overrides` are Hydra overrides of conf/ that choose the data set. `numbers` are the groups to run, by
     default all; their results are written to reports/replication, and those of the other groups are read from
-    there. Raises PlacecatError for invalid settings, too few homes or an unknown group; if `make repro` has
-    not run or a stage fails.
+    there. Raises PlacecatError for invalid settings, too few homes or an unknown group, if `make repro` has
+    not run, or if a stage fails.
     """
     chosen = options.read()
     params = yaml.load(compose.compose(overrides), Loader=settings.Loader)
     planned, rest = groups.split(params, chosen.group)
     unknown = [number for number in numbers if not 1 <= number <= len(planned)]
     if unknown:
-        raise PlacecatError(f"--groups: group {unknown[0]} does not exist; there are 1 to {len(planned)}")
+        raise PlacecatError(f"--groups: group {unknown[0]} does not exist: choose from 1 to {len(planned)}")
     if rest:
-        print(f"Not used, since too few for another group of {chosen.group}: {', '.join(rest)}", flush=True)
+        print(f"Not used, since too few for a group of {chosen.group}: {', '.join(rest)}", flush=True)
     for group in planned:
         if not numbers or group.number in numbers:
             state = "done" if groups.run(group) else "nothing to do"
@@ -45,12 +45,12 @@ def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
     missing = [group.number for group in planned if not group_results.folder_of(group.number).is_dir()]
     if missing:
         named = " ".join(map(str, missing))
-        return f"The findings are judged when all groups are there; still to run: --groups {named}"
+        return f"The findings are judged once all groups have run. Run the others with --groups {named}"
     return judge(params, planned, chosen)
 
 
 def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options) -> str:
-    """Judge the findings on the results in reports/replication; write the ledger there, return a summary."""
+    """Judge the findings on the results in reports/replication; write the ledger and return a summary."""
     of_groups = [(group.number, group.homes) for group in planned]
     results = group_results.pooled(of_groups, params, read_results(settings.load()))
     homes = [homes for _, homes in of_groups]

@@ -53,9 +53,9 @@ def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, An
 
 
 def _comparable(params: Mapping[str, Any]) -> str:
-    """Return a checksum of all settings but the homes; only groups with the same checksum are pooled."""
+    """Return a checksum of all settings except the homes; only groups with the same checksum are pooled."""
     dataset = {name: one for name, one in params["dataset"].items() if name not in ("homes", "root")}
-    # Leave out settings with a value for each home, e.g. cameras and frame rates.
+    # Leave out settings with a value for each home, such as cameras and frame rates.
     dataset = {
         name: one for name, one in dataset.items() if not (isinstance(one, Mapping) and name != "aliases")
     }
@@ -68,18 +68,19 @@ def pooled(
 ) -> Results:
     """Read the results of all groups, given by number and homes, as if they were one data set.
 
-    `params` are all settings. Of `others`, the project's results, those on data other than homes are added.
+    `params` are all settings. Results in `others`, the project's results, are added if they are on data other
+    than homes.
     Raises PlacecatError if a group's results are missing, or belong to other homes or settings.
     """
     scores, missing, dropped = [], [], []
     for number, homes in groups:
         folder = folder_of(number)
         if not (folder / FACTS).is_file():
-            raise PlacecatError(f"{folder} is missing: run `placecat replicate` for group {number}")
+            raise PlacecatError(f"{folder} is missing: run `placecat replicate` with --groups {number}")
         facts = files.read_json(folder / FACTS)
         if facts != {"homes": list(homes), "settings": _comparable(params)}:
             raise PlacecatError(
-                f"{folder} has results of other homes or settings: run `placecat replicate` for all groups"
+                f"{folder} has results for other homes or settings: run `placecat replicate` for all groups"
             )
         table = pd.read_parquet(folder / SCORES)
         scores.append(table.astype({name: str for name in table.columns if name != "frames"}))

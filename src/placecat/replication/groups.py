@@ -18,7 +18,7 @@ from placecat.errors import PlacecatError
 from placecat.replication import group_results
 from placecat.runs import items, linked_folder, lock, unchanged
 
-# Stages that depend on the homes and lead to the tables, in order; and what else they need from the project.
+# The stages from the homes to the tables, in order, and the project's other files that they need.
 STAGES = (
     *("sequences", "features", "tracks", "codebooks", "cues", "integration"),
     *("filtering", "smoothing", "trials", "scores", "tables"),
@@ -102,7 +102,7 @@ def _run_stage(folder: Path, stage: str, command: Sequence[str]) -> None:
     status = subprocess.run(command, cwd=folder, env=environment, check=False).returncode
     if status != 0:
         raise PlacecatError(
-            f"the stage {stage} failed in {folder}: see above; then run this again to continue"
+            f"the stage {stage} failed in {folder}: fix the error above, then run this again to continue"
         )
 
 

@@ -12,12 +12,12 @@ from placecat.paths import COMPARISONS
 from placecat.replication.options import Options
 from placecat.replication.simulation import power, spread
 
-# Largest number of homes to try, and the probability of a verdict that they must reach.
+# Largest number of homes to try, and the required probability of a verdict.
 MOST, _WANTED = 240, 0.8
 
 
 class Run(NamedTuple):
-    """A run that the spread comes from: its number of homes and the level of its intervals."""
+    """The run that provides the spread: its number of homes and the level of its intervals."""
 
     homes: int
     level: float
@@ -43,10 +43,10 @@ def power_table(comparisons: pd.DataFrame, homes: int, options: Options, run: Ru
     `homes` is the number of homes in the replication, a multiple of the group size in `options`.
 
     Returns one row per finding: number, comparisons (their number), units (number of the replication's homes
-    that count, 0 if unknown) and spread (largest standard deviation between homes, points). Also power
+    that count, 0 if unknown) and spread (largest standard deviation between homes, points). The columns power
     (probability of a verdict with `homes` homes) and needed (number of homes for a power of 80 %, infinite
-    above `MOST`), once if the published and once if the measured differences are true. Unknown numbers are
-    NaN: for comparisons of one home, of stays or of shares, and for unpublished differences.
+    above `MOST`) appear twice: assuming that the published differences are true, and that the measured ones
+    are. Numbers are NaN for comparisons of one home, of stays or of shares, and for unpublished differences.
     """
     rows = []
     for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):
@@ -89,7 +89,7 @@ def _claimed(text: str) -> Range | None:
         return Range(ends[0], np.inf)
     if text.startswith("below") and len(ends) == 1:
         return Range(-np.inf, ends[0])
-    raise PlacecatError(f"{COMPARISONS}: unknown range {text!r}; run `placecat repro` again")
+    raise PlacecatError(f"{COMPARISONS}: unknown range {text!r}: run `placecat repro` again")
 
 
 def _power(known: list[_Comparison], effects: list[float], homes: int, level: float) -> float:

@@ -31,10 +31,10 @@ def judge(
     """Judge every finding about homes on the homes of all groups.
 
     `findings`, `verdict` and `published` are as for :func:`placecat.thesis.findings.ledger`; the level of
-    `options` replaces that of `verdict`. `results` are of all groups, and `groups` names the homes in each.
+    `options` replaces that of `verdict`. `results` are from all groups, and `groups` lists the homes of each.
 
-    Returns the ledger's tables of findings and comparisons, without the findings about other data. Each has a
-    further column ``shared``: the share of variance that a group's homes have in common
+    Returns the ledger's tables of findings and comparisons, without the findings about other data. Both have
+    a further column ``shared``: the share of variance that a group's homes have in common
     (:func:`placecat.replication.shared.shared_variance`), NaN if unknown; a finding shows the largest share
     of its comparisons. If this exceeds `options.shared`, the verdict's reason says so.
     """

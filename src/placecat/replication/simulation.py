@@ -1,4 +1,4 @@
-"""Compute, before a run, how many homes decide a claim and how often the rule decides wrongly."""
+"""Compute, before a run, how many homes a verdict on a claim needs and how often the rule errs."""
 
 import math
 
@@ -24,7 +24,7 @@ def spread(low: float, high: float, homes: int, level: float = 0.95) -> float:
 def power(
     effect: float, deviation: float, homes: int, claimed: Range, *, level: float = 0.95, wide: float = 0.95
 ) -> tuple[float, float]:
-    """Compute the probability of each verdict on a comparison if homes are normal and independent.
+    """Compute the probability of each verdict if the differences in homes are normal and independent.
 
     `effect` and `deviation` are the mean and standard deviation of the compared difference over homes, in
     points; `homes` is their number, at least 2; `claimed` is the range that the claim allows. The interval at

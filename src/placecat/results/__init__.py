@@ -12,11 +12,11 @@ def load(project: Path | str = ".") -> "pd.DataFrame":
 
     `project` is the project's folder. Raises PlacecatError if the stage `report` has not run there. Columns:
     ``cell`` is the cell's number (for ``placecat explain``); ``table``, ``title``, ``group``, ``row`` and
-    ``column`` locate the cell; ``home`` is its only test home, or "all". ``quantity`` is the measured
+    ``column`` locate the cell; ``home`` is the only test home, or "all". ``quantity`` is the measured
     quantity; ``measured``, ``published`` and their ``difference`` are in ``unit``, NaN if missing. ``spread``
     is the largest minus the smallest number over the ``seeds``; ``seed_names`` and ``by_seed`` list the seeds
-    and their numbers. ``note`` says why the two numbers differ or one is missing; ``findings`` lists the
-    findings that use the cell. These columns tell where the number comes from: ``data`` and
+    and their numbers. ``note`` says why ``measured`` and ``published`` differ or one is missing; ``findings``
+    lists the findings that use the cell. The other columns tell where the number comes from: ``data`` and
     ``published_data``; ``results``, ``system``, ``cues``, ``classifiers``, ``descriptors``, ``filter`` and
     ``plan``; ``trained_on``; the numbers of frames that trained the cues (``training_frames``), trained the
     integration (``integration_frames``) and were tested (``tested_frames``); ``settings`` as JSON; and DVC's

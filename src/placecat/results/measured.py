@@ -98,7 +98,7 @@ class Quality:
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
 
     def averages(self) -> dict[str, float]:
-        """Return the rounded mean of each of `MEASURES` over homes and seeds, unless it has no number."""
+        """Return the rounded mean of each of `MEASURES` that has a number, over homes and seeds."""
         means = {measure: self.over_homes(measure) for measure in MEASURES}
         return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
 
@@ -116,8 +116,8 @@ class Results:
     missing
         Maps each missing (result, home) to the reason why this data does not allow it.
     stays
-        The results of further data sets by stay: each stay (a visit to a place) takes the place of a home,
-        and its frames all show the same place.
+        The results on further data sets by stay: each stay (a visit to a place) is treated like a home, and
+        all its frames show the same place.
     dropped
         Maps each information filter's name to a table of the frames that it drops
         (:func:`placecat.fusion.information_filter.dropped`), with the columns of `DROPPED_COLUMNS`.
@@ -150,7 +150,7 @@ class Results:
         return None if name not in self.measured and self.reasons(name) else self.of(name)
 
     def reasons(self, name: str) -> list[str]:
-        """List the reasons why a result lacks homes, without duplicates."""
+        """List the reasons why a result is missing in some homes, without duplicates."""
         return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
@@ -186,7 +186,7 @@ class Results:
 
 
 def mean_and_spread(values: NDArray[np.float64], *, random: bool) -> tuple[float, float]:
-    """Return the mean and the largest minus the smallest value (NaN if not random), with 2 decimals."""
+    """Return the mean, and the largest minus the smallest value (NaN if not random), with 2 decimals."""
     spread = round(float(values.max() - values.min()), 2) if random else float("nan")
     return round(float(values.mean()), 2), spread
 
@@ -211,8 +211,8 @@ def from_scores(
     """Build the results from the rows of `score_rows`; in `stays`, stays replace homes.
 
     `scores` and `missing` have the columns `SCORE_COLUMNS` and `MISSING_COLUMNS`. `classes` lists the main
-    data set's places, and `other_classes` those of each other data set. A result's places are the first list
-    that contains all of its places, starting with `classes`.
+    data set's places, and `other_classes` those of each other data set. Each result uses the first list,
+    starting with `classes`, that contains all its places.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))

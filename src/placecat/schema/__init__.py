@@ -58,7 +58,7 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
         for parent in parents:
             around = around[int(parent) if isinstance(around, list) else parent]
         valid = [str(key) for key in around if key not in unknown]
-        where, question = ".".join(parents) or "the whole", did_you_mean(name, valid)
+        where, question = ".".join(parents) or "the file", did_you_mean(name, valid)
         return f"{where} has no setting {name!r}{question} (it has {', '.join(valid)})"
     said = told["msg"].removeprefix("Value error, ").replace("Input should be", "it must be")
     said = said.replace("Value should", "it must").replace(" after validation", "")
@@ -85,6 +85,6 @@ def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
 
 
 def _short(value: Any) -> str:
-    """Return a value in approximate YAML, shortened in the middle."""
+    """Return a value roughly as in YAML, shortened in the middle."""
     text = printable(str(value).replace("\n", "\\n"))
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN // 2]}...{text[-_SHOWN // 2 :]}"

@@ -17,7 +17,7 @@ def _odd(number: int) -> int:
 
 def _ascending(numbers: list[int]) -> list[int]:
     if sorted(set(numbers)) != numbers:
-        raise ValueError("it must be ascending")
+        raise ValueError("it must be ascending, without duplicates")
     return numbers
 
 

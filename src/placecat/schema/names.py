@@ -19,7 +19,7 @@ def _text(text: str) -> str:
     if not text.strip():
         raise ValueError("it is empty")
     if not text.isprintable():
-        raise ValueError("it has a character that cannot be printed: rename it")
+        raise ValueError("it has a character that cannot be printed: remove the character")
     if len(text.encode()) > _LONGEST_TEXT:
         raise ValueError(f"it is longer than {_LONGEST_TEXT} bytes")
     return text
@@ -28,9 +28,9 @@ def _text(text: str) -> str:
 def _folder(text: str) -> str:
     _text(text)
     if "://" in text:
-        raise ValueError("it is an address: copy the data into a folder, and name the folder")
+        raise ValueError("it is an address: copy the data into a folder, and write its path")
     if text.startswith("~"):
-        raise ValueError("~ is not expanded here: write the whole path")
+        raise ValueError("~ is not expanded here: write the full path")
     # DVC rejects a data folder that a stage writes into.
     if Path("data").resolve().is_relative_to(Path(text).resolve()):
         raise ValueError("the stages write into this folder: put the homes in another folder")
@@ -48,24 +48,24 @@ def _short(text: str) -> str:
 def _file_name(text: str) -> str:
     _short(text)
     if "/" in text or "\\" in text:
-        raise ValueError("it names a file or folder: leave out / and \\")
+        raise ValueError("it names a file or folder: do not use / or \\")
     if text.startswith((".", "-")):
-        raise ValueError("it names a file or folder: begin with neither . nor -")
+        raise ValueError("it names a file or folder: do not begin with . or -")
     if text in _RESERVED:
-        raise ValueError(f"{text!r} stands for all of them: rename it")
+        raise ValueError(f"{text!r} has a special meaning: choose another name")
     return text
 
 
 def _key(text: str) -> str:
     if not _KEY.fullmatch(text):
-        raise ValueError("it is part of dotted names: use only the letters a to z, digits, _ and -")
+        raise ValueError("it is part of dotted names: use only the letters a-z and A-Z, digits, _ and -")
     return _file_name(text)
 
 
 def _distinct(items: list[_Item]) -> list[_Item]:
     for number, item in enumerate(items):
         if item in items[:number]:
-            raise ValueError(f"it has {item!r} twice")
+            raise ValueError(f"it contains {item!r} twice: remove one")
     return items
 
 

@@ -60,7 +60,7 @@ class Cubes(Section):
     @classmethod
     def _check_file(cls, file: str) -> str:
         if "FILE" not in file or "FACE" not in file:
-            raise ValueError("it must have FILE and FACE")
+            raise ValueError("it must contain FILE and FACE")
         return file
 
 

@@ -1,4 +1,4 @@
-"""Check that every cue, codebook, system and so on that a setting names exists."""
+"""Check that everything a setting refers to by name, such as a cue or a codebook, exists."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any

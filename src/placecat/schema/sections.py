@@ -38,7 +38,7 @@ class Dataset(Section):
         folded = [home.casefold() for home in self.homes]
         for home, name in zip(self.homes, folded, strict=True):
             if folded.count(name) > 1:
-                raise ValueError(f"homes: {home!r} and another differ only in capital letters")
+                raise ValueError(f"homes: {home!r} and another differ only in capital letters: rename one")
         for name in self.ignored:
             if name in self.classes:
                 raise ValueError(f"ignored: {name!r} is also a class; remove it from one of the two")
@@ -266,11 +266,9 @@ class Integrator(Section):
     def _of_its_method(self) -> "Integrator":
         for name, method in (("classifier", "das"), ("shrinkage", "log_pool")):
             if (getattr(self, name) is not None) != (self.method == method):
-                raise ValueError(f"{name} is required by method: {method}, and only by it")
+                raise ValueError(f"{name} is required by method: {method}, and not allowed otherwise")
         if "smallest" in self.model_fields_set and (self.smallest is None or self.method != "log_pool"):
-            raise ValueError(
-                "smallest is a number, and only for method: log_pool; leave it out for the default"
-            )
+            raise ValueError("smallest is a number and needs method: log_pool; leave it out for the default")
         return self
 
 

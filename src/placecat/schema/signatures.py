@@ -1,4 +1,4 @@
-"""Check that code named in the settings exists and has the parameters set for it.
+"""Check that the code named in the settings exists and accepts the settings given for it.
 
 The check does not import the code, so it is quick enough to run when settings are composed.
 """

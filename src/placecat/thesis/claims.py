@@ -1,4 +1,4 @@
-"""The thesis's claims as comparisons of results, read from data/thesis/findings."""
+"""Read the thesis's claims from data/thesis/findings; each claim is a set of comparisons of results."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -11,7 +11,7 @@ COMBINE = ("mean", "best", "last")
 COMPARE = ("difference", "ratio")
 # Range of a claim about single homes, which are compared one by one.
 BOTH_SIGNS = "both_signs"
-# Range of a claim about a single side, with the number to compare it with.
+# Range of a claim that compares a single side with a number.
 ABOVE = "above"
 
 
@@ -56,7 +56,7 @@ class Side:
         return replace(self, results=tuple(results), published=published)
 
     def renamed(self, parts: Mapping[str, str]) -> "Side":
-        """Return the side with `parts` of its results' names replaced, but the same published numbers."""
+        """Replace `parts` of the results' names; the published numbers stay the same."""
         results = tuple("/".join(parts.get(part, part) for part in name.split("/")) for name in self.results)
         published = self.published
         if published is None and self.place is None and not self.error:
@@ -71,7 +71,7 @@ class Comparison:
     Attributes
     ----------
     left, right
-        The two sides. Without `right`, the left is compared with the number of the range ``above``.
+        The two sides. Without `right`, the left side is compared with the number of the range ``above``.
     range
         A kind of range, and its number if it takes one (see :func:`placecat.thesis.rules.claimed_range`).
     compare
@@ -79,7 +79,7 @@ class Comparison:
     published
         Location of the difference in the thesis; None if it follows from the sides.
     published_home
-        Home whose published numbers count, if a table has several homes; None for their average.
+        Home whose published numbers are used if a table has several homes; None for the average.
     pooled
         Whether the frames of all test sequences are counted together, as in Tables 30 and 31.
     """
@@ -110,7 +110,7 @@ class Finding:
         Other readings of the thesis. Maps each reading's name, e.g. ``as_printed``, to replacements for parts
         of the results' names.
     filters
-        Information filters; the verdict's reason states the share of frames that each drops.
+        Information filters. The verdict's reason states the share of frames that each one drops.
     """
 
     name: str
@@ -145,9 +145,9 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
         rest = {key: value for key, value in one.items() if key != "each"}
         comparisons += [_comparison(_substitute(rest, values), name) for values in one.get("each", [{}])]
     if not comparisons:
-        raise PlacecatError(f"{name} makes no comparison")
+        raise PlacecatError(f"{name} makes no comparison: add at least one")
     if len({one.range[0] == BOTH_SIGNS for one in comparisons}) > 1:
-        raise PlacecatError(f"{name} mixes {BOTH_SIGNS} with other ranges: it covers all comparisons")
+        raise PlacecatError(f"{name} mixes {BOTH_SIGNS} with other ranges: use it everywhere or nowhere")
     parts_compared = {
         part
         for one in comparisons
@@ -158,7 +158,7 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     for reading, parts in finding.readings.items():
         if unknown := [part for part in parts if part not in parts_compared]:
             raise PlacecatError(
-                f"{name} reads {unknown[0]!r} in another way ({reading}), but compares no such result"
+                f"{name} replaces {unknown[0]!r} in the reading {reading}, but compares no such result"
             )
     return replace(finding, section=str(finding.section), comparisons=tuple(comparisons))
 
@@ -177,13 +177,13 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
     )
     left, right = comparison.left, comparison.right
     if comparison.compare not in COMPARE:
-        raise PlacecatError(f"{where} compares by {comparison.compare!r}; choose {' or '.join(COMPARE)}")
+        raise PlacecatError(f"{where} has compare: {comparison.compare!r}; use {' or '.join(COMPARE)}")
     if (kind == ABOVE) != (right is None):
-        raise PlacecatError(f"{where} needs either a right side or the range {ABOVE!r}")
+        raise PlacecatError(f"{where} needs a right side or the range {ABOVE!r}, but not both")
     if right is None and comparison.compare == "ratio":
-        raise PlacecatError(f"a ratio of {where} has no right side")
+        raise PlacecatError(f"a ratio of {where} needs a right side")
     if wrong := [side.label for side in comparison.sides if side.plain and (side.place or side.error)]:
-        raise PlacecatError(f"{wrong[0]!r} of {where} cannot be both plain and of one place or an error")
+        raise PlacecatError(f"{wrong[0]!r} of {where} is plain, so it can have neither place nor error")
     if kind == BOTH_SIGNS and right and len(left.results) != len(right.results):
         raise PlacecatError(f"{BOTH_SIGNS} of {where} needs as many results on the right as on the left")
     return comparison
@@ -191,7 +191,7 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
 
 def _side(config: Mapping[str, Any], where: str) -> Side:
     if ("result" in config) == ("results" in config):
-        raise PlacecatError(f"a side of {where} needs either result or results")
+        raise PlacecatError(f"a side of {where} needs either result or results, not both")
     results = tuple([config["result"]] if "result" in config else config["results"])
     published = config.get("published")
     if published is not None:
@@ -200,7 +200,7 @@ def _side(config: Mapping[str, Any], where: str) -> Side:
     options = {**rest, "results": results, "published": published}
     side: Side = settings.call(Side, settings=options, where=f"a side of {where}")
     if side.combine not in COMBINE:
-        raise PlacecatError(f"{where} combines by {side.combine!r}; choose one of {', '.join(COMBINE)}")
+        raise PlacecatError(f"{where} has combine: {side.combine!r}; use one of {', '.join(COMBINE)}")
     if published is not None and side.combine != "mean" and len(published) != len(results):
         raise PlacecatError(f"{where} has {len(published)} published numbers for {len(results)} results")
     return side

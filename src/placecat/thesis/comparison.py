@@ -29,7 +29,7 @@ from placecat.thesis.number import (
 
 DIFFERENCE = "difference"
 SETTINGS = ["homes", "variant", "baseline", "pairs", "label", "places", "summary", "error_ratio", "plain"]
-# In a trial's name, stands for the best label of an axis.
+# Stands for the best label of an axis in a trial's name.
 BEST = "*"
 _SPLIT = "splits/"
 
@@ -56,8 +56,8 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
     """Compare two results, several pairs, or, pair by pair, all trials below two names that end in "/".
 
     Returns both sides in percent and the difference, variant minus baseline, in points. The average is over
-    the homes in which both were measured. The frames of all sequences of a split are counted together. Raises
-    PlacecatError for an unknown setting or result.
+    the homes in which both were measured. For a split, the frames of all sequences are counted together.
+    Raises PlacecatError for an unknown setting or result.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
         to the average, or None for results on other data sets. ``places``: places to compare one by one as
         well, or "all". ``label``: the name of each pair of trials, made from the axis labels, e.g.
         "{column} clusters". ``summary``: one or more of "mean", "lowest" and "highest", taken over the
-        differences (those by place if there are any). ``error_ratio``: its ``quantity``, and the names of two
+        differences (by place, if there are any). ``error_ratio``: its ``quantity``, and the names of two
         more results as ``variant`` and ``baseline``. ``plain``: for results on other data sets, whether the
         share of correct frames counts, regardless of their place.
     where
@@ -121,7 +121,7 @@ def _pairs(entry: Mapping[str, Any], results: Results, where: str) -> list[Pair]
         return [_chosen("", variant, baseline, results)]
     rests = [result.removeprefix(variant) for result in _known(results) if result.startswith(variant)]
     if not rests:
-        raise PlacecatError(f"{where}: there is no result below {variant}")
+        raise PlacecatError(f"{where}: no result's name begins with {variant}")
     labels = [entry["label"].format(**dict(zip(AXES, rest.split("|"), strict=True))) for rest in rests]
     return [Pair(label, variant + rest, baseline + rest) for label, rest in zip(labels, rests, strict=True)]
 
@@ -131,25 +131,25 @@ def _known(results: Results) -> list[str]:
 
 
 def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
-    """Return the pair, with every ``*`` resolved to the best trial."""
+    """Return the pair, with the best trial in place of every ``*``."""
     (left, left_note), (right, right_note) = (_best(one, results) for one in (variant, baseline))
     return Pair(label, left, right, left_note, right_note)
 
 
 def _best(pattern: str, results: Results) -> tuple[str, str]:
-    """Find a pattern's trial with the highest average over homes; return its name and a note."""
+    """Find the trial of a pattern that is best on average over homes; return its name and a note."""
     if BEST not in pattern:
         return pattern, ""
     wanted = re.compile(re.escape(pattern).replace(re.escape(BEST), "([^|]*)"))
     trials = {name: match for name in _known(results) if (match := wanted.fullmatch(name))}
     if not trials:
-        raise PlacecatError(f"there is no result {pattern!r}")
+        raise PlacecatError(f"no result matches {pattern!r}")
     best = best_of(results, list(trials))
     return best, f"the best: {', '.join(filter(None, trials[best].groups()))}"
 
 
 def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tuple[str, Number, Number]]:
-    """List the label and both numbers of each home of the entry, and of the average."""
+    """List the label and the two numbers for each home of the entry, and for the average."""
     names = (pair.variant, pair.baseline)
     homes: Sequence[int] | None = entry["homes"]
     if homes is None:
@@ -170,7 +170,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
 
 
 def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
-    """List the homes (numbers from 1) in which all results were tried, and in which all were measured."""
+    """List the homes (numbers from 1) where all results were tried, and those where all were measured."""
     tried = [n for n in results.numbers if all(_was_tried(results, one, n) for one in names)]
     return tried, [n for n in tried if all(len(in_home(results, one, n).values) for one in names)]
 
@@ -178,7 +178,7 @@ def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[i
 def _in_places(
     pair: Pair, places: str | Sequence[str], results: Results
 ) -> Iterator[tuple[str, Number, Number]]:
-    """Yield each place's name and both numbers, averaged over the homes that show the place."""
+    """Yield each place's name and the two numbers, averaged over the homes that show the place."""
     names = (pair.variant, pair.baseline)
     _, both = _homes_of(names, results)
     for place in results.classes if places == "all" else places:

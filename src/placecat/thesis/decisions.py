@@ -26,7 +26,7 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
 
 
 def _by_home(one: Measured, results: Results) -> dict[str, Measured]:
-    """Split a result by home, named as in tables; if there are several homes, add the whole result."""
+    """Split a result by home, named as in the tables; if there are several homes, add the whole result."""
     found = {
         home_label(number): in_home(one, home)
         for number, home in enumerate(results.homes, start=1)

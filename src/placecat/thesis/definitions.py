@@ -40,7 +40,7 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
 
 
 def optional(root: Path = Path()) -> list[str]:
-    """List the names of the tables that need a setting, in order; runs without it keep the tables in git."""
+    """List, in order, the names of tables that need a setting; runs without it do not change them."""
     files = sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml"))
     return [path.stem for path in files if "needs" in _yaml(path)]
 
@@ -57,7 +57,7 @@ def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[st
         settings.refuse_unknown(table, [*_OF_A_TABLE, *_OF_TRIALS], str(path))
         for name in _OF_TRIALS:
             if name not in table:
-                raise PlacecatError(f"{path} has no {name!r}, which a table of trials needs")
+                raise PlacecatError(f"{path} needs the setting {name!r}, since its cells are trials")
         by_study.setdefault(path.parent.name, {})[path.stem] = table
     return by_study
 
@@ -84,7 +84,7 @@ def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path
 
 
 def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, Any]) -> Any:
-    """Replace ``${NAME}`` by settings; as in conf/, ``${..NAME}`` is next to the mapping that holds it."""
+    """Replace ``${NAME}`` by the setting; ``${..NAME}`` is a sibling of the mapping that contains it."""
     if isinstance(value, dict):
         return {key: _set(one, (value, *around), params) for key, one in value.items()}
     if isinstance(value, list):
@@ -96,7 +96,7 @@ def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, An
 
 
 def _load(path: Path, root: Path, before: tuple[Path, ...]) -> dict[str, Any]:
-    """Read a file, including what its `like` refers to; `before` are the files whose references led to it."""
+    """Read a file and the files it refers to; `before` lists the files whose references led to it."""
     if path in before:
         raise PlacecatError(f"{path} refers to itself through {', '.join(map(str, before))}")
     content = _yaml(path)
@@ -126,7 +126,7 @@ def _filled(value: Any, inherited: Any, root: Path, before: tuple[Path, ...]) ->
 
 
 def _yaml(path: Path) -> dict[str, Any]:
-    return settings.read_yaml(path, f"restore it from git, or correct the `{LIKE}` that names it")
+    return settings.read_yaml(path, f"restore it from git, or correct the `{LIKE}` that refers to it")
 
 
 def _is_set(params: Mapping[str, Any], name: str) -> bool:

@@ -55,7 +55,7 @@ def in_text(
     splits: Mapping[str, Mapping[str, Any]],
     records: Mapping[str, pd.DataFrame],
 ) -> pd.DataFrame:
-    """Compare the measured numbers with those in the text.
+    """Compare the measured numbers with those in the thesis's text.
 
     Returns the columns name, section, quantity, home ("Home 6", "Average", or "" for neither), and further
     columns as :func:`~placecat.thesis.tables.fill_table` does, from published on. A comparison has rows for
@@ -68,8 +68,8 @@ def in_text(
         Maps each entry's name to its settings (see data/thesis/in_text.yaml): those of
         :func:`~placecat.thesis.comparison.compare`, :func:`~placecat.thesis.comparison.alone` (with
         ``result``) or :func:`~placecat.thesis.records.read_off` (with ``record``), with ``thesis_data`` and,
-        if not measured on the main data set, its data (``split``, or ``data`` in words). Or only a
-        ``reference``, the reason why it was not measured.
+        if not measured on the main data set, its data (``split``, or ``data`` in words). An entry that was
+        not measured has only a ``reference``, which gives the reason.
     published
         Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note; the
         note lists passages in the thesis that contradict the value.
@@ -80,9 +80,9 @@ def in_text(
     """
     sections = dict(zip(published["name"], published["section"], strict=True))
     if more := [name for name in entries if name not in sections]:
-        raise PlacecatError(f"in_text has an entry {more[0]!r} that the thesis does not mention")
+        raise PlacecatError(f"in_text has an entry {more[0]!r} that is not among the published numbers")
     if more := [name for name in sections if name not in entries]:
-        raise PlacecatError(f"the thesis's number {more[0]!r} has no entry in in_text")
+        raise PlacecatError(f"the published number {more[0]!r} has no entry in in_text")
     columns = published[["name", "quantity", "home", "value", "quote", "note"]]
     said = {
         (name, quantity, home): _Said(float(value), quote, note)

@@ -36,7 +36,7 @@ class Thesis(NamedTuple):
 
 @dataclass(frozen=True)
 class Measurement:
-    """This run's numbers.
+    """This run's numbers for a comparison.
 
     Attributes
     ----------
@@ -117,8 +117,8 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
     """Judge, from all cases together, whether something both hurts and helps; return verdict and reason.
 
     A case is a pair of results in a home (or in all pooled sequences); homes may differ between comparisons.
-    It is worse or better if it is so noticeably with every seed; the shares rest on means over seeds. The
-    rule is that of :func:`placecat.evaluation.verdict.judge_shares`.
+    It counts as worse or better if the difference is noticeable with every seed; the shares are computed from
+    means over seeds. The rule is that of :func:`placecat.evaluation.verdict.judge_shares`.
     """
     cases = [_gains(one.paired) for one in measured]
     worse = sum(int((one <= -rules.noticeable).all(axis=2).sum()) for one in cases)

@@ -13,7 +13,7 @@ from placecat.settings import refuse_unknown
 CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
 ACCURACY, LOG_LOSS = "accuracy", "log_loss"
 _AXES = ("group", "row", "column")
-# Name for rows or groups without a name, in a table where others have names.
+# Stands for a row or group without a name if other rows or groups of the table have names.
 _NAMELESS = "-"
 
 
@@ -45,9 +45,9 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
     """Average selected results over homes and seeds, as in the tables; `dvc exp show` has a column for each.
 
     `chosen` has the keys ``accuracy`` and ``log_loss``. Each maps a column's name, e.g. ``gist``, to its
-    result, e.g. ``cues/gist/5-5-1``. Returns by column the accuracies (percent, two decimals) and, under
-    ``log_loss``, the log-losses (nats, three decimals), without results that this data does not allow. An
-    unknown kind of number or result raises PlacecatError.
+    result, e.g. ``cues/gist/5-5-1``. Returns the accuracies by column (percent, two decimals) and, under
+    ``log_loss``, the log-losses (nats, three decimals). Results that this data does not allow are left out.
+    An unknown kind of number or result raises PlacecatError.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
     averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}

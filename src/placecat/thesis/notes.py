@@ -19,7 +19,7 @@ class Kind(StrEnum):
     NOT_COMPARABLE = "not_comparable"
     # The published cell is "n/a".
     NOT_AVAILABLE = "not_available"
-    # This cell's published number, e.g. because it contradicts other numbers in the thesis.
+    # This cell's published number, for example if it contradicts other numbers in the thesis.
     PUBLISHED = "published"
     # This cell's measured number, or the reason why it is missing.
     MEASURED = "measured"

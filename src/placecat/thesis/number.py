@@ -13,7 +13,7 @@ from placecat.evaluation.accuracy import home_accuracy
 from placecat.results.measured import Results, mean_and_spread
 
 AVERAGE = "Average"
-# The `part` of an origin for which the frames of all places count.
+# The `part` of an origin that counts the frames of all places.
 ALL_FRAMES = "all frames"
 
 
@@ -122,7 +122,7 @@ def home_label(number: int) -> str:
 def in_home(results: Results, name: str, number: int, place: str = "") -> Number:
     """Return a result's accuracy in the n-th home (from 1) of the main data set, in percent.
 
-    With a `place`, return the percentage of that place's frames that are decided correctly. Errors are those
+    With a `place`, return the percentage of that place's frames that are decided correctly. Raises the errors
     of `Results.find`.
     """
     if number > len(results.homes):
@@ -164,7 +164,7 @@ def best_of(results: Results, names: Sequence[str]) -> str:
 
 
 def in_homes(results: Results, name: str, numbers: Sequence[int]) -> list[tuple[str, Number]]:
-    """Return the accuracy in each home and, for two or more homes, the average, with published names."""
+    """Return the accuracy in each home and, for two or more homes, the average, labelled as published."""
     found = [(home_label(number), in_home(results, name, number)) for number in numbers]
     if len(numbers) > 1:
         found.append((AVERAGE, over_homes(results, name, numbers)))

@@ -1,4 +1,4 @@
-"""Pair the measurements of a comparison's sides in the same homes."""
+"""Pair the measurements of a comparison's sides by home."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ Statistic = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Paired:
-    """Values of some sides in the homes in which all results were measured.
+    """The sides' values in the homes in which all results were measured.
 
     Attributes
     ----------
@@ -32,7 +32,7 @@ class Paired:
     by_seed
         Whether a unit is a home with one seed, instead of a home with its mean over seeds.
     note
-        The results and homes left out and the reasons, or "".
+        The results and homes that were left out, with the reasons; or "".
     """
 
     sides: tuple[Side, ...]
@@ -115,10 +115,10 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
 def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
     """Drop the results that this data does not allow from sides with several results.
 
-    ``best`` and ``last`` choose from the remaining results. Means keep only positions whose results are
-    allowed on both sides, so results still pair. A side that would lose all its results keeps them (with
-    ``last``, the last one), and the reasons are reported later. Each remaining result keeps its published
-    number.
+    ``best`` and ``last`` choose from the remaining results. Means keep only the positions whose results this
+    data allows on both sides, so that results still pair. A side that would lose all its results keeps them
+    (with ``last``, the last one), and the reasons are reported later. Each remaining result keeps its
+    published number.
     """
     impossible = {name for name, _ in results.missing} - set(results.measured)
     together = len({len(side.results) for side in sides}) == 1

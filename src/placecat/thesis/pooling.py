@@ -24,7 +24,7 @@ from placecat.thesis.pairing import (
 
 @dataclass(frozen=True)
 class Pooled:
-    """Decisions of some sides on the stays (visits to a place) in all test sequences.
+    """The sides' decisions on the stays (visits to a place) in all test sequences.
 
     The frames of a stay are near-duplicates, so the unit is a stay. Each place is a stratum, since its number
     of stays is fixed.
@@ -43,7 +43,7 @@ class Pooled:
     names
         Names of the places, each with at least one stay.
     note
-        The parts left out and the reasons, or "".
+        The parts that were left out, with the reasons; or "".
     """
 
     sides: tuple[Side, ...]
@@ -63,7 +63,7 @@ class Pooled:
 
     @property
     def n_units(self) -> int:
-        """Number of stays; 1 if no place has two stays, since there is no interval then."""
+        """Number of stays; 1 if no place has two stays, since there is then no interval."""
         return len(self.frames) if len(self.frames) > len(self.names) else 1
 
     @property
@@ -151,7 +151,7 @@ def _by_stay(results: Results, name: str) -> Measured:
 
 
 def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray[np.int64]:
-    """Count the (seeds, stays) frames decided correctly."""
+    """Count the correctly decided frames, (seeds, stays)."""
     right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
     right = right[:, [one.homes.index(stay) for stay in stays]]
     return with_seeds(one, right, seeds)

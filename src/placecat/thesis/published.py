@@ -30,7 +30,7 @@ class Published:
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
         """Look up one number; NaN if the thesis has an n/a or only words.
 
-        `reference` is one of three. ``{table, group, row, column}`` has the labels as published, without the
+        `reference` has three forms. ``{table, group, row, column}`` has the published labels, without the
         axes that the table lacks. ``{text, quantity, home}`` names a number in the text, with quantity and
         home if the name has several numbers. ``{result}`` is as for :meth:`of_trial`, which also explains
         `home`. Raises PlacecatError if the thesis has no such number, or several.
@@ -53,7 +53,7 @@ class Published:
         """Return the published number of a result that is a table cell; NaN for any other result.
 
         An example is ``trials/table_12/HOG + y-Pos||196``; the empty label stands for the axis of homes, from
-        which `home` selects, labelled as published. It is ignored if the table has a single home.
+        which `home` selects, labelled as published. `home` is ignored if the table has a single home.
         """
         match = _TRIAL.fullmatch(result)
         if match is None:
@@ -91,7 +91,7 @@ class Published:
     @staticmethod
     def _only(found: list[float], asked: object) -> float:
         if len(found) != 1:
-            raise PlacecatError(f"the thesis has {len(found) or 'no'} numbers for {asked}, one is needed")
+            raise PlacecatError(f"the thesis has {len(found) or 'no'} numbers for {asked}, not just one")
         return found[0]
 
 

@@ -23,7 +23,7 @@ _VALUE = ["quantity", "column", "where", "pick", "digits"]
 
 
 def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
-    """Read an entry's numbers from a table; `records` are tables by name, without rows if not recorded.
+    """Read an entry's numbers from a table; `records` maps names to tables, which are empty if not recorded.
 
     `entry` has ``record``, the table's name, and ``values``. Each value has ``quantity`` (its name),
     ``column``, and ``where``, which maps columns to the values that select rows. ``pick``, "lowest" or
@@ -66,7 +66,7 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
 
 
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
-    """Read the tables, other than results, behind numbers in the thesis's text, by name.
+    """Read the tables, other than results, that numbers in the thesis's text come from, by name.
 
     ``benchmarks`` and ``scale`` are in git. ``nu`` has one row per nu-SVM result, test home and seed: result,
     home, the requested nu (asked), and the lowest and highest nu that its two-class machines used.
@@ -81,7 +81,7 @@ def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
 
 
 def trials_of(params: Mapping[str, Any]) -> dict[str, Trial]:
-    """Map names to trials, for every trial of every study."""
+    """Return every trial of every study, by name."""
     homes = list(settings.get(params, "dataset.homes"))
     return {
         trial.name: trial

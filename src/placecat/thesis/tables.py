@@ -36,7 +36,7 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
 
 
 def folder_of(table: Mapping[str, Any]) -> Path:
-    """Return a table's folder; tables with `needs` have a separate one, which other runs do not change."""
+    """Return a table's folder; tables with `needs` have a separate one, which other runs leave unchanged."""
     return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
 
 
@@ -67,7 +67,7 @@ def in_percent(table: Mapping[str, Any]) -> bool:
 
 
 def fill(table: Mapping[str, Any], results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
-    """Fill one table of :func:`tables_of` (:func:`fill_table`), with the files in data/thesis.
+    """Fill one table of :func:`tables_of` by :func:`fill_table`, with the files in data/thesis.
 
     Raises PlacecatError if one of these files is damaged.
     """
@@ -89,14 +89,14 @@ def fill_table(
     seeds and note; ``notes``, the same note by kind; and ``number``, the cell's
     :class:`~placecat.thesis.number.Number`, which explains the measured columns. The published cells come
     first, in their order, then this run's additional cells. ``measured`` is in percent (see
-    :func:`in_percent`), and NaN only with a note that says why. Raises PlacecatError for a result that the
-    run does not have.
+    :func:`in_percent`); if it is NaN, a note says why. Raises PlacecatError for a result that the run does
+    not have.
 
     `table` is a table of :func:`tables_of`. `published` has all published cells, with the columns table,
     group, row, column and value; an empty value is an n/a. `dataset` is the table's data
-    (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which the note of each measured cell names, and
-    ``thesis_data``. If this differs from the table's, the note of each cell with both numbers says that they
-    are not comparable. `contradictions` are those of :func:`contradictions_of`.
+    (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which the note of each measured cell contains,
+    and ``thesis_data``. If the latter differs from the table's, the note of each cell with a published and a
+    measured number says that they are not comparable. `contradictions` is from :func:`contradictions_of`.
     """
     number = table["number"]
     known = published[published["table"] == number]

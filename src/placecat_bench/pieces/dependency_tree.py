@@ -4,7 +4,7 @@ pgmpy needs two steps. ``TreeSearch`` computes the mutual information of all pai
 ``mutual_info_score``) and the maximum spanning tree from the same root (with NetworkX). Then
 ``DiscreteBayesianEstimator`` estimates the probabilities with the prior K2, which adds 1 to every count as
 ours does. Both steps run in one process. Our code also checks the codes and splits them by class; pgmpy
-receives a finished table. Equal log-likelihoods of all samples show that both learn the same.
+receives a finished table. Equal log-likelihoods of all samples show that both learn the same model.
 
 deeprob-kit learns only trees of binary variables, in float32, and computes all tables with one matrix
 product. pyAgrum's Chow-Liu classifier uses the first variable, the root of the same tree, as the class; it
@@ -144,7 +144,7 @@ def theirs(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def largest_difference(codes: NDArray[np.int32], n_values: int) -> float:
-    """Learn with both, and return the largest difference between their log-likelihoods of the samples."""
+    """Learn with our code and pgmpy; return the largest difference of the samples' log-likelihoods."""
     found = ours(codes, n_values).predict_joint_log_likelihood(codes)[:, 0]
     expected = np.zeros(len(codes))
     for cpd in theirs(pd.DataFrame(codes), n_values).get_cpds():

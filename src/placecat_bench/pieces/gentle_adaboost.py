@@ -1,6 +1,6 @@
 """Gentle AdaBoost against three peers: one place against the rest, 50 stumps.
 
-OpenCV boosts in the same way and trims light samples in the same way. It may split a feature between any two
+OpenCV boosts and trims light samples in the same way. It may split a feature between any two
 values, our code only at 255 quantiles. If a feature has more values, the stumps differ but are as good, so
 the shares of correctly decided training frames are compared too. LightGBM and XGBoost boost another loss,
 with as many trees of depth 1 and as many bins, using all samples in every round and full steps.
@@ -31,7 +31,7 @@ _SUM = 256
 
 
 def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Iterator[Entry]:
-    """Yield comparisons of the times, and of how well both decide the training frames after all stumps."""
+    """Yield comparisons of the times, and of the accuracy on the training frames after all stumps."""
     drawn = draw_frames(frames, features, HOMES)
     given = drawn.descriptors, drawn.place == 0, rounds
     yield from _beside(PEER, theirs, given, faster=4, repeats=LEAST_REPEATS)

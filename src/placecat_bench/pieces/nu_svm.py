@@ -1,9 +1,10 @@
 """nu-SVM against three variants of scikit-learn's: each of five classes against the rest, with probabilities.
 
-For each class, both fit one nu-SVM on all frames, and one per fold on the frames outside the fold; a sigmoid
-is fitted to the decisions for the frames left out. ``CalibratedClassifierCV`` does so with ``ensemble=False``
-and our folds, random parts of the frames. (By default, it would skip the first nu-SVM and average the
-predictions over folds: fewer fits, but five times the work to predict, and different probabilities.)
+For each class, our code and scikit-learn fit one nu-SVM on all frames, and one per fold on the frames outside
+the fold; a sigmoid is fitted to the decisions for the frames left out. ``CalibratedClassifierCV`` does so
+with ``ensemble=False`` and our folds, random parts of the frames. (By default, it would skip the first
+nu-SVM and average the predictions over folds: fewer fits, but five times the work to predict, and different
+probabilities.)
 ``OneVsRestClassifier`` divides a frame's probabilities by their sum, like our combination ``certainty``; the
 thesis's combination, ``parallel``, needs one more small matrix product. gamma, nu, the tolerance, the scaling
 and libsvm's cache, which holds the full kernel matrix, are the same. scikit-learn receives float64, since it

@@ -1,8 +1,8 @@
 """A frame's saliency map against the decoding of its JPEG, and against OpenCV's two saliency maps.
 
 OpenCV's maps are in its contributed modules, another build of the same package, so a separate process
-computes them. Both use one channel, intensity; the spectral residual has 64x64 pixels. Our map fuses
-intensity, two opponent colours and four orientations at several scales, and a residual.
+computes them. Both of its maps use one channel, intensity; the spectral residual has 64x64 pixels. Our
+map fuses intensity, two opponent colours and four orientations at several scales, and a residual.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence

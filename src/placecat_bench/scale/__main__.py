@@ -13,18 +13,22 @@ def main() -> None:
 
     parser = argparse.ArgumentParser(
         prog="python -m placecat_bench.scale",
-        description="Run the stages on features of the size of the thesis's home database, drawn from those "
-        "that `make repro` left, and write their time, their memory, and how both grow.",
+        description="Run the stages on as many frames as the thesis's home database has, with features drawn "
+        "from the outputs of `make repro`. Write each stage's time and memory, and how the time grows.",
     )
     parser.add_argument(
-        "--sizes", nargs="+", type=float, metavar="PART", help="instead of the sizes in conf/scale.yaml"
+        "--sizes",
+        nargs="+",
+        type=float,
+        metavar="PART",
+        help="shares of the frames; default: conf/scale.yaml",
     )
     parser.add_argument("--stages", nargs="+", metavar="STAGE", help="default: conf/scale.yaml")
     parser.add_argument(
         "--folder", type=Path, default=paths.SCALE, help=f"working folder, {paths.SCALE} by default"
     )
     parser.add_argument(
-        "--add", action="store_true", help="keep the rows of other sizes in scale.csv, for the exponents"
+        "--add", action="store_true", help="keep the rows of other sizes in scale.csv and fit them too"
     )
     parser.add_argument("--keep", action="store_true", help="keep the folders of all sizes")
     parser.add_argument("--output", type=Path, default=paths.REPORTS, help=f"{paths.REPORTS} by default")

@@ -100,6 +100,6 @@ def _text(facts: Mapping[str, Any]) -> str:
     return (
         f"{largest['frames']} frames, tested on {', '.join(facts['test_homes'])}: "
         f"{largest['seconds'] / 60:.1f} min; at most {largest['peak_gib']:.1f} GiB "
-        f"({largest['peak_stage']}; {largest['most_gib']:g} GiB are asked for).\n"
-        f"A run from nothing on so many frames, all homes tested, would take about {full['hours']:.1f} h."
+        f"({largest['peak_stage']}; the target is {largest['most_gib']:g} GiB).\n"
+        f"A complete run on as many frames, with all homes tested, would take about {full['hours']:.1f} h."
     )

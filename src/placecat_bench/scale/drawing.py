@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from placecat import files, paths, seeds
 from placecat_bench.scale.database import Stretch
 
-# The arrays whose second axis is regions are named REGIONS, or start with LOCAL.
+# The second axis of an array is regions if it is named REGIONS or its name starts with LOCAL.
 REGIONS = "regions"
 LOCAL = "local_"
 COUNT = "count"

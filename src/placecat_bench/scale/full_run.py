@@ -19,13 +19,13 @@ PER_FRAME = ("sequences", "features", "tracks")
 
 
 def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any]:
-    """Add up the measured stages' times at the largest size, scaled to a full run, and the other stages'.
+    """Add up the times of a full run: those measured at the largest size, scaled, and the other stages'.
 
-    Stages that were not measured take their times from the project's last full run (reports/times.csv):
-    those that work on frames (sequences, features, tracks) the same time per frame, all others (further data
-    sets, toy problem, figures, page) the same time. `measured` has the columns
-    `placecat_bench.scale.measurements.COLUMNS`; `params` are its settings. Returns ``hours``, and ``seconds``
-    by stage.
+    The times of stages that were not measured come from the project's last full run (reports/times.csv):
+    stages that work on frames (sequences, features, tracks) keep their time per frame, and all others
+    (further data sets, toy problem, figures, page) their total time. `measured` has the columns
+    `placecat_bench.scale.measurements.COLUMNS`; `params` are the settings of that measurement. Returns
+    ``hours``, and ``seconds`` by stage.
     """
     frames = int(measured["frames"].max())
     most = measured[measured["frames"] == frames]

@@ -8,7 +8,7 @@ import pandas as pd
 
 from placecat_bench.scale.watching import watch
 
-# `item` is always ""; the column remains in the files in git from when stages ran per home or cue.
+# `item` is always "": stages once ran per home or cue, and the files in git still have the column.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
 
@@ -57,7 +57,7 @@ def fit(frames: Sequence[float], values: Sequence[float]) -> tuple[float, float,
     `frames` and `values` are positive, (n,), n >= 2, with at least two different numbers of frames. Returns
     the exponent, which is 1 if the values are proportional to the number of frames; the share of the
     logarithms' variance that the fit explains, at most 1; and the exponent between the two largest sizes,
-    where constant costs, e.g. imports, matter little.
+    where constant costs, such as imports, matter little.
 
     >>> fit([100, 200, 400], [3.0, 12.0, 48.0])[0]
     2.0
@@ -65,7 +65,7 @@ def fit(frames: Sequence[float], values: Sequence[float]) -> tuple[float, float,
     order = np.argsort(frames)
     x, y = np.log(np.asarray(frames, float)[order]), np.log(np.asarray(values, float)[order])
     if len(x) < 2 or x[0] == x[-1]:
-        raise ValueError("an exponent needs two different numbers of frames or more")
+        raise ValueError("an exponent needs at least two different numbers of frames")
     exponent, constant = np.polyfit(x, y, 1)
     rest = y - (exponent * x + constant)
     total = float(((y - y.mean()) ** 2).sum())

@@ -36,7 +36,7 @@ def build(
 
     `test_homes` are names of homes, `regions` is the number of regions in every frame, and `jitter` is as for
     :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this project has not run, or
-    if a home has a label that the data set does not know.
+    if a home has a label that the data set lacks.
     """
     params = settings.load()
     sources = list(settings.get(params, "dataset.homes"))
@@ -62,7 +62,7 @@ def build(
 
 
 def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:
-    """Write and return this project's settings, but for other homes, whose results are not comparable."""
+    """Write and return this project's settings with other homes, whose results are not comparable."""
     overrides = [
         f"dataset.homes=[{','.join(home.name for home in homes)}]",
         "dataset.name=scale",

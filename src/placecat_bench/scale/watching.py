@@ -59,7 +59,7 @@ def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
     if status != 0:
         lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
         said = next((line.strip() for line in reversed(lines) if line.strip()), "nothing")
-        raise PlacecatError(f"{' '.join(command[1:])} ended with status {status}: {said} (all of it: {log})")
+        raise PlacecatError(f"{' '.join(command[1:])} ended with status {status}: {said} (output: {log})")
     return Watched(seconds, sum(cpu.values()), peak / GIB)
 
 
