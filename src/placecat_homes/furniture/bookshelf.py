@@ -26,13 +26,13 @@ def bookshelf(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, height
-        Metres; None draws them.
+        Metres; drawn at random if None.
     full
-        0 for few books to 1 for many; None draws it.
+        0 for few books to 1 for many; drawn at random if None.
 
     Returns
     -------
@@ -175,13 +175,13 @@ def wall_unit(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
     screen
-        Whether a television stands in it; None draws it.
+        Whether a television stands in it; drawn at random if None.
 
     Returns
     -------
@@ -244,11 +244,11 @@ def wall_shelf(rng: np.random.Generator, style: Style, width: float | None = Non
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
