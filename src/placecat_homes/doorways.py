@@ -21,7 +21,7 @@ from placecat_homes.style import Style
 def doorway(
     plan: FloorPlan, way: DoorPlan, style: Style, finishes: Mapping[str, Finish], seed: int
 ) -> tuple[Mesh, NDArray[np.float64] | None]:
-    """Build everything that belongs into a door opening.
+    """Build everything that belongs in a door opening.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def shut(width: float, height: float, style: Style, design: int, hinge: str) -> 
     Returns
     -------
     Mesh
-        In the frame of `door`.
+        The door in the frame of `door`.
     """
     made = door(np.random.default_rng(design), style, width, height, 0.1, 0.0, hinge)
     back = box(width, 0.02, height, 0.0).moved(0, -0.12).of(Material((0.05, 0.05, 0.05)))

@@ -18,7 +18,7 @@ class RoomPlan:
     Attributes
     ----------
     name
-        Unique.
+        Unique name of the room.
     kind
         Kind of room, which decides the furniture.
     rect

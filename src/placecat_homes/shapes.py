@@ -320,7 +320,7 @@ def tube(path: Sequence[tuple[float, float, float]], radius: float, segments: in
     radius
         Metres.
     segments
-        Around.
+        Number of segments around the bar.
 
     Returns
     -------

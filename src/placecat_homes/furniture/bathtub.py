@@ -37,7 +37,7 @@ def bathtub(
     style
         Style of the home.
     ceramic
-        Ceramic of the tub; drawn at random if None.
+        Material of the tub; drawn at random if None.
     kind
         "built-in" (with a panel in front), "claw-foot" or "modern" (both free-standing);
         drawn at random if None.
@@ -53,7 +53,7 @@ def bathtub(
     Returns
     -------
     Mesh
-        1.4 to 1.8 m wide.
+        A tub 1.4 to 1.8 m wide.
     """
     ceramic = ceramic or palette.ceramic(rng)
     length = length or float(rng.choice((1.5, 1.6, 1.7, 1.75)))

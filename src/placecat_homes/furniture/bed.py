@@ -45,7 +45,7 @@ def bed(
     Returns
     -------
     Mesh
-        2.05 to 2.2 m deep.
+        A bed 2.05 to 2.2 m deep.
     """
     width = width or float(rng.choice((1.4, 1.6, 1.6, 1.8)))
     length = float(rng.choice((1.95, 2.0, 2.0)))

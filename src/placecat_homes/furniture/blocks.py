@@ -82,7 +82,7 @@ def leg(
     thick, thin
         Radius at the top and at the foot in metres.
     segments
-        Around.
+        Number of segments around the axis.
 
     Returns
     -------
@@ -246,7 +246,7 @@ def shade(low: float, high: float, height: float, material: Material, segments: 
     material
         Material of both sides.
     segments
-        Around.
+        Number of segments around the axis.
 
     Returns
     -------

@@ -21,7 +21,8 @@ def bookshelf(
     height: float | None = None,
     full: float | None = None,
 ) -> Mesh:
-    """Draw a shelf with books and other things: a case of boards, a ladder, a grid of cubes, or metal frames.
+    """Draw a shelf with books and other objects: a case of boards, a ladder, a grid of cubes, or metal
+    frames.
 
     Parameters
     ----------
@@ -239,7 +240,7 @@ def wall_unit(
 
 
 def wall_shelf(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw one or two boards on a wall with things on them.
+    """Draw one or two boards on a wall with objects on them.
 
     Parameters
     ----------

@@ -33,7 +33,7 @@ def cubicle(
     width, depth
         Width and depth of each cubicle in metres; drawn at random if None.
     ceramic
-        Ceramic of the toilets; drawn at random if None.
+        Material of the toilets; drawn at random if None.
 
     Returns
     -------

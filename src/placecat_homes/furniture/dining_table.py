@@ -169,7 +169,7 @@ def table_cloth(
     Parameters
     ----------
     rng
-        Source of its folds and pattern.
+        Random generator for the folds and the pattern.
     style
         Style of the home.
     outline

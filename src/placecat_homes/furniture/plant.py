@@ -336,7 +336,7 @@ def blossom(rng: np.random.Generator, size: float, petal: Material) -> Mesh:
     rng
         Random generator for the design.
     size
-        Across, in metres.
+        Diameter in metres.
     petal
         Material of the petals.
 

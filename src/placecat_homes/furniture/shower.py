@@ -33,7 +33,7 @@ def shower(
     style
         Style of the home.
     ceramic
-        Ceramic of the tray; drawn at random if None.
+        Material of the tray; drawn at random if None.
     tiles
         Tiles of the wall behind it; drawn at random if None.
     width

@@ -29,7 +29,7 @@ def toilet(
     style
         Style of the home.
     ceramic
-        Ceramic of the bowl; drawn at random if None.
+        Material of the bowl; drawn at random if None.
     kind
         "close-coupled" (its cistern stands on the bowl), "wall-hung" (cistern in a boxed wall behind),
         "low" (cistern hung on the wall at half height) or "high" (old, with a chain);

@@ -33,14 +33,14 @@ def washbasin(
     style
         Style of the home.
     ceramic
-        Ceramic of the basin; drawn at random if None.
+        Material of the basin; drawn at random if None.
     kind
         "pedestal", "wall" (with its drain showing), "vanity" (a cabinet with the basin as its top), "vessel"
         (a bowl on a counter) or "stand" (a bowl on a table); drawn at random if None.
     width
         Metres; drawn at random if None. A vanity of 1.1 m or more has two basins.
     clutter
-        From a soap only (0) to many bottles (1); None takes the clutter of the style.
+        From only a bar of soap (0) to many bottles (1); None takes the clutter of the style.
 
     Returns
     -------

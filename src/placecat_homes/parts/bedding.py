@@ -54,7 +54,7 @@ def cover(
     slant
         Metres by which the edge towards the head is nearer to the foot at +x than at -x (half thrown back).
     centre
-        Shift along x.
+        Shift of the blanket along x.
     quilt
         Edge length of stitched squares in metres; 0 for none.
     clear

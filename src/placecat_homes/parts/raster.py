@@ -12,7 +12,7 @@ class Canvas:
     Parameters
     ----------
     pixels
-        Side length.
+        Side length of the picture.
     ground
         sRGB of the paper.
     """

@@ -58,7 +58,7 @@ class AtWalls(Occupied):
         at
             Position of the middle of the object along the wall; drawn at random if None.
         corner
-            Prefer corners.
+            Whether to prefer corners.
         z
             Height of the object's origin.
 
@@ -161,7 +161,7 @@ class AtWalls(Occupied):
         window
             One of `windows`.
         model
-            The curtain, z = 0 at its bottom.
+            The curtain, whose bottom is at z = 0.
         bottom
             Height of its origin in metres; if None, it ends 0.15 m above the window.
 

@@ -1,4 +1,4 @@
-"""What the rooms of an office building have in common: strip lights and notices."""
+"""The strip lights and notices that all rooms of an office building have."""
 
 from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.ceiling_strip import ceiling_strip

@@ -223,7 +223,7 @@ def _opposite(room: Room, design: Design) -> None:
 
 
 def _walls(room: Room, design: Design) -> None:
-    """Put kitchen things at the walls that are still bare."""
+    """Put kitchen furniture against the walls that are still bare."""
     rng, style = room.rng, room.style
     for _ in range(choose(rng, (1, 1, 2))):
         kind = rng.random()

@@ -16,7 +16,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colour of the background, then those of title bars and pictures.
     pixels
-        Side length.
+        Side length of the picture.
 
     Returns
     -------

@@ -16,7 +16,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colours of the paper and the heading, then those of pictures.
     pixels
-        Side length.
+        Side length of the picture.
 
     Returns
     -------

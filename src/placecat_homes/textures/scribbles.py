@@ -20,7 +20,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colours of the board, then of the pens.
     pixels
-        Side length.
+        Side length of the picture.
 
     Returns
     -------

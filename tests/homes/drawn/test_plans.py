@@ -137,5 +137,5 @@ def test_sizes_that_leave_no_room_are_named():
         "plan",
         arrangements.ALL,
     )
-    with pytest.raises(ValueError, match="home 1 of seed 1: no plan fits the ranges of sizes; widen them"):
+    with pytest.raises(ValueError, match="home 1 of seed 1: no plan fits the ranges of sizes; widen"):
         plans.draw(name_of(1, 1), 1, narrow)

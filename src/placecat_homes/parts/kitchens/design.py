@@ -46,7 +46,7 @@ class Design:
     cooker
         ``oven`` (built in below the hob) or ``range`` (free-standing).
     splash_height
-        Of the tiles above the worktop in metres; 0 for none.
+        Height of the tiles above the worktop in metres; 0 for no tiles.
     """
 
     fronts: Material
