@@ -21,8 +21,7 @@ def bookshelf(
     height: float | None = None,
     full: float | None = None,
 ) -> Mesh:
-    """Draw a shelf with books and other objects: a case of boards, a ladder, a grid of cubes, or metal
-    frames.
+    """Draw a shelf with books and objects: a case of boards, a ladder, a grid of cubes, or metal frames.
 
     Parameters
     ----------

@@ -23,7 +23,7 @@ def dress_windows(room: Room, bare: float = 0.15, cloth: float = 0.65) -> None:
     bare
         Probability that the windows stay bare.
     cloth
-        Probability of curtains if they do not; otherwise there are blinds or nets.
+        Probability of curtains at windows that are not bare; the others have blinds or nets.
     """
     rng = room.rng
     for window in room.windows:
