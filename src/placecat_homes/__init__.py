@@ -1,5 +1,5 @@
-"""The homes that come with the project: furnished rooms and walks through them, rendered.
+"""The homes that come with the project: furnished rooms, filmed on rendered walks.
 
-``python -m placecat_homes`` makes the videos of data/ again. `placecat` imports nothing of this package, and
-only it needs the optional extra ``render``.
+``python -m placecat_homes`` renders the videos of data/ again. `placecat` does not import this package, which
+is the only one that needs the optional extra ``render``.
 """

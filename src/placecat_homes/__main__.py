@@ -5,20 +5,21 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: F401  import before NumPy: it chooses the kernels of OpenBLAS
 from placecat.errors import PlacecatError, exiting
 
 _EXAMPLES = """examples:
   placecat-homes homes/home_1                    one video of data/
-  placecat-homes --homes 24 --seed 1             24 new homes into homes_of_seed_1/
-  placecat-homes --homes 24 --seed 1 --plans     only their floor plans, to look at
+  placecat-homes --homes 24 --seed 1             24 new homes, written to homes_of_seed_1/
+  placecat-homes --homes 24 --seed 1 --plans     only their floor plans, for a first look
 
-Home 7 of seed 1 is always the same home, however many are made. A killed run continues where it was.
-PLACECAT_WORKERS sets the number of processes; no result depends on it."""
+Home 7 of seed 1 is always the same home, however many homes are rendered. If a run is killed, start it again
+and it continues where it stopped.
+PLACECAT_WORKERS sets the number of processes; the results do not depend on it."""
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command; a mistake of the user's ends with its message and status 1."""
+    """Run the command; a user's mistake prints a message and exits with status 1."""
     options = _parser().parse_args(arguments)
     with exiting():
         _run(options)
@@ -32,14 +33,14 @@ def _run(options: argparse.Namespace) -> None:
     }
     if options.homes is None:
         if of_homes:
-            raise PlacecatError(f"--{next(iter(of_homes))} needs --homes: give a number of homes to draw")
+            raise PlacecatError(f"--{next(iter(of_homes))} needs --homes: add a number of homes")
         from placecat_homes.render import render
 
         return render(options.videos)
     if options.videos:
-        raise PlacecatError("give either videos of data/ or --homes")
+        raise PlacecatError("give either names of videos or --homes, not both")
     if options.seed is None:
-        raise PlacecatError("--homes needs --seed: any whole number, e.g. --seed 1")
+        raise PlacecatError("--homes needs --seed: add any whole number, for example --seed 1")
     from placecat_homes.drawn.rendering import render_homes
 
     video: dict[str, int] = {name: of_homes[name] for name in ("frames", "fps") if name in of_homes}
@@ -54,7 +55,7 @@ def _run(options: argparse.Namespace) -> None:
 def _size(text: str) -> tuple[int, int]:
     found = re.fullmatch(r"(\d{1,6})x(\d{1,6})", text)
     if found is None:
-        raise PlacecatError(f"--size must be WIDTHxHEIGHT, e.g. 640x360, not {text!r}")
+        raise PlacecatError(f"--size must be WIDTHxHEIGHT, such as 640x360, not {text!r}")
     return int(found[1]), int(found[2])
 
 
@@ -67,15 +68,17 @@ def _parser() -> argparse.ArgumentParser:
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("videos", nargs="*", metavar="VIDEO", help="e.g. homes/home_1; by default all")
-    drawn = parser.add_argument_group("homes drawn from a seed (ranges in conf/drawn.yaml of the package)")
+    parser.add_argument("videos", nargs="*", metavar="VIDEO", help="such as homes/home_1; by default all")
+    drawn = parser.add_argument_group(
+        "homes drawn from a seed, with the ranges in conf/drawn.yaml of the package"
+    )
     drawn.add_argument("--homes", type=int, metavar="N", help="draw and render homes 1 to N")
-    drawn.add_argument("--seed", type=int, metavar="S", help="of the homes")
-    drawn.add_argument("--to", type=Path, metavar="FOLDER", help="by default homes_of_seed_S")
-    drawn.add_argument("--size", metavar="WxH", help="of a frame in pixels, by default 640x360")
-    drawn.add_argument("--frames", type=int, metavar="N", help="of each home, by default 640")
+    drawn.add_argument("--seed", type=int, metavar="S", help="seed that the homes are drawn from")
+    drawn.add_argument("--to", type=Path, metavar="FOLDER", help="output folder, by default homes_of_seed_S")
+    drawn.add_argument("--size", metavar="WxH", help="size of a frame in pixels, by default 640x360")
+    drawn.add_argument("--frames", type=int, metavar="N", help="frames of each home, by default 640")
     drawn.add_argument("--fps", type=int, metavar="N", help="frames a second, by default 5")
-    drawn.add_argument("--plans", action="store_true", help="draw the floor plans and stop")
+    drawn.add_argument("--plans", action="store_true", help="draw only the floor plans, without rendering")
     return parser
 
 

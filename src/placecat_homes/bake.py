@@ -15,7 +15,7 @@ from placecat_homes.tracer import Tracer
 
 @dataclass(frozen=True, eq=False)
 class Daylight:
-    """The light from outside.
+    """The light that comes from outside.
 
     Attributes
     ----------
@@ -24,7 +24,7 @@ class Daylight:
     sun
         (3,) float32, unit vector towards the sun.
     sunlight
-        (3,) float32, irradiance of a surface facing the sun, divided by pi; 0 without sun.
+        (3,) float32, irradiance of a surface that faces the sun, divided by pi; 0 without sun.
     """
 
     panorama: Floats
@@ -34,18 +34,18 @@ class Daylight:
 
 @dataclass(frozen=True)
 class Quality:
-    """Settings of the baking.
+    """How precisely the light is baked.
 
     Attributes
     ----------
     directions
         Rays from each vertex; a power of two.
     bounces
-        How often light is passed on.
+        How often light is passed on from surface to surface.
     lamp_rays
         Shadow rays from each vertex to each lamp.
     chunk
-        Vertices at a time, which bounds memory.
+        Vertices that are computed at a time, which bounds memory.
     """
 
     directions: int = 256
@@ -55,18 +55,19 @@ class Quality:
 
 
 LIFT = 0.004
-"""Metres that rays start above their surface."""
+"""Height above the surface at which rays start, in metres."""
 SETS = 8
-"""Sets of rays that vertices of large surfaces take by turns."""
+"""Number of ray sets that the vertices of large surfaces use in turn."""
 INWARDS = 0.25
-"""How far they start towards the middle of the triangles around their vertex."""
+"""How far rays start from the vertex towards the middle of the triangles around it."""
 
 
 def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
-    """Compute the light that reaches every vertex, the direct sun apart.
+    """Compute the light that reaches every vertex, except direct sunlight.
 
-    Radiosity: one set of rays from each vertex finds what it sees; light is then passed on along them. Light
-    of the sky and of lamps is included. Vertices inside closed bodies take the light of their neighbours.
+    This is radiosity: each vertex sends out one set of rays to find what it sees, and light is then passed on
+    along these rays. The light of the sky and of lamps is included. Vertices inside closed bodies take the
+    light of their neighbours.
 
     Parameters
     ----------
@@ -80,8 +81,8 @@ def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
     Returns
     -------
     numpy.ndarray
-        (n, 4) float32: irradiance divided by pi in red, green and blue; and the share of the sun's light,
-        cosine included, for reflections.
+        (n, 4) float32: the irradiance divided by pi in red, green and blue, then the share of the sun's light
+        (cosine included) that reflections need.
     """
     solid = scene.surface[scene.material, 3] >= 0.999
     tracer = Tracer(scene.vertices, scene.triangles[solid])
@@ -104,8 +105,8 @@ def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
 
 
 def _starts(scene: Scene) -> Floats:
-    # Above the surface, and a little towards the middle of the triangles around, so that the rays of a room's
-    # corners and of furniture's feet do not start in or behind the next surface.
+    # Rays start above the surface and a little towards the middle of the surrounding triangles, so that those
+    # of room corners and furniture feet do not start inside or behind the next surface.
     centres = scene.vertices[scene.triangles].mean(axis=1)
     total, count = np.zeros_like(scene.vertices), np.zeros(len(scene.vertices), np.float32)
     for corner in range(3):
@@ -122,12 +123,12 @@ def _vertex_colours(scene: Scene) -> tuple[Floats, Floats]:
         albedo[scene.triangles[:, corner]] = scene.albedo[scene.material]
         glow = scene.albedo[scene.material] * scene.surface[scene.material, 2, None]
         emission[scene.triangles[:, corner]] = glow
-    # Nothing in a room is whiter than plaster.
+    # No surface in a room is whiter than plaster.
     return np.minimum(albedo, 0.85), emission
 
 
 def _frames(normals: Floats) -> tuple[Floats, Floats]:
-    # A branchless frame that turns slowly with the normal, so that neighbours share their directions
+    # A frame without branches that turns slowly with the normal, so that neighbours share their directions
     # (Duff et al. 2017).
     sign = np.where(normals[:, 2] >= 0, 1.0, -1.0).astype(np.float32)
     a = -1 / (sign + normals[:, 2])
@@ -138,7 +139,7 @@ def _frames(normals: Floats) -> tuple[Floats, Floats]:
 
 
 def _hemispheres(count: int) -> Floats:
-    # Cosine-weighted: the mean over the rays is the irradiance divided by pi.
+    # The directions are cosine-weighted: the mean over the rays is the irradiance divided by pi.
     points = np.stack([qmc.Sobol(2, scramble=True, seed=k).random(count) for k in range(SETS)])
     radius, angle = np.sqrt(points[..., 0]), 2 * np.pi * points[..., 1]
     return np.stack(
@@ -147,8 +148,9 @@ def _hemispheres(count: int) -> Floats:
 
 
 def _sets(scene: Scene) -> NDArray[np.intp]:
-    # On large plain surfaces neighbours use different rays, and `_heal` evens them out: else the outline of a
-    # window shows as many faint shadows. On fine furniture neighbours use the same.
+    # On large plain surfaces neighbours use different rays, and `_heal` evens out the differences; otherwise
+    # the outline of a window would appear as many faint shadows. On fine furniture neighbours use the same
+    # rays.
     edge = np.linalg.norm(
         scene.vertices[scene.triangles[:, 0]] - scene.vertices[scene.triangles[:, 1]], axis=1
     )
@@ -234,7 +236,7 @@ def _one_lamp(tracer: Tracer, scene: Scene, start: Floats, lamp: Lamp, offsets: 
     for offset in offsets:
         rays = towards[near] + offset * lamp.radius
         distance = np.linalg.norm(rays, axis=1)
-        # The lamp's own body does not shade it.
+        # The body of a lamp casts no shadow in its light.
         reach = np.maximum(distance - max(2.5 * lamp.radius, 0.15), 0.02).astype(np.float32)
         blocked = tracer.blocked(start[near], rays / np.maximum(distance, 1e-6)[:, None], reach)
         strength += ~blocked
@@ -244,8 +246,8 @@ def _one_lamp(tracer: Tracer, scene: Scene, start: Floats, lamp: Lamp, offsets: 
 
 
 def _heal(scene: Scene, light: Floats, buried: NDArray[np.bool_]) -> Floats:
-    # Neighbours along the surface lend their light to buried vertices, ring by ring; what no ring reaches
-    # stays dark.
+    # Buried vertices take their light from neighbours along the surface, ring by ring. Vertices that no ring
+    # reaches stay dark.
     edges = np.concatenate(
         [scene.triangles[:, [0, 1]], scene.triangles[:, [1, 2]], scene.triangles[:, [2, 0]]]
     )

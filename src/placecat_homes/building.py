@@ -1,4 +1,4 @@
-"""A whole building: rooms furnished and enclosed, doors, windows and radiators."""
+"""A whole building: furnished rooms with walls, doors, windows and radiators."""
 
 from dataclasses import dataclass
 
@@ -35,15 +35,15 @@ class Building:
     Attributes
     ----------
     mesh
-        Everything, in the frame of the plan.
+        The whole building in the frame of the plan.
     plan
-        With all windows.
+        The plan with all windows.
     rooms
-        In the order of the plan, each in its own frame.
+        Rooms in the order of the plan, each in its own frame.
     leaves
-        (4, 2) footprints of the leaves of open doors.
+        (4, 2) footprints of open door leaves.
     things
-        Of each room, what its furnishing put in.
+        For each room, the objects that its furnishing put in.
     """
 
     mesh: Mesh
@@ -110,32 +110,33 @@ class Building:
 
 
 def build(plan: FloorPlan, seed: int, *, unfurnished: bool = False) -> Building:
-    """Furnish and enclose all rooms of a plan.
+    """Furnish all rooms of a plan and build their walls.
 
     Parameters
     ----------
     plan
-        Of the building.
+        Plan of the building.
     seed
-        Of everything; each room has its own, so that a change in one leaves the others.
+        Seed of the building. Each room derives its own seed, so that changing one room leaves the others as
+        they are.
     unfurnished
-        Leave rooms empty for whose kind there is no furnishing, instead of failing.
+        Leave a room empty if its kind has no furnishing, instead of failing.
 
     Returns
     -------
     Building
-        In the frame of the plan.
+        The building in the frame of the plan.
 
     Raises
     ------
     PlacecatError
-        If there is no furnishing for a kind of room.
+        If a kind of room has no furnishing.
     """
     plan = plan.windowed(seed)
     furnished = lookup.names(ROOMS, "furnish")
     missing = sorted({room.kind for room in plan.rooms} - set(furnished))
     if missing and not unfurnished:
-        raise PlacecatError(f"{plan.name}: no furnishing for rooms of kind {', '.join(missing)}")
+        raise PlacecatError(f"{plan.name}: no furniture is defined for rooms of kind {', '.join(missing)}")
     style = Style.draw(_rng(plan, seed, "style"))
     rng = _rng(plan, seed, "finish")
     common = palette.flooring(rng), palette.wall(rng)
@@ -175,7 +176,7 @@ def _rng(plan: FloorPlan, seed: int, *names: str) -> np.random.Generator:
 def _inside(
     rect: tuple[float, float, float, float], origin: tuple[float, float], shape: tuple[int, ...]
 ) -> tuple[slice, slice]:
-    """Cells whose middles are in a rectangle."""
+    """Cells whose middles lie in a rectangle."""
     low = [round((rect[k] - origin[k]) / CELL) for k in (0, 1)]
     high = [round((rect[k + 2] - origin[k]) / CELL) for k in (0, 1)]
     return slice(max(low[0], 0), min(high[0], shape[0])), slice(max(low[1], 0), min(high[1], shape[1]))

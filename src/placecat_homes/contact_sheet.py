@@ -1,4 +1,4 @@
-"""One picture of all homes: a view of every place in each."""
+"""One picture that shows every place of every home."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -10,19 +10,19 @@ Frame = NDArray[np.uint8]
 
 
 def only(labels: Sequence[str], chosen: Mapping[str, int]) -> list[str]:
-    """Keep one frame of some places.
+    """Keep a single labelled frame for some of the places.
 
     Parameters
     ----------
     labels
-        Of each frame.
+        Label of each frame.
     chosen
-        Place to the number of its frame, from 1; it has that label.
+        Maps a place to the number of a frame, from 1, that has its label.
 
     Returns
     -------
     list of str
-        The labels, empty for all other frames of these places.
+        The labels, with those of all other frames of these places emptied.
     """
     return [
         "" if label in chosen and chosen[label] != number else label
@@ -31,21 +31,21 @@ def only(labels: Sequence[str], chosen: Mapping[str, int]) -> list[str]:
 
 
 def sharpest(frames: Iterable[Frame], labels: Sequence[str], places: Sequence[str]) -> dict[str, Frame]:
-    """Choose the view of each place that shows most: the one with the strongest detail.
+    """Choose for each place the frame that shows most: the one with the strongest detail.
 
     Parameters
     ----------
     frames
-        (H, W, 3) uint8 BGR, in order.
+        (H, W, 3) uint8 BGR frames, in order.
     labels
-        Of each frame.
+        Label of each frame.
     places
-        Which labels count.
+        The labels to choose views for.
 
     Returns
     -------
     dict
-        Place to a copy of its frame; places without a frame are missing.
+        Maps each place to a copy of its frame; places without a frame are left out.
     """
     best: dict[str, tuple[float, Frame]] = {}
     for frame, label in zip(frames, labels, strict=True):
@@ -61,16 +61,16 @@ def sharpest(frames: Iterable[Frame], labels: Sequence[str], places: Sequence[st
 
 
 def draw(views: Mapping[str, Mapping[str, Frame]], places: Sequence[str], width: int = 384) -> Frame:
-    """Arrange views: a row for each home, a column for each place.
+    """Arrange views in a row for each home and a column for each place.
 
     Parameters
     ----------
     views
-        Home to place to (H, W, 3) uint8 BGR.
+        Maps each home to its views: place to (H, W, 3) uint8 BGR.
     places
-        Of the columns, in order.
+        Places of the columns, in order.
     width
-        Of one view in pixels.
+        Width of one view in pixels.
 
     Returns
     -------

@@ -21,25 +21,26 @@ from placecat_homes.style import Style
 def doorway(
     plan: FloorPlan, way: DoorPlan, style: Style, finishes: Mapping[str, Finish], seed: int
 ) -> tuple[Mesh, NDArray[np.float64] | None]:
-    """Build everything in the opening of a door.
+    """Build everything that belongs in a door opening.
 
     Parameters
     ----------
     plan
-        Of the building.
+        Plan of the building.
     way
-        Which door.
+        The door.
     style
-        Of the building.
+        Style of the building.
     finishes
-        Of the rooms, by name.
+        Finishes of the rooms, by name.
     seed
-        Of the building.
+        Seed of the building.
 
     Returns
     -------
     tuple
-        Frame, leaf, floor and sides in the frame of the plan; (4, 2) footprint of the leaf, None without one.
+        The mesh of frame, leaf, floor and sides in the frame of the plan, and the (4, 2) footprint of the
+        leaf, None without a leaf.
     """
     place = plan.doorway(way)
     wall, room = place.walls[-1], plan.room(way.rooms[-1])
@@ -74,23 +75,23 @@ def doorway(
 
 
 def shut(width: float, height: float, style: Style, design: int, hinge: str) -> Mesh:
-    """Build a door that is shut, with something dark behind its gaps.
+    """Build a shut door with a dark surface behind its gaps.
 
     Parameters
     ----------
     width, height
-        Of the opening in metres.
+        Width and height of the opening in metres.
     style
-        Of the building.
+        Style of the building.
     design
-        Seed of what all doors of the building look like.
+        Seed of the look that all doors of the building share.
     hinge
         "left" or "right".
 
     Returns
     -------
     Mesh
-        Like `door`.
+        The door in the frame of `door`.
     """
     made = door(np.random.default_rng(design), style, width, height, 0.1, 0.0, hinge)
     back = box(width, 0.02, height, 0.0).moved(0, -0.12).of(Material((0.05, 0.05, 0.05)))

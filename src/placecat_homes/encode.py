@@ -1,4 +1,4 @@
-"""Frames into a video file that OpenCV decodes everywhere."""
+"""Encode frames into a video file that OpenCV decodes on every platform."""
 
 from collections.abc import Iterable
 from fractions import Fraction
@@ -19,17 +19,17 @@ def write_video(
     Parameters
     ----------
     path
-        An .mp4 file.
+        The .mp4 file to write.
     frames
-        (height, width, 3) uint8, BGR, all of one even size.
+        (height, width, 3) uint8, BGR; all of the same size, which is even.
     fps
         Frames a second.
     codec
         FFmpeg's name of the encoder.
     quality
-        Constant rate factor: lower is better and larger.
+        Constant rate factor: lower values give better quality and larger files.
     preset
-        Speed of the encoder: slower is smaller.
+        Speed preset of the encoder: slower ones give smaller files.
 
     Returns
     -------

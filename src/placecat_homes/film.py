@@ -1,4 +1,4 @@
-"""One video: a building, its light, a walk through it, and a camera."""
+"""One video: a building with its light, filmed by a camera on a walk."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -28,7 +28,7 @@ class Shot:
     Attributes
     ----------
     name
-        Seeds the walk and the camera's noise.
+        Name of the video; it seeds the walk and the camera's noise.
     building
         Seed of the furniture and surfaces.
     weather, azimuth, elevation
@@ -36,7 +36,7 @@ class Shot:
     lamps
         Share of the rooms whose lamps are switched on.
     frames, fps
-        Length, and frames a second.
+        Number of frames, and frames per second.
     rooms
         Names of the rooms to stay in; None for all.
     """
@@ -59,15 +59,15 @@ class Finish:
     Attributes
     ----------
     edge
-        Longest edge of a triangle that holds baked light, metres.
+        Longest edge of the triangles that hold the baked light, in metres.
     texture
         Width of a texture in pixels.
     preview
-        Width of the small frames that the automatic exposure measures.
+        Width in pixels of the small frames that the automatic exposure measures.
     glare
-        See `Viewer`.
+        Brightness of the world outside, see `Viewer`.
     light
-        Settings of the baking.
+        Settings for baking the light.
     """
 
     edge: float
@@ -78,29 +78,29 @@ class Finish:
 
 
 class Film:
-    """A walk that can be rendered, frame by frame, in any order.
+    """A walk whose frames can be rendered in any order.
 
     Parameters
     ----------
     shot
-        What it shows.
+        What the video shows.
     plan
-        Of the building.
+        Plan of the building.
     statistics
-        Of the walk.
+        Statistics of the walk.
     carriage
         What carries the camera.
     lens, sensor_
-        The camera.
+        The camera's lens and sensor.
     finish
         How finely to render.
 
     Attributes
     ----------
     building
-        Furnished.
+        The furnished building.
     walk
-        Where the camera is in each frame, and its labels.
+        The pose of the camera and the label in each frame.
     """
 
     def __init__(
@@ -134,7 +134,7 @@ class Film:
         Parameters
         ----------
         number
-            From 0.
+            Number of the frame, from 0.
 
         Returns
         -------
@@ -151,12 +151,12 @@ class Film:
         return sensor.develop(sensor.smear(radiance, flow), self._factors[number], self._sensor, seed)
 
     def frames(self) -> Iterator[NDArray[np.uint8]]:
-        """Render all frames in order."""
+        """Render all frames, in order."""
         for number in range(self._shot.frames):
             yield self.frame(number)
 
     def pose(self, number: int) -> Pose:
-        """Give where the camera is in a frame, counted from 0."""
+        """Return the camera pose in a frame, counted from 0."""
         path = self.walk
         x, y, z = (float(value) for value in path.position[number])
         return Pose(x, y, z, float(path.yaw[number]), float(path.pitch[number]), float(path.roll[number]))
@@ -181,7 +181,7 @@ class Film:
         return Viewer(scene, light, daylight, glare=self._finish.glare)
 
     def _roof(self) -> Mesh:
-        # Else the sky would shine into the hollow walls.
+        # Otherwise the sky would shine into the hollow walls.
         mesh = self.building.mesh
         (x0, y0, _), (x1, y1, _) = mesh.low - 0.5, mesh.high + 0.5
         lid = shapes.slab(float(x1 - x0), float(y1 - y0)).of(Material((0.2, 0.2, 0.2)))

@@ -1,4 +1,4 @@
-"""Floor plans: rectangular rooms, doors between them and windows."""
+"""Floor plans: rectangular rooms, the doors between them, and windows."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -29,15 +29,15 @@ class FloorPlan:
     Attributes
     ----------
     name
-        E.g. "home_1".
+        Name of the plan, such as "home_1".
     height
-        Of all ceilings, metres.
+        Height of all ceilings in metres.
     rooms, doors, windows
-        What it consists of. Rooms whose name occurs in no window get windows from `windowed`.
+        The parts of the plan. `windowed` adds windows to rooms that have none.
     windowless
-        Names of rooms that get none.
+        Names of rooms to which `windowed` adds no windows.
     glazing
-        How much of the outer walls `windowed` makes windows, 0 to 1.
+        Share of the outer walls that `windowed` fills with windows, 0 to 1.
     """
 
     name: str
@@ -50,12 +50,12 @@ class FloorPlan:
 
     @classmethod
     def from_dict(cls, name: str, plan: Mapping[str, Any]) -> "FloorPlan":
-        """Read a plan as it comes from YAML, and check it.
+        """Read a plan that was loaded from YAML, and check it.
 
         Parameters
         ----------
         name
-            Of the plan.
+            Name of the plan.
         plan
             `height`, `rooms` (by name: `kind`, `rect`, and optionally `label` and `part`), `doors` (`rooms`,
             optionally `kind`, `position`, `width`, `height`, `side`), and optionally `windows` (`room`,
@@ -65,12 +65,12 @@ class FloorPlan:
         Returns
         -------
         FloorPlan
-            Checked.
+            The checked plan.
 
         Raises
         ------
         PlacecatError
-            If the plan is impossible.
+            If the plan is invalid.
         """
         refuse_unknown(plan, ["name", "height", "rooms", "doors", "windows", "windowless", "glazing"], name)
         rooms = tuple(read_room(name, key, value) for key, value in plan["rooms"].items())
@@ -91,13 +91,15 @@ class FloorPlan:
         raise PlacecatError(f"{self.name} has no room {name!r}")
 
     def check(self) -> None:
-        """Raise PlacecatError if rooms overlap, doors have no wall or room, or a room cannot be reached."""
+        """Raise PlacecatError if rooms overlap, a door lacks a wall or room, or a room is unreachable."""
         for room in self.rooms:
             if min(room.size) < 0.9:
                 raise PlacecatError(f"{self.name}: {room.name} is narrower than 0.9 m")
         for a, b in combinations(self.rooms, 2):
             if apart(a.rect, b.rect) < 0.05:
-                raise PlacecatError(f"{self.name}: {a.name} and {b.name} overlap or share no wall of 0.05 m")
+                raise PlacecatError(
+                    f"{self.name}: {a.name} and {b.name} overlap or are less than 0.05 m apart"
+                )
         taken: list[tuple[Rect, DoorPlan]] = []
         for door in self.doors:
             rect = self.doorway(door).rect
@@ -112,7 +114,7 @@ class FloorPlan:
                     reached |= set(door.rooms)
         for room in self.rooms:
             if room.name not in reached:
-                raise PlacecatError(f"{self.name}: no way leads to {room.name}")
+                raise PlacecatError(f"{self.name}: no door leads to {room.name}")
 
     def doorway(self, door: DoorPlan) -> Doorway:
         """Work out where a door is.
@@ -120,7 +122,7 @@ class FloorPlan:
         Raises
         ------
         PlacecatError
-            If there is no wall for it.
+            If the door has no wall to go into.
         """
         if door.kind == "closed":
             room, wall = self.room(door.rooms[0]), SIDES.index(door.side)
@@ -136,27 +138,27 @@ class FloorPlan:
             if 0 < (face_b - face_a) * outwards <= _THICKEST and high - low > 0.5:
                 low, high = self._between(door, low, high)
                 return Doorway(plan_parts.rect(wall, low, high, face_a, face_b), (wall, (wall + 2) % 4))
-        raise PlacecatError(f"{self.name}: {a.name} and {b.name} share no wall for a door")
+        raise PlacecatError(f"{self.name}: {a.name} and {b.name} share no wall in which a door fits")
 
     def _between(self, door: DoorPlan, low: float, high: float) -> tuple[float, float]:
         margin = 0.08
         if high - low < door.width + 2 * margin:
             raise PlacecatError(
                 f"{self.name}: the door {' - '.join(door.rooms)} needs {door.width + 2 * margin:.2f} m of "
-                f"wall, there are {high - low:.2f} m"
+                f"wall, but only {high - low:.2f} m are free"
             )
         start = low + margin + door.position * (high - low - 2 * margin - door.width)
         return start, start + door.width
 
     def openings(self, name: str, seed: int) -> tuple[Opening, ...]:
-        """List the doors and windows of a room in its own frame.
+        """List the doors and windows of a room in the room's frame.
 
         Parameters
         ----------
         name
-            Of the room.
+            Name of the room.
         seed
-            Of the side on which doors have their hinges.
+            Seed that decides on which side the hinges of doors are.
 
         Returns
         -------
@@ -183,35 +185,35 @@ class FloorPlan:
         return tuple(found)
 
     def hinge(self, door: DoorPlan, seed: int) -> str:
-        """Tell the side of a door's hinge, as seen from the room it swings into: the nearer corner."""
+        """Tell on which side a door's hinge is, seen from the room it swings into: at the nearer corner."""
         left, right = self._corners(door)
         if abs(left - right) < 0.3:
             return ("left", "right")[derive("hinge", self.name, *door.rooms, seed) % 2]
         return "left" if left < right else "right"
 
     def corner(self, door: DoorPlan, seed: int) -> float:
-        """Give the metres from a door's hinge to the corner of the room it swings into."""
+        """Return the distance in metres from a door's hinge to the corner of the room it swings into."""
         return self._corners(door)[0 if self.hinge(door, seed) == "left" else 1]
 
     def _corners(self, door: DoorPlan) -> tuple[float, float]:
-        """Metres from a door to the left and right corner of the room it swings into."""
+        """Distances in metres from a door to the left and the right corner of the room it swings into."""
         way, room = self.doorway(door), self.room(door.rooms[-1])
         wall = way.walls[-1]
         start, end = room.along(wall, *extent(way.rect, wall))
         return start, room.size[wall % 2] - end
 
     def windowed(self, seed: int) -> "FloorPlan":
-        """Add windows to the outer walls of rooms for which the plan gives none.
+        """Add windows to the outer walls of rooms for which the plan has none.
 
         Parameters
         ----------
         seed
-            Of their sizes and places.
+            Seed of the sizes and places of the windows.
 
         Returns
         -------
         FloorPlan
-            With all windows.
+            The plan with all windows.
         """
         rng = np.random.default_rng(derive("windows", self.name, seed))
         sill, top = float(rng.uniform(0.8, 0.95)), min(float(rng.uniform(2.05, 2.3)), self.height - 0.18)
@@ -260,7 +262,7 @@ class FloorPlan:
         return windows
 
     def _outer(self, room: RoomPlan, wall: int) -> list[tuple[float, float]]:
-        """Stretches of a wall behind which nothing is built, and no closed door is."""
+        """Stretches of a wall with nothing built behind them and no closed door in them."""
         low, high, face, outwards = plan_parts.side(room.rect, wall)
         covered = []
         for other in self.rooms:

@@ -1,4 +1,4 @@
-"""Radiators, where the furniture leaves place for them."""
+"""Radiators, placed where the furniture leaves space."""
 
 import numpy as np
 
@@ -7,16 +7,16 @@ from placecat_homes.placing.room import Room
 
 
 def heat(room: Room, design: int, rng: np.random.Generator) -> None:
-    """Put a radiator under a window, or elsewhere, if there is place left.
+    """Put a radiator under a window or elsewhere, if enough space is left.
 
     Parameters
     ----------
     room
-        Furnished.
+        The furnished room.
     design
-        Seed of what all radiators of a building look like.
+        Seed of the look that all radiators of a building share.
     rng
-        Draws size and place.
+        Random generator for the size and the place.
     """
     for window in room.windows:
         if window.sill < 0.7:

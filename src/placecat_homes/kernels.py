@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-# A single precision loop over pixels or vertices each; everything else is array code.
+# Each kernel is one single-precision loop over pixels or vertices; everything else is array code.
 
 
 @njit(cache=False)
@@ -52,11 +52,12 @@ def surfaces(
     normal,
     irradiance,
 ):
-    """Look up what rays have hit.
+    """Look up the surfaces that rays have hit.
 
     Fills `colour` (r, 3) with linear albedo, `normal` (r, 3) turned towards the eye, and `irradiance` (r, c),
-    interpolated from `light` (n, c). Rows of rays that hit nothing stay as they are. `spread` is the angle
-    between neighbouring pixels in radians, and chooses the texture's size; `decode` (256,) undoes sRGB.
+    interpolated from `light` (n, c). The rows of rays that hit nothing stay unchanged. `spread` is the angle
+    between neighbouring pixels in radians, which decides the size of the texture that is read; `decode`
+    (256,) undoes sRGB.
     """
     first, second = np.empty(3, np.float32), np.empty(3, np.float32)
     sizes = np.empty(levels, np.int64)
@@ -125,7 +126,7 @@ def sky(directions, picture, out):
 
 @njit(cache=False)
 def gather(hits, given, out):
-    """Sum what is given off (m, 3) by the triangles that the rays of each vertex (n, r) have hit."""
+    """Sum the light given off (m, 3) by the triangles that the rays of each vertex (n, r) have hit."""
     for i in range(hits.shape[0]):
         for k in range(3):
             out[i, k] = 0

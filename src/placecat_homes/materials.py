@@ -8,18 +8,18 @@ Colour = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Texture:
-    """A picture that repeats over a surface, drawn by the function `kind` of `placecat_homes.textures`.
+    """A picture that repeats over a surface, drawn by the module `kind` of `placecat_homes.textures`.
 
     Attributes
     ----------
     kind
-        Name of the drawing function.
+        Name of the module that draws it.
     colours
-        The colours it draws with, sRGB.
+        Colours to draw with, sRGB.
     size
         Width and height of one repetition in metres.
     seed
-        Of its random details.
+        Seed of the random details.
     """
 
     kind: str
@@ -35,18 +35,18 @@ class Material:
     Attributes
     ----------
     colour
-        sRGB; multiplies the texture, if there is one.
+        sRGB; multiplied with the texture if there is one.
     texture
-        Repeats in the texture coordinates of the mesh, which are metres.
+        Picture that repeats over the texture coordinates of the mesh, which are in metres.
     gloss
-        Mirror reflection at normal incidence, 0 (matt) to 1 (a mirror); grows towards grazing angles. Paint
-        0, varnish and tiles 0.03 to 0.06, metal 0.5 to 0.8, mirrors 0.9.
+        Mirror reflection at normal incidence, 0 (matt) to 1 (a mirror); it grows towards grazing angles.
+        Paint has 0, varnish and tiles 0.03 to 0.06, metal 0.5 to 0.8, mirrors 0.9.
     roughness
-        0 gives a sharp mirror image, 1 only a hint of it.
+        0 gives a sharp mirror image, 1 only a hint of one.
     emission
-        Light given off, as a multiple of the colour; 0 for all but lamps, screens and the sky.
+        Light given off, as a multiple of the colour; 0 for everything except lamps, screens and the sky.
     opacity
-        1 hides what is behind; glass 0.1 to 0.3; net curtains 0.5.
+        1 hides what is behind the surface; glass has 0.1 to 0.3, net curtains 0.5.
     """
 
     colour: Colour = (1.0, 1.0, 1.0)

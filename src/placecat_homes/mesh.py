@@ -1,4 +1,4 @@
-"""Triangle meshes, and putting them together."""
+"""Triangle meshes and how to join them."""
 
 import math
 from collections.abc import Iterable
@@ -26,7 +26,7 @@ class Lamp:
     power
         Irradiance at one metre, in units of the light of a bright overcast sky at a window (1.0).
     radius
-        Of the luminous body in metres; larger ones cast softer shadows.
+        Radius of the luminous body in metres; larger bodies cast softer shadows.
     """
 
     position: Point
@@ -37,11 +37,10 @@ class Lamp:
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """Triangles with materials. Immutable: every method gives a new mesh.
+    """Triangles with materials. A mesh is immutable: every method returns a new one.
 
     A piece of furniture stands on z = 0 with the middle of its back edge at the origin: it extends from
-    -width/2 to width/2 along x and from 0 (its back, at the wall) to its depth along y. Its front looks
-    towards +y.
+    -width/2 to width/2 along x and from 0 (its back, at the wall) to its depth along y. Its front faces +y.
 
     Attributes
     ----------
@@ -58,7 +57,7 @@ class Mesh:
     materials
         The materials in use.
     lamps
-        The lamps in it.
+        The lamps in the mesh.
     """
 
     vertices: Floats
@@ -85,11 +84,11 @@ class Mesh:
         return self.high - self.low
 
     def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Mesh":
-        """Shift by metres."""
+        """Shift the mesh by metres."""
         return self.transformed(np.eye(3), (x, y, z))
 
     def turned(self, degrees: float, axis: str = "z") -> "Mesh":
-        """Turn around an axis through the origin; counter-clockwise seen from the axis's tip."""
+        """Turn the mesh around an axis through the origin, counter-clockwise seen from the axis's tip."""
         c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
         if axis == "x":
             matrix = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
@@ -100,7 +99,7 @@ class Mesh:
         return self.transformed(matrix, (0.0, 0.0, 0.0))
 
     def scaled(self, x: float, y: float | None = None, z: float | None = None) -> "Mesh":
-        """Stretch along the axes (all alike if only `x` is given); factors are positive."""
+        """Stretch the mesh along the axes (equally if only `x` is given); factors are positive."""
         factors = np.array([x, x if y is None else y, x if z is None else z], dtype=np.float32)
         normals = self.normals / factors
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
@@ -110,7 +109,7 @@ class Mesh:
         )
 
     def transformed(self, matrix: NDArray[np.float64], shift: Point) -> "Mesh":
-        """Turn by a (3, 3) rotation, then shift by metres."""
+        """Turn the mesh by a (3, 3) rotation, then shift it by metres."""
         m, s = np.asarray(matrix, dtype=np.float32), np.asarray(shift, dtype=np.float32)
         lamps = tuple(
             replace(lamp, position=_point(m @ np.asarray(lamp.position, np.float32) + s))
@@ -134,16 +133,16 @@ class Mesh:
         )
 
     def of(self, material: Material) -> "Mesh":
-        """Make all of it of one material."""
+        """Give the whole mesh one material."""
         return replace(self, material=np.zeros(len(self.triangles), np.int16), materials=(material,))
 
     def lit(self, *lamps: Lamp) -> "Mesh":
-        """Add lamps, placed in the frame of the mesh."""
+        """Add lamps whose positions are in the frame of the mesh."""
         return replace(self, lamps=self.lamps + lamps)
 
 
 def floats(*values: float) -> Floats:
-    """Put numbers into a float32 array."""
+    """Convert numbers to a float32 array."""
     return np.array(values, dtype=np.float32)
 
 
@@ -153,7 +152,7 @@ def _point(values: NDArray[np.floating]) -> Point:
 
 
 def join(*parts: Mesh | Iterable[Mesh]) -> Mesh:
-    """Put meshes together as they stand.
+    """Join meshes without moving them.
 
     Parameters
     ----------
@@ -163,7 +162,7 @@ def join(*parts: Mesh | Iterable[Mesh]) -> Mesh:
     Returns
     -------
     Mesh
-        All of them; equal materials become one.
+        All meshes in one; equal materials are merged.
     """
     meshes: list[Mesh] = []
     for part in parts:
@@ -190,7 +189,7 @@ def join(*parts: Mesh | Iterable[Mesh]) -> Mesh:
 
 
 def empty() -> Mesh:
-    """Give a mesh without triangles."""
+    """Return a mesh without triangles."""
     return Mesh(
         np.zeros((0, 3), np.float32),
         np.zeros((0, 3), np.float32),
@@ -208,7 +207,7 @@ def from_arrays(
     normals: NDArray[np.floating] | None = None,
     uv: NDArray[np.floating] | None = None,
 ) -> Mesh:
-    """Make a mesh of one (plain) material.
+    """Make a mesh of one plain material.
 
     Parameters
     ----------
@@ -217,14 +216,14 @@ def from_arrays(
     triangles
         (m, 3), counter-clockwise seen from outside.
     normals
-        (n, 3); None gives the mean of the adjacent triangles, weighted by area (a smooth surface).
+        (n, 3); None takes the mean normal of the adjacent triangles, weighted by area (a smooth surface).
     uv
         (n, 2) metres; None takes x and y.
 
     Returns
     -------
     Mesh
-        Of the default material.
+        A mesh of the default material.
     """
     points, faces = np.asarray(vertices, np.float32), np.asarray(triangles, np.int32)
     if normals is None:

@@ -1,4 +1,4 @@
-"""Seamless random fields that textures are made of."""
+"""Seamless random fields, from which textures are made."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +14,9 @@ def smooth(rng: np.random.Generator, pixels: int, power: float, stretch: float =
     rng
         Source of randomness.
     pixels
-        Size of the field.
+        Width and height of the field.
     power
-        Amplitude falls with frequency to this power: 0 is white, 1 clouds, 2 soft blots.
+        The amplitude falls with the frequency to this power: 0 gives white noise, 1 clouds, 2 soft blots.
     stretch
         How much longer blots are along x than along y.
 
@@ -34,12 +34,12 @@ def smooth(rng: np.random.Generator, pixels: int, power: float, stretch: float =
 
 
 def grid(pixels: int) -> tuple[Field, Field]:
-    """Give x and y of pixel centres in [0, 1), y growing downwards.
+    """Return x and y of the pixel centres in [0, 1), y growing downwards.
 
     Parameters
     ----------
     pixels
-        Size of the field.
+        Width and height of the field.
 
     Returns
     -------
@@ -71,21 +71,22 @@ def mix(first: NDArray[np.floating], second: NDArray[np.floating], share: Field)
 
 
 def cells(pixels: int, columns: int, rows: int, shift: float = 0.0) -> tuple[NDArray[np.intp], Field, Field]:
-    """Divide a picture into cells, each second row shifted: bricks, tiles, planks.
+    """Divide a picture into cells such as bricks, tiles or planks, every second row shifted.
 
     Parameters
     ----------
     pixels
-        Size of the field.
+        Width and height of the field.
     columns, rows
-        Number of cells; `rows` is even if `shift` is not 0, or there is a seam.
+        Number of cells; unless `shift` is 0, `rows` must be even to avoid a seam.
     shift
-        Of each second row, in cells.
+        Shift of every second row, in cells.
 
     Returns
     -------
     tuple of numpy.ndarray
-        Number of the cell, and distance from its nearer upright and level edge in [0, 0.5] cells.
+        Number of the cell at each pixel, and distances to the nearer upright and level edge, in [0, 0.5]
+        cells.
     """
     x, y = grid(pixels)
     row = np.floor(y * rows).astype(int)

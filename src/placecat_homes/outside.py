@@ -1,4 +1,4 @@
-"""What is seen through the windows: sky, trees, houses and ground, all around."""
+"""What is seen through the windows: sky, trees, houses and ground in all directions."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from placecat_homes.mesh import Floats, floats
 from placecat_homes.noise import smooth
 
 HEIGHT, WIDTH = 640, 2560
-"""Pixels of the panorama."""
+"""Size of the panorama in pixels."""
 
 
 def draw(rng: np.random.Generator, *, weather: str, azimuth: float = 0.8, elevation: float = 0.6) -> Daylight:
@@ -20,12 +20,12 @@ def draw(rng: np.random.Generator, *, weather: str, azimuth: float = 0.8, elevat
     weather
         ``sunny``, ``cloudy``, ``dusk`` or ``night``.
     azimuth, elevation
-        Of the sun, radians.
+        Azimuth and elevation of the sun in radians.
 
     Returns
     -------
     Daylight
-        Panorama and sun.
+        The panorama and the sun.
     """
     level = {"sunny": 0.9, "cloudy": 0.8, "dusk": 0.22, "night": 0.006}[weather]
     up = np.linspace(np.pi / 2, -np.pi / 2, HEIGHT, dtype=np.float32)[:, None] * np.ones(

@@ -1,6 +1,7 @@
-"""Materials drawn at random, for every kind of room from the same distributions.
+"""Materials drawn at random, from the same distributions for every kind of room.
 
-A room must be known by what stands in it: no function here knows the room, so no colour or pattern can tell.
+A room must be recognized by what stands in it. No function here has access to the kind of room, so no colour
+or pattern can reveal it.
 """
 
 import colorsys
@@ -30,7 +31,7 @@ def colour(rng: Rng, saturation: float = 0.5, low: float = 0.15, high: float = 0
     rng
         Source of randomness.
     saturation
-        The largest one.
+        Upper limit of the saturation.
     low, high
         Range of the brightest component.
 
@@ -51,7 +52,7 @@ def shade(base: Colour, factor: float) -> Colour:
     base
         sRGB.
     factor
-        Multiplies it.
+        Factor on each component.
 
     Returns
     -------
@@ -98,7 +99,7 @@ def wood(rng: Rng) -> Material:
 
 
 def fabric(rng: Rng) -> Material:
-    """Draw cloth: plain, woven, striped, checked or with flowers."""
+    """Draw cloth: plain, woven, striped, checked or flowered."""
     first = colour(rng, 0.65, 0.25, 0.92)
     second = colour(rng, 0.65, 0.2, 0.95)
     third = colour(rng, 0.7, 0.15, 0.95)
@@ -195,7 +196,7 @@ def tiles(rng: Rng) -> Material:
 
 
 def wallpaper(rng: Rng) -> Material:
-    """Draw wallpaper: stripes, flowers, damask or a structure."""
+    """Draw wallpaper: stripes, flowers, damask or a textured pattern."""
     first = colour(rng, 0.35, 0.55, 0.93)
     second = shade(first, float(rng.choice([0.86, 0.92, 1.08])))
     third = shade(first, 0.8)
@@ -213,7 +214,7 @@ def wallpaper(rng: Rng) -> Material:
 
 
 def wall(rng: Rng) -> Material:
-    """Draw what covers a wall: mostly light paint on plaster, else wallpaper, boards or bricks."""
+    """Draw a wall covering: mostly light paint on plaster, otherwise wallpaper, boards or bricks."""
     kind = rng.uniform()
     if kind < 0.84:
         base = colour(rng, 0.28, 0.68, 0.95)
@@ -264,7 +265,7 @@ def carpet(rng: Rng) -> Material:
 
 
 def paper(rng: Rng) -> Material:
-    """Draw a printed page; size it by the quad it lies on with `sized`."""
+    """Draw a printed page; use `sized` to fit it to the quad it lies on."""
     white: Colour = (0.93, 0.92, 0.88)
     base = white if rng.uniform() < 0.75 else colour(rng, 0.4, 0.75, 0.95)
     return Material(
@@ -273,7 +274,7 @@ def paper(rng: Rng) -> Material:
 
 
 def rug(rng: Rng, width: float, depth: float) -> Material:
-    """Draw a rug's pattern for a rug of this size in metres."""
+    """Draw the pattern of a rug of this size in metres."""
     colours = tuple(colour(rng, 0.75, 0.15, 0.9) for _ in range(4))
     return Material(texture=Texture("rug", colours, (width, depth), _seed(rng)))
 

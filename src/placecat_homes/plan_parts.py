@@ -1,4 +1,4 @@
-"""What a floor plan consists of: rooms, doors and windows, and where they are.
+"""The rooms, doors and windows of a floor plan, and where they are.
 
 Sides of a room are south (y0), east (x1), north (y1) and west (x0); they are walls 0 to 3 of `Room`.
 """
@@ -18,15 +18,15 @@ class RoomPlan:
     Attributes
     ----------
     name
-        Unique.
+        Unique name of the room.
     kind
-        Which furniture it gets.
+        Kind of room, which decides the furniture.
     rect
         x0, y0, x1, y1 of its inner faces in metres.
     label
-        The place it is an example of.
+        Label of the place that frames in this room have.
     part
-        Part of the building; "" if it has none.
+        Part of the building that the room is in; "" if the building has no parts.
     """
 
     name: str
@@ -41,7 +41,7 @@ class RoomPlan:
         return self.rect[2] - self.rect[0], self.rect[3] - self.rect[1]
 
     def along(self, wall: int, low: float, high: float) -> tuple[float, float]:
-        """Turn world coordinates along a wall into metres from the wall's left end, seen from inside."""
+        """Convert world coordinates along a wall to metres from its left end, seen from inside."""
         x0, y0, x1, y1 = self.rect
         if wall == 0:
             return x1 - high, x1 - low
@@ -57,15 +57,15 @@ class DoorPlan:
     Attributes
     ----------
     rooms
-        Names of the two rooms it connects; the leaf swings into the last one. A closed door has one.
+        Names of the two rooms it connects; the leaf swings into the second. A closed door has only one room.
     kind
-        "door", "open" (no leaf), "glass" (a leaf of glass) or "closed" (never opened, leads nowhere).
+        "door", "open" (no leaf), "glass" (a leaf of glass) or "closed" (never opened; leads nowhere).
     position
-        Of its middle along the shared wall, from 0 (south or west) to 1.
+        Position of its middle along the shared wall, from 0 (south or west) to 1.
     width, height
         Metres.
     side
-        Of a closed door: the side of the room.
+        For a closed door, the side of the room that it is on.
     """
 
     rooms: tuple[str, ...]
@@ -83,11 +83,11 @@ class WindowPlan:
     Attributes
     ----------
     room
-        Name of its room.
+        Name of the room.
     side
         "south", "east", "north" or "west".
     start, end
-        World coordinates along the side, metres.
+        World coordinates along the side in metres.
     sill, top
         Heights in metres.
     """
@@ -107,9 +107,9 @@ class Doorway:
     Attributes
     ----------
     rect
-        x0, y0, x1, y1 of the opening in the wall, from face to face, metres.
+        x0, y0, x1, y1 of the opening in the wall, from face to face, in metres.
     walls
-        The wall of each of its rooms.
+        For each room of the door, the number of the wall that it is in.
     """
 
     rect: Rect
@@ -117,28 +117,28 @@ class Doorway:
 
     @property
     def middle(self) -> tuple[float, float]:
-        """World x and y."""
+        """World x and y of the middle of the opening."""
         x0, y0, x1, y1 = self.rect
         return (x0 + x1) / 2, (y0 + y1) / 2
 
 
 def side(rect: Rect, wall: int) -> tuple[float, float, float, int]:
-    """Give where a side starts and ends, where it is across, and the sign of outwards."""
+    """Return where a side starts and ends, its coordinate across, and the sign of the outward direction."""
     x0, y0, x1, y1 = rect
     return ((x0, x1, y0, -1), (y0, y1, x1, 1), (x0, x1, y1, 1), (y0, y1, x0, -1))[wall]
 
 
 def rect(wall: int, low: float, high: float, face: float, beyond: float) -> Rect:
-    """Give the rectangle from a face of a wall to what is beyond it."""
+    """Return the rectangle from a face of a wall to what lies beyond it."""
     near, far = min(face, beyond), max(face, beyond)
     return (low, near, high, far) if wall % 2 == 0 else (near, low, far, high)
 
 
 def extent(rect: Rect, wall: int) -> tuple[float, float]:
-    """Give where a rectangle starts and ends along a wall."""
+    """Return where a rectangle starts and ends along a wall."""
     return (rect[0], rect[2]) if wall % 2 == 0 else (rect[1], rect[3])
 
 
 def apart(a: Rect, b: Rect) -> float:
-    """Give the gap between two rectangles along an axis, negative if they overlap."""
+    """Return the gap between two rectangles along an axis; it is negative if they overlap."""
     return max(a[0] - b[2], b[0] - a[2], a[1] - b[3], b[1] - a[3])

@@ -11,7 +11,7 @@ _DOOR_KINDS = ("door", "open", "glass", "closed")
 
 
 def read_room(plan: str, name: str, value: Mapping[str, Any]) -> RoomPlan:
-    """Read a room of a plan; a mistake raises PlacecatError."""
+    """Read a room of a plan; an invalid one raises PlacecatError."""
     where = f"{plan}, room {name}"
     refuse_unknown(value, ["kind", "rect", "label", "part"], where)
     rect = _numbers(value["rect"], where)
@@ -23,13 +23,13 @@ def read_room(plan: str, name: str, value: Mapping[str, Any]) -> RoomPlan:
 
 def _numbers(values: Sequence[Any], where: str) -> Rect:
     if len(values) != 4:
-        raise PlacecatError(f"{where}: rect needs four numbers")
+        raise PlacecatError(f"{where}: rect must have four numbers")
     x0, y0, x1, y1 = (float(value) for value in values)
     return x0, y0, x1, y1
 
 
 def read_door(plan: str, value: Mapping[str, Any]) -> DoorPlan:
-    """Read a door of a plan; a mistake raises PlacecatError."""
+    """Read a door of a plan; an invalid one raises PlacecatError."""
     rooms = tuple(str(room) for room in value["rooms"])
     where = f"{plan}, door {' - '.join(rooms)}"
     refuse_unknown(value, ["rooms", "kind", "position", "width", "height", "side"], where)
@@ -37,21 +37,23 @@ def read_door(plan: str, value: Mapping[str, Any]) -> DoorPlan:
     if door.kind not in _DOOR_KINDS:
         raise PlacecatError(f"{where}: kind must be one of {', '.join(_DOOR_KINDS)}")
     if len(rooms) != (1 if door.kind == "closed" else 2):
-        raise PlacecatError(f"{where}: a closed door has one room, any other two")
+        raise PlacecatError(f"{where}: a closed door must have one room, any other door two")
     if door.kind == "closed" and door.side not in SIDES:
         raise PlacecatError(f"{where}: side must be one of {', '.join(SIDES)}")
     if not (0.0 <= door.position <= 1.0 and door.width >= 0.7):
-        raise PlacecatError(f"{where}: position must be in [0, 1], and width at least 0.7")
+        raise PlacecatError(f"{where}: position must be in [0, 1] and width at least 0.7 m")
     return door
 
 
 def read_window(plan: str, rooms: Mapping[str, RoomPlan], value: Mapping[str, Any]) -> WindowPlan:
-    """Read a window of a plan; a mistake raises PlacecatError."""
+    """Read a window of a plan; an invalid one raises PlacecatError."""
     name = str(value["room"])
     where = f"{plan}, window of {name}"
     refuse_unknown(value, ["room", "side", "width", "position", "sill", "top"], where)
     if name not in rooms or value["side"] not in SIDES:
-        raise PlacecatError(f"{where}: no such room or side")
+        raise PlacecatError(
+            f"{where}: the room is not in the plan, or the side is none of south, east, north, west"
+        )
     low, high, _, _ = side(rooms[name].rect, SIDES.index(value["side"]))
     width, margin = float(value["width"]), 0.15
     if width > high - low - 2 * margin:

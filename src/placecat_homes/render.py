@@ -1,4 +1,4 @@
-"""The videos that come with the project, made from the settings in conf/ of this package."""
+"""Render the videos that come with the project from the settings in conf/ of this package."""
 
 import csv
 import tempfile
@@ -24,35 +24,35 @@ if TYPE_CHECKING:
 SETTINGS = Path(__file__).with_name("conf")
 DATASET = paths.CONF / "dataset/homes.yaml"
 TEMPORARY = ".rendering-"
-"""How the names of folders begin in which a video is rendered."""
+"""Prefix of the temporary folders in which a video is rendered."""
 
 
 def render(names: Sequence[str] = ()) -> None:
-    """Render videos into data/ of the current folder, and draw the contact sheet.
+    """Render videos into data/ of the current folder and draw the contact sheet.
 
     Parameters
     ----------
     names
-        Of the videos, e.g. ``homes/home_1``; none for all.
+        Names of the videos, such as ``homes/home_1``; all if empty.
 
     Raises
     ------
     PlacecatError
-        An unknown video, a missing extra, or a folder that is not the project's.
+        If a video is unknown, the extra is missing, or the current folder is not that of the project.
     """
     videos = listed()
     wanted = names or tuple(videos)
     for name in wanted:
         if name not in videos:
-            raise PlacecatError(f"there is no video {name!r} to render: choose from {', '.join(videos)}")
+            raise PlacecatError(f"no video has the name {name!r}: choose from {', '.join(videos)}")
     if not DATASET.is_file():
-        raise PlacecatError(f"{DATASET} is missing: run this in the project's folder")
+        raise PlacecatError(f"{DATASET} is missing: run this command in the project's folder")
     in_parallel(_render, [(name,) for name in wanted], "rendering videos", locally=True)
     draw_contact_sheet()
 
 
 def draw_contact_sheet() -> None:
-    """Draw a view of every place of each home into data/contact_sheet.jpg."""
+    """Write a view of every place of each home to data/contact_sheet.jpg."""
     dataset = _read(DATASET)
     chosen = _read_settings("contact_sheet")
     views = {}
@@ -73,7 +73,7 @@ def listed() -> dict[str, dict[str, Any]]:
     Returns
     -------
     dict
-        ``data set/name`` to settings.
+        Maps ``data set/name`` to settings.
     """
     return {
         f"{folder}/{name}": video
@@ -90,12 +90,12 @@ def film(name: str, **changes: Any) -> "Film":
     name
         ``data set/name``.
     **changes
-        To the settings in conf/finish.yaml.
+        Values that override settings in conf/finish.yaml.
 
     Returns
     -------
     Film
-        Lit, not yet rendered.
+        The film with its light, not yet rendered.
 
     Raises
     ------
@@ -123,22 +123,22 @@ def assemble(
     Parameters
     ----------
     name
-        Of the video.
+        Name of the video.
     video
-        As in conf/videos.yaml, without the plan.
+        Settings as in conf/videos.yaml, without the plan.
     plan, of_plan
         Name and content of the plan.
     where
-        What messages call the settings of the video.
+        How messages refer to the settings of the video.
     size
-        Width and height of a frame in pixels; None for the camera's own.
+        Width and height of a frame in pixels; None takes those of the camera.
     **changes
-        To the settings in conf/finish.yaml.
+        Values that override settings in conf/finish.yaml.
 
     Returns
     -------
     Film
-        Lit, not yet rendered.
+        The film with its light, not yet rendered.
 
     Raises
     ------
@@ -194,7 +194,7 @@ def _render(name: str) -> None:
 
 
 def write(made: "Film", video: Path, labels: Path, *, fps: int) -> None:
-    """Render a film into a video, and write its labels."""
+    """Render a film to a video file and write its labels."""
     from placecat_homes.encode import write_video
 
     write_video(video, made.frames(), fps=fps, **_read_settings("finish")["video"])
@@ -233,4 +233,4 @@ def _read(path: Path) -> dict[str, Any]:
     except FileNotFoundError:
         raise PlacecatError(f"{path} is missing: restore it from git") from None
     except yaml.YAMLError as error:
-        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
+        raise PlacecatError(f"{path} is not valid YAML: {' '.join(str(error).split())}") from None

@@ -10,14 +10,14 @@ from placecat_homes.materials import Material
 from placecat_homes.mesh import Floats, Lamp, Mesh
 
 LEVELS = 6
-"""Sizes a texture is kept in, each half of the one before."""
+"""Number of sizes in which a texture is kept, each half of the one before."""
 THIN = 0.03
-"""Triangles thinner than that many metres are subdivided three times less finely."""
+"""Thickness in metres below which the edges of triangles may be three times longer."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """Everything that light meets.
+    """The surfaces and lamps of everything to render.
 
     Attributes
     ----------
@@ -31,11 +31,11 @@ class Scene:
     albedo
         (materials, 3) float32, mean linear colour.
     atlas
-        uint8, sRGB: every texture in `LEVELS` sizes, one after the other.
+        uint8, sRGB: every texture in `LEVELS` sizes, one after another.
     pixels
         Width of a texture at its largest size.
     lamps
-        In the frame of the scene.
+        The lamps in the frame of the scene.
     """
 
     vertices: Floats
@@ -65,14 +65,15 @@ def prepare(mesh: Mesh, *, edge: float, pixels: int = 256) -> Scene:
     mesh
         In world coordinates, metres.
     edge
-        Longest edge of a triangle in metres, so that baked light can vary; thin ones may be 3 times longer.
+        Longest edge of a triangle in metres, which limits how finely baked light varies; for thin triangles,
+        it is 3 times longer.
     pixels
         Width of a texture; a power of two, at least 2**(LEVELS - 1).
 
     Returns
     -------
     Scene
-        Without light.
+        The scene without light.
     """
     fine = subdivide(mesh, edge)
     properties, surface, albedo, pictures = _tables(mesh.materials, pixels)
@@ -126,14 +127,14 @@ def _pyramid(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def subdivide(mesh: Mesh, edge: float) -> Mesh:
-    """Split edges longer than a limit, on both sides alike, until there is none.
+    """Split edges longer than a limit, alike on both sides, until none is left.
 
     Parameters
     ----------
     mesh
         Any mesh.
     edge
-        Metres; three times that for triangles thinner than `THIN`.
+        Limit in metres; three times this for triangles thinner than `THIN`.
 
     Returns
     -------
@@ -145,7 +146,7 @@ def subdivide(mesh: Mesh, edge: float) -> Mesh:
     for _ in range(16):
         pairs = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]], axis=2)
         length = np.linalg.norm(vertices[pairs[..., 0]] - vertices[pairs[..., 1]], axis=2)
-        # Bars and bevels are so thin that light varies along them alone, and slowly.
+        # Bars and bevels are so thin that light varies only along them, and slowly.
         limit = np.where(_thickness(vertices, faces, length) < THIN, 3 * edge, edge)
         keys = pairs[..., 0] * len(vertices) + pairs[..., 1]
         unique = np.unique(keys[length > limit[:, None]])
@@ -180,8 +181,8 @@ def _thickness(vertices: Floats, faces: NDArray[np.int64], length: Floats) -> Fl
 def _split(
     faces: NDArray[np.int64], middle: NDArray[np.int64], length: Floats, material: NDArray[np.int16]
 ) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
-    # Turn every triangle so that its longest edge is the first: then the pattern follows from which of the
-    # other two are split as well.
+    # Turn every triangle so that its longest edge comes first; which of the other two edges are also split
+    # then decides the pattern.
     rows = np.arange(len(faces))[:, None]
     order = (np.argmax(np.where(middle >= 0, length, -1), axis=1)[:, None] + np.arange(3)) % 3
     f, m = faces[rows, order], middle[rows, order]

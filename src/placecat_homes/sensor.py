@@ -1,4 +1,4 @@
-"""From the light that a lens lets through to the frames a cheap video camera makes of it."""
+"""Turn the light that a lens lets through into the frames of a cheap video camera."""
 
 from dataclasses import dataclass
 
@@ -18,27 +18,27 @@ class Sensor:
     Attributes
     ----------
     key
-        Grey level that automatic exposure gives the mean (of logarithms) of a frame, linear, 0 to 1.
+        Linear grey level, 0 to 1, that automatic exposure gives the logarithmic mean of a frame.
     lag
-        Share of the way to the right exposure that a frame makes good: below 1 it drifts.
+        Share of the exposure error that is corrected from frame to frame; below 1, exposure lags behind.
     drift
         Standard deviation of the slow random change of exposure, in stops.
     balance
         Share of a colour cast that automatic white balance removes.
     gains
-        Red, green and blue sensitivity, the camera's own colour response.
+        Sensitivity of the camera to red, green and blue.
     saturation
-        1 keeps colours, below it fades them.
+        1 keeps the colours; lower values fade them.
     shutter
-        Part of the time between two frames that the shutter is open: motion blur.
+        Share of the time between two frames for which the shutter is open, which causes motion blur.
     blur
-        Of the lens, standard deviation in pixels.
+        Blur of the lens, standard deviation in pixels.
     sharpen
-        What the camera's electronics add against it.
+        Amount of sharpening by the camera's electronics.
     noise
-        Standard deviation of the sensor's noise at mid grey, in grey levels of 255.
+        Standard deviation of the sensor's noise at mid grey, on a scale of 255 grey levels.
     vignette
-        Share of light lost in the corners.
+        Share of the light that is lost in the corners.
     """
 
     key: float = 0.16
@@ -55,24 +55,24 @@ class Sensor:
 
 
 def exposures(previews: NDArray[np.floating], sensor: Sensor, seed: int) -> Floats:
-    """Compute how a camera exposes and balances a sequence of frames.
+    """Compute how a camera sets the exposure and white balance of a sequence of frames.
 
     Parameters
     ----------
     previews
-        (frames, h, w, 3) linear radiance of small versions of all frames, in order.
+        (frames, h, w, 3) linear radiance of all frames in a small size, in order.
     sensor
         The camera.
     seed
-        Of its drift.
+        Seed of the drift of the exposure.
 
     Returns
     -------
     numpy.ndarray
-        (frames, 3) float32, the factor for red, green and blue of each frame.
+        (frames, 3) float32, factors for red, green and blue in each frame.
     """
     grey = np.maximum(previews.mean(axis=3), 1e-4)
-    # The middle of the frame counts more.
+    # The middle of the frame has more weight.
     h, w = grey.shape[1:]
     weight = np.outer(np.hanning(h + 2)[1:-1] + 0.3, np.hanning(w + 2)[1:-1] + 0.3)
     mean = (np.log(np.minimum(grey, 1.5)) * weight).sum(axis=(1, 2)) / weight.sum()
@@ -99,18 +99,18 @@ def motion(pose: Pose, following: Pose, lens: Lens, distance: Floats, shutter: f
     Parameters
     ----------
     pose, following
-        Of this frame and of the next.
+        Camera poses of this frame and of the next.
     lens
-        The camera's.
+        Lens of the camera.
     distance
         (height, width) metres along each ray.
     shutter
-        Share of the time between the two.
+        Share of the time between the two frames for which the shutter is open.
 
     Returns
     -------
     numpy.ndarray
-        (height, width, 2) float32, pixels to the right and down.
+        (height, width, 2) float32, movement in pixels to the right and down.
     """
     forward, right, down = pose.axes()
     x, y = lens.plane()
@@ -125,7 +125,7 @@ def motion(pose: Pose, following: Pose, lens: Lens, distance: Floats, shutter: f
 
 
 def smear(radiance: Floats, flow: Floats, most: int = 9) -> Floats:
-    """Blur along the motion.
+    """Blur a frame along the motion.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def smear(radiance: Floats, flow: Floats, most: int = 9) -> Floats:
     Returns
     -------
     numpy.ndarray
-        As `radiance`.
+        The blurred frame, shaped like `radiance`.
     """
     reach = float(np.percentile(np.hypot(flow[..., 0], flow[..., 1]), 90))
     count = min(most, round(reach / 1.5))
@@ -160,7 +160,7 @@ def smear(radiance: Floats, flow: Floats, most: int = 9) -> Floats:
 
 
 def develop(radiance: Floats, factors: Floats, sensor: Sensor, seed: int) -> NDArray[np.uint8]:
-    """Turn light into an 8-bit frame.
+    """Convert light to an 8-bit frame.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def develop(radiance: Floats, factors: Floats, sensor: Sensor, seed: int) -> NDA
     sensor
         The camera.
     seed
-        Of this frame's noise.
+        Seed of this frame's noise.
 
     Returns
     -------
@@ -188,7 +188,7 @@ def develop(radiance: Floats, factors: Floats, sensor: Sensor, seed: int) -> NDA
     if sensor.saturation != 1:
         grey = light @ floats(0.299, 0.587, 0.114)
         light = np.maximum(grey[..., None] + sensor.saturation * (light - grey[..., None]), 0)
-    # A shoulder instead of hard clipping, then the sRGB curve.
+    # A soft shoulder replaces hard clipping; then the sRGB curve is applied.
     light = np.minimum(1.25 * light * (1 + light / 9) / (1 + light), 1)
     frame = np.where(light <= 0.0031308, 12.92 * light, 1.055 * np.power(light, 1 / 2.4) - 0.055)
     frame = (frame * 255).astype(np.float32)

@@ -25,7 +25,7 @@ def quad(width: float, height: float) -> Mesh:
         Two triangles in the plane y = 0.
     """
     x = width / 2
-    # Seen from +y, +x is on the left.
+    # Seen from +y, the +x direction is on the left.
     points = [(x, 0, 0), (-x, 0, 0), (-x, 0, height), (x, 0, height)]
     uv = [(0, 0), (width, 0), (width, height), (0, height)]
     return _flat(points, uv)
@@ -62,7 +62,7 @@ def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh
     Returns
     -------
     Mesh
-        Texture coordinates run along the sides; on upright sides v is the height.
+        The box. Texture coordinates run along the sides; on upright sides v is the height.
     """
     half = np.array([width, depth, height], dtype=np.float64) / 2
     r = float(min(bevel, half.min() * 0.49))
@@ -129,12 +129,12 @@ def lathe(profile: Sequence[tuple[float, float]], segments: int = 20) -> Mesh:
         (radius, height) pairs from bottom to top along the outside, in metres. A vessel goes up outside and
         down again inside. Corners of less than 140 degrees stay sharp.
     segments
-        Around the axis.
+        Number of segments around the axis.
 
     Returns
     -------
     Mesh
-        u runs around (metres at the largest radius), v along the profile. Centred on the axis.
+        A body centred on the axis. u runs around (in metres at the largest radius), v along the profile.
     """
     points = np.asarray(profile, dtype=np.float64)
     points = points[np.r_[True, np.any(np.abs(np.diff(points, axis=0)) > 1e-9, axis=1)]]
@@ -179,7 +179,7 @@ def _turned(points: NDArray[np.float64], segments: int, reach: float) -> Mesh:
 
 
 def _lattice(rows: int, columns: int) -> NDArray[np.int32]:
-    """Triangles of a lattice whose vertices are stored row by row; outward if rows x columns points out."""
+    """Triangles of a lattice whose vertices are stored row by row, facing outwards if rows x columns does."""
     i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")
     a = (i * columns + j).ravel()
     b, c, d = a + columns, a + columns + 1, a + 1
@@ -194,7 +194,7 @@ def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.
     radius, height, bevel
         Metres.
     segments
-        Around the axis.
+        Number of segments around the axis.
 
     Returns
     -------
@@ -218,9 +218,9 @@ def superellipsoid(
     width, depth, height
         Metres.
     e1, e2
-        Exponents for the outline from the side and from above.
+        Exponents of the outline seen from the side and from above.
     segments
-        Around; half as many from bottom to top.
+        Number of segments around the body; half as many run from bottom to top.
 
     Returns
     -------
@@ -257,13 +257,14 @@ def extrude(
     ----------
     outline
         (x, y) corners in metres, counter-clockwise seen from above, not crossing itself. Caps are fans from
-        the first corner: for outlines that are not convex, choose a first corner that sees all others.
+        the first corner: for outlines that are not convex, choose a first corner from which all others are
+        visible.
     length
         Height in metres.
     smooth
-        Round the sides' shading instead of keeping sharp edges.
+        Shade the sides as if they were rounded instead of with sharp edges.
     caps
-        Close bottom and top.
+        Close the bottom and the top.
 
     Returns
     -------
@@ -310,7 +311,7 @@ def extrude(
 
 
 def tube(path: Sequence[tuple[float, float, float]], radius: float, segments: int = 10) -> Mesh:
-    """Draw a round bar along a line: rails, taps, handles, wires, chair frames.
+    """Draw a round bar along a line, for rails, taps, handles, wires and chair frames.
 
     Parameters
     ----------
@@ -319,12 +320,12 @@ def tube(path: Sequence[tuple[float, float, float]], radius: float, segments: in
     radius
         Metres.
     segments
-        Around.
+        Number of segments around the bar.
 
     Returns
     -------
     Mesh
-        With flat ends.
+        A bar with flat ends.
     """
     points = np.asarray(path, dtype=np.float64)
     steps = np.diff(points, axis=0)
@@ -370,22 +371,22 @@ def sheet(
     columns: int,
     size: tuple[float, float] = (1.0, 1.0),
 ) -> Mesh:
-    """Draw a smooth surface given by a function: blankets, towels, leaves, basins.
+    """Draw a smooth surface defined by a function, for blankets, towels, leaves and basins.
 
     Parameters
     ----------
     surface
-        Takes s and t in [0, 1], each (rows + 1, columns + 1), and gives x, y, z in metres. The outside is
-        where the derivative along s crossed with that along t points.
+        Function of s and t in [0, 1], each (rows + 1, columns + 1), that returns x, y, z in metres. The
+        derivative along s crossed with that along t points to the outside.
     rows, columns
         Cells along s and along t.
     size
-        What texture coordinates run to along s and t, in metres.
+        Largest texture coordinates along s and t, in metres.
 
     Returns
     -------
     Mesh
-        Open; seen from both sides.
+        An open surface that is visible from both sides.
     """
     s, t = np.meshgrid(np.linspace(0, 1, rows + 1), np.linspace(0, 1, columns + 1), indexing="ij")
     x, y, z = (np.broadcast_to(np.asarray(value, float), s.shape) for value in surface(s, t))

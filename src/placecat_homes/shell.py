@@ -1,4 +1,4 @@
-"""What a room is enclosed by: floor, ceiling, walls with holes for doors and windows, skirting boards."""
+"""The shell of a room: floor, ceiling, walls with holes for doors and windows, and skirting boards."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,20 +24,20 @@ Hole = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Finish:
-    """What the surfaces of a room are covered with. Drawn alike for every kind of room.
+    """The finish of the surfaces of a room, drawn from the same distributions for every kind of room.
 
     Attributes
     ----------
     floor, ceiling
         Materials.
     walls
-        Of walls 0 to 3.
+        Materials of walls 0 to 3.
     dado
-        Covers the lower part of the walls; None if nothing does.
+        Material that covers the lower part of the walls; None if nothing covers it.
     dado_height
         Metres.
     skirting, moulding
-        Heights of the boards along floor and ceiling in metres, 0 if there are none.
+        Heights of the boards along the floor and the ceiling in metres; 0 for no board.
     """
 
     floor: Material
@@ -57,12 +57,12 @@ class Finish:
         rng
             Source of randomness.
         floor, wall
-            What most rooms of the building have.
+            Materials that most rooms of the building have.
 
         Returns
         -------
         Finish
-            Of one room.
+            The finish of one room.
         """
         if rng.random() < 0.35:
             floor = palette.flooring(rng)
@@ -95,21 +95,21 @@ def _ceiling(rng: np.random.Generator) -> Material:
 
 
 def shell(room: Room, finish: Finish, corner: tuple[float, float] = (0.0, 0.0)) -> Mesh:
-    """Build floor, ceiling, walls, window reveals and boards of a room.
+    """Build the floor, ceiling, walls, window reveals and boards of a room.
 
     Parameters
     ----------
     room
-        Its size and openings count.
+        The room, of which only size and openings are used.
     finish
-        Of its surfaces.
+        Finish of the surfaces.
     corner
-        World x and y of the room's corner, so that floors go on from room to room.
+        World x and y of the room's corner, so that floor patterns continue from room to room.
 
     Returns
     -------
     Mesh
-        In the frame of the room; door openings lead nowhere.
+        The shell in the frame of the room; what lies in its door openings is built elsewhere.
     """
     w, d, h = room.width, room.depth, room.height
     level = np.array([(0, 0), (w, 0), (w, d), (0, d)], dtype=np.float64)
@@ -129,19 +129,19 @@ def shell(room: Room, finish: Finish, corner: tuple[float, float] = (0.0, 0.0)) 
 
 
 def glaze(room: Room, seed: int) -> Mesh:
-    """Build the windows of a room, all of one design.
+    """Build the windows of a room, all of the same design.
 
     Parameters
     ----------
     room
-        Whose windows.
+        The room whose windows are built.
     seed
-        Of the design.
+        Seed of the design.
 
     Returns
     -------
     Mesh
-        In the frame of the room.
+        The windows in the frame of the room.
     """
     parts = []
     for hole in room.windows:
@@ -154,16 +154,16 @@ def glaze(room: Room, seed: int) -> Mesh:
 
 
 def passage(width: float, height: float, wall: float, sides: Material | None, floor: Material) -> Mesh:
-    """Build floor, sides and top of an opening in a wall.
+    """Build the floor, the sides and the top of an opening in a wall.
 
     Parameters
     ----------
     width, height
-        Of the opening in metres.
+        Width and height of the opening in metres.
     wall
         Thickness of the wall.
     sides, floor
-        Materials; sides that a frame covers are None.
+        Materials; `sides` is None if a frame covers the sides.
 
     Returns
     -------
@@ -203,7 +203,7 @@ def _wall(
 
 
 def _cells(cells: Sequence[Hole]) -> Mesh:
-    """Rectangles in a wall; neighbours share corners, so that light goes on evenly."""
+    """Rectangles in a wall; neighbours share corners so that the light continues evenly."""
     numbers: dict[tuple[float, float], int] = {}
     faces = []
     for a0, a1, z0, z1 in cells:
@@ -273,7 +273,7 @@ def _boards(
 
 
 def _strip(start: float, end: float, profile: Sequence[tuple[float, float]], z: float) -> Mesh:
-    """A board along a wall; its profile of (inwards, upwards) points runs upwards, without a back."""
+    """A board along a wall, without a back; its profile of (inwards, upwards) points runs upwards."""
     parts = []
     for (y0, z0), (y1, z1) in pairwise(profile):
         points = [(-start, y0, z0 + z), (-end, y0, z0 + z), (-end, y1, z1 + z), (-start, y1, z1 + z)]

@@ -1,6 +1,6 @@
-"""How far colour, brightness or file size alone tell the rooms of homes that training never saw.
+"""Test how well colour, brightness or file size alone tell the rooms of unseen homes apart.
 
-A room should be known by what is in it. ``python -m placecat_homes.shortcuts FOLDER``
+A room should be recognized by what is in it. ``python -m placecat_homes.shortcuts FOLDER``
 prints the table for the homes in a folder.
 """
 
@@ -27,11 +27,11 @@ from placecat_homes.drawn.rendering import dataset
 from placecat_homes.mp4 import frame_sizes
 
 LIMIT = 35
-"""Percent that no shortcut may reach in the mean over the homes; chance is 20."""
+"""Accuracy in percent that no shortcut may exceed in the mean over the homes; chance is 20."""
 EVERY = 3
 """Every third labelled frame is used, as in the thesis."""
 AROUND = 25
-"""Frames over which the size of the video is also averaged: 5 s at 5 frames a second."""
+"""Number of frames over which the video size is also averaged: 5 s at 5 frames a second."""
 
 Shortcuts = dict[str, NDArray[np.float64]]
 
@@ -45,31 +45,31 @@ CLASSIFIERS: dict[str, Callable[[int], Any]] = {
         100, min_samples_leaf=5, class_weight="balanced", random_state=0
     ),
 }
-"""From the number of classes to an untrained classifier, which takes them for equally likely if it can."""
+"""From the number of classes to an untrained classifier, with equally likely classes where possible."""
 
 
 def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
-    """Accuracy of every classifier on every shortcut, each home left out of training in turn.
+    """Measure the accuracy of every classifier on every shortcut, with each home left out in turn.
 
     Parameters
     ----------
     dataset
         As in conf/dataset, in the layout "video", with an absolute root; at least two homes.
     every
-        Every so many labelled frames are used.
+        Step between the labelled frames that are used.
 
     Returns
     -------
     pandas.DataFrame
-        Percent, by shortcut and classifier; a column for each home and `average`.
+        Percent by shortcut and classifier, with a column for each home and `average`.
 
     Raises
     ------
     PlacecatError
-        For a single home.
+        If there is only one home.
     """
     if len(dataset["homes"]) < 2:
-        raise PlacecatError(f"{dataset['root']}: shortcuts need at least two homes, one to test in")
+        raise PlacecatError(f"{dataset['root']}: shortcuts need at least two homes, one of them for the test")
     seen = [_see(dataset, home, every) for home in dataset["homes"]]
     truths = [truth for truth, _ in seen]
     n_classes = len(dataset["classes"])
@@ -84,7 +84,7 @@ def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
 
 
 def _see(dataset: Mapping[str, Any], name: str, every: int) -> tuple[NDArray[np.int16], Shortcuts]:
-    """Class and shortcuts of labelled frames of a home."""
+    """Classes and shortcuts of the labelled frames of a home."""
     home = open_home(dataset["layout"], dataset["root"], name, fps=dataset["fps"])
     truth = place_labels(home.frames["label"], dataset["classes"], dataset["ignored"], dataset["aliases"])
     used = np.flatnonzero(truth >= 0)[::every]
@@ -93,7 +93,7 @@ def _see(dataset: Mapping[str, Any], name: str, every: int) -> tuple[NDArray[np.
     bits = np.log(frame_sizes(home.root / home.frames["source"][0]))
     if len(bits) != len(home.frames):
         raise PlacecatError(
-            f"{home.root}: {home.frames['source'][0]} has {len(bits)} frames, not {len(home.frames)}"
+            f"{home.root}: {home.frames['source'][0]} has {len(bits)} frames, but {len(home.frames)} labels"
         )
     around = pd.Series(bits).rolling(AROUND, center=True, min_periods=1).mean().to_numpy()
     sizes = {"video size of the frame": bits[used], "video size of 5 s": around[used]}
@@ -115,7 +115,7 @@ def _leave_one_out(
     n_classes: int,
     make: Callable[[int], Any],
 ) -> list[float]:
-    """Mean accuracy of a home's classes in percent, for each home by a classifier trained on all others."""
+    """Mean accuracy over each home's classes in percent, by a classifier trained on all other homes."""
     accuracies = []
     for left, (own, truth) in enumerate(zip(values, truths, strict=True)):
         others = [home for home in range(len(values)) if home != left]
@@ -127,7 +127,7 @@ def _leave_one_out(
 
 
 def report(table: pd.DataFrame) -> str:
-    """Write the table of :func:`measure` as Markdown, and whether any shortcut is above `LIMIT`."""
+    """Format the table of :func:`measure` as Markdown, and tell whether any shortcut is above `LIMIT`."""
     lines = [
         "| " + " | ".join([*map(str, table.index.names), *table.columns]) + " |",
         "|" + "---|" * len(table.index.names) + "---:|" * len(table.columns),
@@ -145,18 +145,18 @@ def report(table: pd.DataFrame) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Judge the homes in a folder; the status is 1 if a shortcut is above `LIMIT`."""
+    """Judge the homes in a folder; exit with status 1 if a shortcut is above `LIMIT`."""
     parser = argparse.ArgumentParser(
         prog="python -m placecat_homes.shortcuts",
-        description="Print how far colour, brightness and file size alone tell the rooms of homes.",
+        description="Print how well colour, brightness and file size alone tell rooms of unseen homes apart.",
     )
-    parser.add_argument("folder", type=Path, help="of videos with their labels, as data/homes")
+    parser.add_argument("folder", type=Path, help="folder of videos with labels, laid out like data/homes")
     folder = parser.parse_args(arguments).folder
     with exiting():
         table = measure(dataset(folder))
         print(report(table))
         if table["average"].max() > LIMIT:
-            raise PlacecatError(f"a shortcut is above {LIMIT} % in {folder}")
+            raise PlacecatError(f"a shortcut reaches more than {LIMIT} % in {folder}")
 
 
 if __name__ == "__main__":

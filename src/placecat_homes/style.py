@@ -1,4 +1,4 @@
-"""The taste of a household: what all rooms of one home share."""
+"""The taste of a household, which all rooms of one home share."""
 
 from dataclasses import dataclass
 
@@ -15,13 +15,13 @@ class Style:
     Attributes
     ----------
     wood, second_wood
-        Of most furniture.
+        Woods of most furniture.
     metal
-        Of taps, handles and lamps.
+        Material of taps, handles and lamps.
     trim
-        Of doors, skirting boards and window frames.
+        Material of doors, skirting boards and window frames.
     fronts
-        Of fitted kitchens and wardrobes.
+        Material of the fronts of fitted kitchens and wardrobes.
     handle
         ``bar``, ``knob`` or ``none``.
     modern
@@ -54,7 +54,7 @@ class Style:
         Returns
         -------
         Style
-            Of one household.
+            The style of one household.
         """
         white: Colour = (0.9, 0.89, 0.86)
         trim = (
@@ -86,7 +86,7 @@ class Style:
         Returns
         -------
         Material
-            Cloth.
+            The fabric.
         """
         if rng.uniform() < 0.4:
             return self.fabrics[int(rng.integers(len(self.fabrics)))]
@@ -103,7 +103,7 @@ class Style:
         Returns
         -------
         Material
-            For furniture.
+            Wood for furniture.
         """
         kind = rng.uniform()
         if kind < 0.4:

@@ -1,4 +1,4 @@
-"""Rays against triangles, by Embree."""
+"""Intersection of rays with triangles, computed by Embree."""
 
 from typing import NamedTuple
 
@@ -11,18 +11,18 @@ from placecat_homes.mesh import Floats
 
 
 class Hits(NamedTuple):
-    """What rays have met first.
+    """The surfaces that rays hit first.
 
     Attributes
     ----------
     triangle
-        (r,) int32, -1 for none.
+        (r,) int32; -1 if nothing is hit.
     u, v
         (r,) float32, barycentric: weights of the second and third corner.
     distance
-        (r,) float32, metres; very large for none.
+        (r,) float32, metres; very large if nothing is hit.
     across
-        (r, 3) float32, normal of the flat triangle, of any length and either side.
+        (r, 3) float32, normal of the flat triangle, of any length and on either side.
     """
 
     triangle: NDArray[np.int32]
@@ -33,7 +33,7 @@ class Hits(NamedTuple):
 
 
 class Tracer:
-    """Triangles that rays can be shot at.
+    """Triangles that can be tested against rays.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class Tracer:
         self._mesh = TriangleMesh(self._scene, corners, np.ascontiguousarray(triangles, dtype=np.int32))
 
     def hits(self, origins: Floats, directions: Floats) -> Hits:
-        """Find what rays meet first.
+        """Find the surfaces that rays hit first.
 
         Parameters
         ----------
@@ -59,13 +59,13 @@ class Tracer:
         Returns
         -------
         Hits
-            Of each ray.
+            The hit of each ray.
         """
         found = self._scene.run(_rays(origins), _rays(directions), output=1)
         return Hits(found["primID"], found["u"], found["v"], found["tfar"], found["Ng"])
 
     def blocked(self, origins: Floats, directions: Floats, distances: Floats) -> NDArray[np.bool_]:
-        """Say whether anything is met within a distance.
+        """Tell whether rays hit anything within a distance.
 
         Parameters
         ----------

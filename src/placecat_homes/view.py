@@ -13,12 +13,12 @@ from placecat_homes.tracer import Tracer
 
 DECODE = linear(np.arange(256) / 255)
 METAL = 0.3
-"""Gloss from which a surface tints its reflection."""
+"""Least gloss at which a surface tints its reflection."""
 
 
 @dataclass(frozen=True)
 class Pose:
-    """Where a camera is and looks.
+    """Where a camera is, and where it looks.
 
     Attributes
     ----------
@@ -40,7 +40,7 @@ class Pose:
     roll: float = 0.0
 
     def axes(self) -> tuple[Floats, Floats, Floats]:
-        """Give the directions forward, right and down of the camera, (3,) float32 each."""
+        """Return the forward, right and down directions of the camera, (3,) float32 each."""
         cy, sy, cp, sp = math.cos(self.yaw), math.sin(self.yaw), math.cos(self.pitch), math.sin(self.pitch)
         forward = np.array([cy * cp, sy * cp, sp])
         right = np.array([sy, -cy, 0.0])
@@ -64,7 +64,8 @@ class Lens:
     field
         Horizontal field of view in degrees.
     distortion
-        Radial: the tangent of a ray's angle grows by this share of its square; negative values give a barrel.
+        Radial distortion: the tangent of a ray's angle grows by this share of its square; negative values
+        give barrel distortion.
     """
 
     width: int
@@ -73,7 +74,7 @@ class Lens:
     distortion: float = 0.0
 
     def plane(self) -> tuple[Floats, Floats]:
-        """Give x and y in the image plane at distance 1, (height, width) float32 each."""
+        """Return x and y in the image plane at distance 1, (height, width) float32 each."""
         reach = math.tan(math.radians(self.field) / 2)
         x = ((np.arange(self.width) + 0.5) / self.width * 2 - 1) * reach
         y = ((np.arange(self.height) + 0.5) * 2 - self.height) / self.width * reach
@@ -92,9 +93,9 @@ class Viewer:
     light
         (n, 4) float32 from `bake`.
     daylight
-        What the light was baked with.
+        The daylight with which the light was baked.
     glare
-        How many times brighter the world outside looks than the light it sheds: cameras overexpose it.
+        Factor by which the world outside looks brighter than the light it sheds, since cameras overexpose it.
     """
 
     def __init__(self, scene: Scene, light: Floats, daylight: Daylight, *, glare: float = 1.0) -> None:
@@ -110,9 +111,9 @@ class Viewer:
         Parameters
         ----------
         pose
-            Of the camera.
+            Pose of the camera.
         lens
-            Of the camera.
+            Lens of the camera.
 
         Returns
         -------
@@ -139,7 +140,7 @@ class Viewer:
             points = origins[seen] + distance[seen, None] * d + LIFT * n
             other, *_ = self._surface(points, mirrored, spread * 2, sun=False)
             radiance[seen] += reflection[seen] * other
-        # What is behind glass and net curtains, three panes deep.
+        # Follow rays through glass and net curtains, up to three panes deep.
         share, at = 1 - opacity, distance
         behind = np.flatnonzero(share > 0.01)
         points = origins[behind] + (at[behind, None] + LIFT) * rays[behind]
@@ -182,7 +183,7 @@ class Viewer:
         cosine = np.clip(-np.einsum("ij,ij->i", rays, normal), 0, 1)
         grazing = (1 - cosine) ** 5 * (1 - 0.8 * roughness) * (gloss > 0)
         reflection = gloss * (1 - 0.5 * roughness) + (1 - gloss) * grazing
-        # Where the rounded normal would send the ray into the body, there is none.
+        # Rays that the rounded normal would send into the body are left out.
         mirrored = rays + 2 * cosine[:, None] * normal
         leaving = np.einsum("ij,ij->i", mirrored, across) * np.einsum("ij,ij->i", rays, across) < 0
         reflection *= hit & leaving

@@ -1,4 +1,4 @@
-"""Lone empty rooms to furnish in tests."""
+"""Single empty rooms to furnish in tests."""
 
 import numpy as np
 
@@ -25,21 +25,21 @@ _SIZES = {
 
 
 def example(kind: str, seed: int, width: float | None = None, depth: float | None = None) -> Room:
-    """Make a lone empty room with a door and one or two windows, as furnishers meet them.
+    """Make a single empty room with a door and one or two windows, as furnishing functions receive it.
 
     Parameters
     ----------
     kind
-        Of room, e.g. "bedroom".
+        Kind of room, such as "bedroom".
     seed
-        Of its size, openings and style.
+        Seed of the size, the openings and the style.
     width, depth
-        Metres; None draws what is usual for the kind.
+        Metres; if None, a size usual for the kind is drawn.
 
     Returns
     -------
     Room
-        Empty.
+        The empty room.
     """
     rng = np.random.default_rng(derive("example room", kind, seed))
     short, long = (float(rng.uniform(*limits)) for limits in _SIZES.get(kind, ((3.0, 4.0), (3.5, 5.0))))

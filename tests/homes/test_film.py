@@ -1,4 +1,4 @@
-"""The kept videos are what the renderer makes."""
+"""The stored videos are those that the renderer makes."""
 
 import cv2
 import numpy as np
@@ -17,8 +17,8 @@ FRAMES = (0, 180, 450)
 
 @pytest.fixture(scope="module")
 def film():
-    # Light at fewer points, an eighth of the rays, and small previews for the exposure: the light is a little
-    # coarser and noisier, that is all.
+    # Light at fewer points, an eighth of the rays and small previews for the exposure only make the light a
+    # little coarser and noisier.
     light = {"directions": 32, "bounces": 3, "lamp_rays": 1, "chunk": 4096}
     return render.film(NAME, edge=0.2, light=light, preview=40)
 
@@ -37,7 +37,7 @@ def kept():
 
 
 def soft(frame):
-    """Without noise and the traces of compression."""
+    """Remove the noise and the traces of compression."""
     return cv2.GaussianBlur(frame.astype(np.float32), (0, 0), 2.0)
 
 
@@ -45,7 +45,7 @@ def test_rendered_frames_are_the_kept_ones(film, kept):
     made = {number: soft(film.frame(number)) for number in FRAMES}
     for number in FRAMES:
         differences = {other: np.abs(soft(kept[number]) - made[other]).mean() for other in FRAMES}
-        # In grey levels of 255. Another frame is several times farther away.
+        # In grey levels of 255; any other frame differs several times more.
         assert differences[number] < 5, differences
         assert min(differences, key=differences.get) == number, differences
 

@@ -38,7 +38,7 @@ def test_all_plans_are_there() -> None:
 )
 def test_every_room_of_a_plan_can_be_walked_to(name: str) -> None:
     plan = read(name)
-    # Empty rooms: the walls, doors and leaves alone must leave a way. Furniture is checked by Room.
+    # In empty rooms, the walls, doors and leaves alone must leave a way. Room checks the furniture.
     empty = FloorPlan(
         plan.name, plan.height, tuple(_unfurnished(plan)), plan.doors, plan.windows, plan.windowless
     )
@@ -85,7 +85,7 @@ def plan(rooms=None, doors=None) -> dict:
     ("content", "message"),
     [
         (plan({**ROOMS, "c": {"kind": "office", "rect": [2, 1, 4, 2.5]}}), "overlap"),
-        (plan(doors=[]), "no way leads to b"),
+        (plan(doors=[]), "no door leads to b"),
         (plan({**ROOMS, "c": FAR}, [{"rooms": ["a", "c"]}]), "share no wall"),
         (plan(doors=[{"rooms": ["a", "b"], "kind": "gate"}]), "kind must be one of"),
         (plan(doors=[{"rooms": ["a", "b"], "widht": 1}]), "widht"),

@@ -1,4 +1,4 @@
-"""Every piece of furniture and every texture, found by name: whole, in its frame, seeded, not too fine."""
+"""Every piece of furniture and every texture is found by name, whole, in its frame, seeded, not too fine."""
 
 import importlib
 import inspect
@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def makers():
-    """Functions of all modules that take (rng, style), need nothing else, and give a mesh."""
+    """All functions of the modules that need only (rng, style) and return a mesh."""
     for module in pkgutil.iter_modules(furniture.__path__):
         found = importlib.import_module(f"{furniture.__name__}.{module.name}")
         for name, function in vars(found).items():
@@ -41,7 +41,7 @@ def test_furniture(function):
         assert mesh.triangles.min() >= 0 and mesh.triangles.max() < len(mesh.vertices)
         assert mesh.material.max() < len(mesh.materials)
         assert (mesh.size < 6).all()
-        # It stands or hangs around its origin.
+        # The piece stands or hangs around its origin.
         assert mesh.high[0] > -0.05 and mesh.low[0] < 0.05
     again = make(function, 0)
     assert np.array_equal(again.vertices, pieces[0].vertices)

@@ -1,4 +1,4 @@
-"""Light against cases whose answer is known in closed form."""
+"""Light agrees with cases whose result is known in closed form."""
 
 import numpy as np
 import pytest
@@ -28,7 +28,8 @@ def test_a_plain_under_an_even_sky_receives_all_of_it():
 
 
 def test_light_in_a_closed_room_adds_up_as_a_geometric_series():
-    # All walls glow and reflect alike: after many bounces E = e / (1 - a), whatever the room's shape.
+    # All walls glow and reflect equally, so after many bounces E = e / (1 - a), whatever the shape of the
+    # room.
     room = shapes.box(2, 3, 2.5, bevel=0)
     walls = join(room.of(Material((0.6, 0.6, 0.6), emission=1.0)))
     inside_out = type(walls)(
@@ -85,7 +86,7 @@ def test_what_a_camera_sees_of_a_plain_wall_and_of_the_sky():
 
 def test_left_is_left_and_up_is_up():
     red, blue = Material((1, 0, 0)), Material((0, 0, 1))
-    # The camera looks along +x: +y is on its left.
+    # The camera looks along +x, so +y is on its left.
     left = shapes.box(0.2, 0.2, 0.2, 0).of(red).moved(3, 0.8, 0.9)
     high = shapes.box(0.2, 0.2, 0.2, 0).of(blue).moved(3, -0.1, 1.6)
     scene = prepare(join(left, high), edge=1)

@@ -1,4 +1,4 @@
-"""The command names what it cannot do."""
+"""The command explains what it cannot do."""
 
 import subprocess
 import sys
@@ -18,13 +18,13 @@ def test_every_video_names_settings_that_exist():
 
 
 def test_an_unknown_video_is_refused():
-    with pytest.raises(PlacecatError, match=r"no video 'homes/home_7' to render: choose from homes/home_1"):
+    with pytest.raises(PlacecatError, match=r"no video has the name 'homes/home_7': choose from homes"):
         render.render(["homes/home_7"])
 
 
 def test_another_folder_than_the_projects_is_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(PlacecatError, match=r"conf/dataset/homes.yaml is missing: run this in the project's"):
+    with pytest.raises(PlacecatError, match=r"conf/dataset/homes.yaml is missing: run this command"):
         render.render(["homes/home_1"])
     assert not list(tmp_path.iterdir())
 
@@ -32,7 +32,7 @@ def test_another_folder_than_the_projects_is_refused(tmp_path, monkeypatch):
 def test_the_command_ends_with_a_message(monkeypatch, capsys):
     with pytest.raises(SystemExit) as ended:
         command.main(["homes/home_7"])
-    assert str(ended.value).startswith("placecat: there is no video 'homes/home_7' to render: choose from")
+    assert str(ended.value).startswith("placecat: no video has the name 'homes/home_7': choose from")
     with pytest.raises(SystemExit) as ended:
         command.main(["--help"])
     assert ended.value.code == 0

@@ -1,1 +1,1 @@
-"""Homes with random floor plans, light and walks, drawn from a seed."""
+"""Homes whose floor plans, light and walks are drawn from a seed."""

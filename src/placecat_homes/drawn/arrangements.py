@@ -1,4 +1,4 @@
-"""Arrangements of rooms: their positions and connections. Plans are mirrored and turned later."""
+"""Arrangements of rooms: their positions and connections. The plans are mirrored and turned later."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -24,9 +24,10 @@ class Sketch:
     rooms
         Maps names to x0, y0, x1, y1 in metres.
     joined
-        Pairs of rooms, joined by a "door" or "open"; a door leaf swings into the second room.
+        Pairs of rooms and how they are joined: by a "door" or "open". A door leaf swings into the second
+        room.
     entrance
-        Corridor with the door of the home.
+        Corridor with the entrance door of the home.
     """
 
     rooms: dict[str, Rect] = field(default_factory=dict)
@@ -34,7 +35,7 @@ class Sketch:
     entrance: str = ""
 
     def add(self, kind: str, x0: float, y0: float, x1: float, y1: float) -> str:
-        """Add a room; its name is its kind and a number from 1."""
+        """Add a room, named by its kind and a number from 1."""
         number = 1 + sum(name.rpartition("_")[0] == kind for name in self.rooms)
         self.rooms[f"{kind}_{number}"] = (x0, y0, x1, y1)
         return f"{kind}_{number}"
@@ -73,7 +74,7 @@ def two_rows(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
 
 
 def _two_lists(rng: np.random.Generator, ranges: PlanRanges) -> tuple[list[str], list[str]]:
-    """Kinds of the rooms of both rows, in order; a corridor among them is the entrance."""
+    """Kinds of the rooms in both rows, in order; a corridor among them is the entrance."""
     bedrooms, bathrooms = chosen(rng, ranges.bedrooms), chosen(rng, ranges.bathrooms)
     south = ["living_room", "dining_room"]
     north: list[str] = []
@@ -99,7 +100,7 @@ def _two_lists(rng: np.random.Generator, ranges: PlanRanges) -> tuple[list[str],
 
 
 def _in_row(rng: np.random.Generator, ranges: PlanRanges, kind: str, deep: float) -> tuple[float, float]:
-    """Width and depth of a room in a row that is `deep` metres."""
+    """Width and depth of a room in a row that is `deep` metres deep."""
     if kind == "corridor":
         return rng.uniform(*ranges.corridor), deep
     area = rng.uniform(*ranges.areas[kind])
@@ -107,7 +108,7 @@ def _in_row(rng: np.random.Generator, ranges: PlanRanges, kind: str, deep: float
     if kind == "bathroom":
         width = rng.uniform(low, high)
         return width, float(np.clip(area / width, low, deep))
-    # The longer side may be up to 1.6 times the longest shorter side.
+    # The longer side may be up to 1.6 times the upper limit of the shorter side.
     return float(np.clip(area / deep, low, 1.6 * high)), deep
 
 
@@ -156,13 +157,13 @@ def _to(way: tuple[str, str, str], room: str) -> bool:
 
 
 def _adjacent(a: Rect, b: Rect) -> bool:
-    """Tell whether two rooms are side by side in a row."""
+    """Tell whether two rooms are neighbours in a row."""
     beside = min(abs(a[0] - b[2]), abs(b[0] - a[2])) < WALL + 0.01
     return beside and min(a[3], b[3]) - max(a[1], b[1]) > _DOOR
 
 
 def _own_bathroom(rng: np.random.Generator, sketch: Sketch, row: list[str]) -> None:
-    """Perhaps join the second bathroom to the bedroom beside it instead of the corridor."""
+    """Sometimes join the second bathroom to the bedroom beside it instead of to the corridor."""
     if "bathroom_2" not in row or rng.random() < 0.4:
         return
     place = row.index("bathroom_2")
@@ -178,20 +179,20 @@ def around_living_room(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
     wide = rng.uniform(4.4, 5.6)
     deep = float(np.clip(rng.uniform(*ranges.areas["living_room"]) / wide, 4.5, 5.8))
     living = sketch.add("living_room", 0.0, 0.0, wide, deep)
-    # Kitchen and dining room to the west.
+    # The kitchen and the dining room are to the west.
     column = rng.uniform(3.1, 3.7)
     split = float(np.clip(rng.uniform(*ranges.areas["kitchen"]) / column, 2.4, deep - 1.7))
     kitchen = sketch.add("kitchen", -WALL - column, 0.0, -WALL, split)
     end = split + WALL + float(np.clip(rng.uniform(*ranges.areas["dining_room"]) / column, 2.9, 4.2))
     dining = sketch.add("dining_room", -WALL - column, split + WALL, -WALL, end)
-    # A bedroom and a bathroom to the east.
+    # A bedroom and a bathroom are to the east.
     column = rng.uniform(3.1, 3.9)
     split = float(np.clip(rng.uniform(*ranges.areas["bedroom"]) / column, 2.9, deep - 1.3))
     bedroom = sketch.add("bedroom", wide + WALL, 0.0, wide + WALL + column, split)
     narrow = rng.uniform(1.9, 2.6)
     top = split + WALL + float(np.clip(rng.uniform(*ranges.areas["bathroom"]) / narrow, 1.9, 3.0))
     bathroom = sketch.add("bathroom", wide + WALL, split + WALL, wide + WALL + narrow, top)
-    # The entrance to the north, beside another bedroom.
+    # The entrance is to the north, beside another bedroom.
     hall = rng.uniform(*ranges.corridor)
     depth = rng.uniform(3.2, 3.9)
     north = deep + WALL
@@ -227,7 +228,7 @@ def angled(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
     turn = sketch.rooms[dining][0] - rng.uniform(0.1, 0.5)
     low, high = deep + WALL, deep + WALL + wide
     bend = rng.uniform(*ranges.corridor)
-    # East of the second part are kitchen and bathroom, the kitchen behind the dining room.
+    # East of the second part are the kitchen and a bathroom, the kitchen behind the dining room.
     east = turn + bend + WALL
     width = float(np.clip(sketch.rooms[dining][2] - east, *ranges.sides["kitchen"]))
     top = low + float(np.clip(rng.uniform(*ranges.areas["kitchen"]) / width, 2.9, 4.4))
@@ -244,7 +245,7 @@ def angled(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
     sketch.join(dining, kitchen, "open" if rng.random() < 0.6 else "door")
     sketch.join(second, kitchen)
     sketch.join(second, bathroom)
-    # West of it are another bedroom and bathroom.
+    # West of it are another bedroom and another bathroom.
     west = turn - WALL
     if chosen(rng, ranges.bedrooms) > 1:
         depth = rng.uniform(3.2, 4.2)
@@ -264,4 +265,4 @@ ALL: dict[str, Callable[[np.random.Generator, PlanRanges], Sketch]] = {
     "around_living_room": around_living_room,
     "angled": angled,
 }
-"""Arrangements by their names in conf/drawn.yaml."""
+"""The arrangements, by their names in conf/drawn.yaml."""

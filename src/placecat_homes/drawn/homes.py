@@ -1,4 +1,4 @@
-"""One home of a seed: its floor plan, furniture, light and walk, written as a plain YAML file."""
+"""One home drawn from a seed: its floor plan, furniture, light and walk, written to a plain YAML file."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -46,7 +46,7 @@ class Video:
     fps: int
 
     def __post_init__(self) -> None:
-        """Raise SettingError for a value out of its range."""
+        """Raise SettingError if a value is out of range."""
         for name, least, most in (
             ("width", 160, 4096),
             ("height", 90, 4096),
@@ -62,16 +62,16 @@ class Video:
 
 @dataclass(frozen=True)
 class Source:
-    """The settings that homes are drawn from.
+    """The settings from which homes are drawn.
 
     Attributes
     ----------
     plan, light
-        Ranges of plans and light.
+        Ranges of floor plans and light.
     walk, carriage, camera
         Names of files in conf/.
     video
-        Size and length.
+        Size and length of the videos.
     """
 
     plan: PlanRanges
@@ -83,7 +83,7 @@ class Source:
 
     @classmethod
     def read(cls, path: Path = SETTINGS / "drawn.yaml", /, **video: int) -> "Source":
-        """Read the settings; `video` overrides those of the video. Wrong ones raise SettingError."""
+        """Read the settings; `video` overrides those of the videos. Invalid settings raise SettingError."""
         content = settings.read_yaml(path)
         settings.check(cls, content, str(path))
         where = f"{path} video"
@@ -117,7 +117,7 @@ class Home:
     walk: Walk
 
     def text(self) -> str:
-        """The content as YAML with a comment."""
+        """The content as YAML, with a comment at the top."""
         plan, shot = self.content["plan"], self.content["shot"]
         head = f"# {plan['name'].capitalize()}, drawn by placecat-homes. Rooms in metres, as in conf/plan.\n"
         rooms = {name: _flow(room) for name, room in plan["rooms"].items()}
@@ -133,7 +133,7 @@ def _flow(value: Mapping[str, Any]) -> str:
 
 
 def name_of(number: int, seed: int) -> str:
-    """Name a home: the only seed of everything in it, e.g. "home 7 of seed 1"."""
+    """Name a home, such as "home 7 of seed 1"; everything in it is seeded by this name alone."""
     return f"home {number} of seed {seed}"
 
 
@@ -152,12 +152,12 @@ def draw(number: int, seed: int, source: Source) -> Home:
     Returns
     -------
     Home
-        The first draw without faults. It depends only on its name and the source, not on other homes.
+        The first draw without faults. It depends only on its name and `source`, not on other homes.
 
     Raises
     ------
     PlacecatError
-        If every draw has a fault, e.g. since there are too few frames to show every room.
+        If every draw has a fault, for example because the frames are too few to show every room.
     """
     name = name_of(number, seed)
     reason = ""
@@ -179,11 +179,11 @@ def draw(number: int, seed: int, source: Source) -> Home:
                     return Home({"shot": shot, "plan": plan}, building, way)
         except PlacecatError as error:
             reason = str(error)
-    raise PlacecatError(f"{name}: all {_DRAWS} plans have faults; the last one: {reason}")
+    raise PlacecatError(f"{name}: all {_DRAWS} plans drawn have faults; the last fault: {reason}")
 
 
 def _walk(name: str, building: Building, rooms: list[str], source: Source) -> Walk:
-    """Walk through a building like `placecat_homes.film.Film` for a video of that name."""
+    """Walk through a building as `placecat_homes.film.Film` does for a video of that name."""
     return walk(
         building.ground(),
         np.random.default_rng(derive("walk", name)),

@@ -1,4 +1,4 @@
-"""A floor plan drawn from the name of a home: arranged, mirrored, turned, with doors."""
+"""A floor plan drawn from the name of a home: rooms are arranged, mirrored and turned, and receive doors."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -16,7 +16,7 @@ from placecat_homes.plan_parts import SIDES, Rect
 _TALL = 2.65
 _PLACES = ((0.08, 0.25), (0.75, 0.92), (0.35, 0.65))
 _TRIES = 30
-# Largest share of the floor for corridors: the share of the long corridor in conf/plan/home_2.yaml.
+# Largest share of the floor that corridors may take: that of the long corridor in conf/plan/home_2.yaml.
 _CORRIDORS = 0.22
 
 
@@ -26,16 +26,17 @@ def draw(name: str, number: int, ranges: PlanRanges) -> dict[str, Any]:
     Parameters
     ----------
     name
-        Name of the home, e.g. "home 7 of seed 1". Only name and number decide what is drawn.
+        Name of the home, such as "home 7 of seed 1". With the same ranges, only name and number decide what
+        is drawn.
     number
-        Number of the plan, from 1; each number gives another plan.
+        Number of the plan, from 1; each number gives a different plan.
     ranges
-        Ranges of sizes, and odds.
+        Ranges of sizes, and odds of arrangements and numbers of rooms.
 
     Returns
     -------
     dict
-        The content of a file of conf/plan.
+        The plan, laid out like a file of conf/plan.
 
     Raises
     ------
@@ -48,11 +49,11 @@ def draw(name: str, number: int, ranges: PlanRanges) -> dict[str, Any]:
         plan = _attempt(name, ALL[arrangement](rng, ranges), rng, ranges)
         if plan is not None:
             return plan
-    raise PlacecatError(f"{name}: no plan fits the ranges of sizes; widen them")
+    raise PlacecatError(f"{name}: no plan fits the ranges of sizes; widen the ranges")
 
 
 def read(plan: Mapping[str, Any]) -> FloorPlan:
-    """Read a plan of :func:`draw` and check it; an impossible one raises PlacecatError."""
+    """Read a plan of :func:`draw` and check it; an invalid plan raises PlacecatError."""
     name = str(plan["name"])
     return FloorPlan.from_dict(name, plan)
 
@@ -133,7 +134,7 @@ def _possible(content: Mapping[str, Any]) -> bool:
 
 
 def _placed(rng: np.random.Generator, rooms: Mapping[str, Rect]) -> dict[str, Rect]:
-    """Mirror the rooms or exchange x and y, or do neither; move them to x, y >= 0, in centimetres."""
+    """Perhaps mirror the rooms, perhaps exchange x and y; move them to x, y >= 0 and round to centimetres."""
     east, north, turned = rng.random(3) < 0.5
     corners = {}
     for name, (x0, y0, x1, y1) in rooms.items():
@@ -161,7 +162,7 @@ def _door(
     kind: str,
     height: float,
 ) -> dict[str, Any] | None:
-    """Draw width and position of a door; None if the rooms share too little wall."""
+    """Draw the width and position of a door; None if the rooms share too little wall."""
     a, b = sketch.rooms[first], sketch.rooms[second]
     shared = max(min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1]))
     room = shared - 0.2

@@ -1,4 +1,4 @@
-"""Ranges from which floor plans and their light are drawn, checked."""
+"""Checked ranges from which floor plans and their light are drawn."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Range = tuple[float, float]
 
 @dataclass(frozen=True)
 class PlanRanges:
-    """Ranges of floor plans: metres and square metres, each (least, most).
+    """Ranges (least, most) of floor plans, in metres and square metres.
 
     Attributes
     ----------
@@ -29,13 +29,13 @@ class PlanRanges:
     height
         Height of ceilings, 2.3 to 4 m.
     glazing
-        See `FloorPlan`, 0.1 to 0.9.
+        Share of windows, see `FloorPlan`; 0.1 to 0.9.
     depth
         Depth of a row of rooms, 2.8 to 8 m.
     corridor
         Width of corridors, 1.1 to 3 m.
     areas, sides
-        Size and shorter side of each kind of room.
+        Floor area and shorter side of each kind of room.
     door, opening
         Widths of doors (0.75 to 1.1 m) and of openings without a leaf (0.9 to 2.5 m).
     """
@@ -54,9 +54,9 @@ class PlanRanges:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str, arrangements: Collection[str]) -> "PlanRanges":
-        """Make the ranges from settings; a missing, unknown or impossible one raises SettingError.
+        """Make the ranges from settings; a missing, unknown or invalid one raises SettingError.
 
-        `where` names the settings in messages; `arrangements` are the valid names.
+        Messages call the settings `where`; `arrangements` are the valid names.
         """
         pairs: dict[str, Any] = {
             name: _range(values, name, where, least, most)
@@ -87,12 +87,12 @@ class PlanRanges:
 
 @dataclass(frozen=True)
 class LightRanges:
-    """Ranges of the light of one weather.
+    """Ranges of the light in one kind of weather.
 
     Attributes
     ----------
     odds
-        Odds of the weather.
+        Odds of this weather.
     azimuth, elevation
         Position of the sun, in degrees.
     lamps
@@ -106,7 +106,7 @@ class LightRanges:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str) -> dict[str, "LightRanges"]:
-        """Make the ranges of all weathers; a missing, unknown or impossible setting raises SettingError."""
+        """Make the ranges of every weather; a missing, unknown or invalid setting raises SettingError."""
         settings.refuse_unknown(values, list(WEATHERS), where)
         _check_odds({name: one.get("odds", -1) for name, one in values.items()}, WEATHERS, f"{where} odds")
         made = {}
@@ -128,7 +128,7 @@ def _range(values: Mapping[Any, Any], name: str, where: str, least: float, most:
         raise SettingError(f"{where} {name} must be [least, most], not {given!r}") from None
     if not least <= low <= high <= most:
         raise SettingError(
-            f"{where} {name}: [{low:g}, {high:g}] must rise, from {least:g} at least to {most:g} at most"
+            f"{where} {name} must be [least, most] within {least:g} to {most:g}, not [{low:g}, {high:g}]"
         )
     return low, high
 
@@ -138,12 +138,12 @@ def _check_odds(odds: Mapping[Any, Any], valid: tuple[Any, ...], where: str) -> 
     numbers = [value for value in odds.values() if isinstance(value, (int, float)) and 0 <= value < 1e6]
     if unknown or len(numbers) != len(odds) or not sum(numbers) > 0:
         raise SettingError(
-            f"{where}: give numbers from 0, one of them above 0, to some of {', '.join(map(str, valid))}"
+            f"{where} needs odds for some of {', '.join(map(str, valid))}: numbers from 0, not all 0"
         )
 
 
 def chosen(rng: np.random.Generator, odds: Mapping[Any, float]) -> Any:
-    """Draw one of the names in proportion to their odds."""
+    """Draw one of the names with a probability in proportion to its odds."""
     names = list(odds)
     shares = np.array([odds[name] for name in names], dtype=np.float64)
     return names[int(rng.choice(len(names), p=shares / shares.sum()))]

@@ -1,4 +1,4 @@
-"""Render the homes of a seed into a folder, one by one, so a killed run continues where it stopped."""
+"""Render the homes of a seed into a folder, one by one, so that a killed run continues where it stopped."""
 
 import hashlib
 import shutil
@@ -23,9 +23,9 @@ from placecat_homes.drawn.homes import Source
 from placecat_homes.drawn.ranges import KINDS
 
 RECORD = "homes.yaml"
-"""File in the folder that records how its homes were made."""
+"""File in the folder that records how the homes were made."""
 PACKAGES = ("numpy", "scipy", "opencv-python-headless", "numba", "embreex", "av")
-"""Libraries whose versions decide the bytes of a video."""
+"""Libraries whose versions affect the bytes of a video."""
 
 _LIMIT = 1000
 
@@ -33,20 +33,20 @@ _LIMIT = 1000
 def render_homes(
     count: int, seed: int, folder: Path, *, only_plans: bool = False, **video: int
 ) -> list[Path]:
-    """Draw homes and render them, except those that the folder already has.
+    """Draw homes and render those that the folder does not have yet.
 
     Parameters
     ----------
     count
-        Number of homes, 1 to 1000. Home 7 is the same whether 7 or 24 are made.
+        Number of homes, 1 to 1000. Home 7 is the same whether 7 or 24 homes are made.
     seed
         Seed of the set of homes, 0 to 2**32 - 1.
     folder
         Receives `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
     only_plans
-        Render nothing.
+        Draw the floor plans, but render no videos.
     **video
-        Changes to `video` in conf/drawn.yaml: width, height, frames, fps.
+        Values that override `video` in conf/drawn.yaml: width, height, frames, fps.
 
     Returns
     -------
@@ -56,7 +56,8 @@ def render_homes(
     Raises
     ------
     PlacecatError
-        If a number is out of range, the folder has other homes, another run uses it, or an extra is missing.
+        If a number is out of range, the folder holds other homes or is used by another run, or an extra is
+        missing.
     """
     if not 1 <= count <= _LIMIT:
         raise PlacecatError(f"--homes must be from 1 to {_LIMIT}, not {count}")
@@ -94,16 +95,16 @@ def _render(number: int, seed: int, folder: Path, source: Source) -> None:
 
 
 def film(path: Path, source: Source, **changes: Any) -> "render.Film":
-    """Make the film of a drawn home from its file.
+    """Make the film of a drawn home from the file that describes it.
 
     Parameters
     ----------
     path
         `plans/home_7.yaml` of the folder.
     source
-        Settings of camera, walk and size.
+        Settings of the camera, the walk and the size.
         **changes
-        Changes to the settings in conf/finish.yaml.
+        Values that override settings in conf/finish.yaml.
 
     Returns
     -------
@@ -158,7 +159,7 @@ def _draw_contact_sheet(folder: Path, count: int) -> None:
 
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
-    """Keep other runs out of a folder during a block, and remove the leftovers of a killed run."""
+    """Lock a folder against other runs during a block, and remove the leftovers of a killed run."""
     with lock.of_folder(folder, "renders into"):
         for left in (*folder.glob(f"{render.TEMPORARY}*"), *folder.glob("**/.*.partial.*")):
             shutil.rmtree(left) if left.is_dir() else left.unlink()
@@ -166,7 +167,7 @@ def _alone(folder: Path) -> Iterator[None]:
 
 
 def _claim(folder: Path, seed: int, source: Source) -> None:
-    """Record how the homes of a folder are made, or compare with the existing record."""
+    """Record how the homes of a folder are made, or check that an existing record agrees."""
     record = {
         "seed": seed,
         "video": vars(source.video),
@@ -183,7 +184,7 @@ def _claim(folder: Path, seed: int, source: Source) -> None:
     for name, value in settings.flatten(record).items():
         if written.get(name) != value:
             raise PlacecatError(
-                f"{folder} has homes of another {name} ({written.get(name)}, now {value}): choose another "
+                f"{folder} has homes with another {name} ({written.get(name)}, now {value}): choose another "
                 "folder (--to), or remove this one"
             )
 
@@ -193,7 +194,7 @@ def _is_installed(name: str) -> bool:
 
 
 def _checksum(package: Path) -> str:
-    """SHA-256 of the code and the settings of a package."""
+    """Compute the SHA-256 checksum of the code and the settings of a package."""
     content = hashlib.sha256()
     for path in sorted((*package.rglob("*.py"), *package.rglob("*.yaml"))):
         content.update(f"{path.relative_to(package).as_posix()}\n".encode() + path.read_bytes())
@@ -203,7 +204,7 @@ def _checksum(package: Path) -> str:
 def dataset(folder: Path) -> Mapping[str, Any]:
     """Describe a folder of rendered homes as a data set of conf/dataset.
 
-    Raises PlacecatError if it has no homes.
+    Raises PlacecatError if the folder has no homes.
     """
     names = sorted((path.stem for path in folder.glob("home_*.mp4")), key=lambda name: (len(name), name))
     if not names:

@@ -31,7 +31,7 @@ def top_view(building: Building, walk: Walk | None = None, *, scale: float = 60.
     building
         The furnished home.
     walk
-        The path, drawn in red; None draws none.
+        The walk whose path is drawn in red; no path if None.
     scale
         Pixels per metre.
 

@@ -1,1 +1,1 @@
-"""Pieces of furniture, one kind a module."""
+"""Pieces of furniture, each kind in its own module."""

@@ -16,14 +16,14 @@ from placecat_homes.style import Style
 
 
 def armchair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an armchair: like a sofa, with wings, round, a rocking chair, a recliner, or of bent wood.
+    """Draw an armchair: sofa-like, winged, round, of bent wood, a rocking chair or a recliner.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------
@@ -73,9 +73,9 @@ def wing_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _plate(profile: list[tuple[float, float]], thickness: float) -> Mesh:
-    """An upright plate across x with an outline of (y, z), counter-clockwise seen from +x."""
+    """An upright plate across x whose outline (y, z) runs counter-clockwise seen from +x."""
     flat = extrude(profile, thickness, smooth=True)
-    # Outline (y, z) lies in x, y; turning by 90 about x and then about z puts it upright.
+    # The outline (y, z) lies in x, y; turning it by 90 degrees about x and then about z puts it upright.
     return flat.turned(90, "x").turned(90).moved(-thickness / 2)
 
 
@@ -89,7 +89,7 @@ def tub_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
     def shell(inside: bool) -> Mesh:
         def surface(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
-            # The inside runs the other way round, so that it looks inwards.
+            # The inner surface runs the other way round, so that it faces inwards.
             s = 1 - s if inside else s
             a = -math.pi / 2 + (s - 0.5) * span
             rim = low + (height - low) * np.cos((s - 0.5) * math.pi) ** 1.5

@@ -21,25 +21,25 @@ def basin_row(
     ceramic: Material | None = None,
     mirror: bool = True,
 ) -> Mesh:
-    """Draw wash basins side by side, in one counter or each for itself, and a mirror behind them.
+    """Draw wash basins side by side, in one counter or each on its own, with a mirror behind them.
 
     Parameters
     ----------
     rng
         Source of randomness.
     style
-        Of the building.
+        Style of the building.
     count
-        How many.
+        Number of basins.
     ceramic
-        None draws one.
+        Material of the basins; drawn at random if None.
     mirror
-        With a mirror (or one each) on the wall above.
+        Whether a mirror, or one per basin, hangs on the wall above.
 
     Returns
     -------
     Mesh
-        Up to 2 m high.
+        A row up to 2 m high.
     """
     ceramic = ceramic or palette.ceramic(rng)
     pitch, depth = rng.uniform(0.65, 0.8), rng.uniform(0.48, 0.55)

@@ -30,16 +30,16 @@ def bathroom_mirror(
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     kind
-        "plain", "framed", "round" or "cabinet"; None draws one.
+        "plain", "framed", "round" or "cabinet"; drawn at random if None.
     width, height
-        Metres; None draws them.
+        Metres; drawn at random if None.
 
     Returns
     -------
     Mesh
-        z = 0 is its lower edge; perhaps with a lamp above it.
+        Its lower edge is z = 0; there may be a lamp above it.
     """
     kind = kind or str(rng.choice(("plain", "framed", "round", "cabinet"), p=(0.25, 0.25, 0.18, 0.32)))
     width = width or rng.uniform(0.45, 0.8)
@@ -81,7 +81,7 @@ def _framed(rng: np.random.Generator, style: Style, width: float, height: float)
 def _round(rng: np.random.Generator, style: Style, width: float, height: float) -> list[Mesh]:
     outline = rounded(width, height, (width / 2, height / 2), points=9)
     disc = loft([(outline, 0.0), (outline, 0.012)]).turned(90, "x").mirrored()
-    # Lying with its back edge at y = 0, the disc now stands on z = 0 and reaches to -y.
+    # The disc lay with its back edge at y = 0; now it stands on z = 0 and reaches to -y.
     disc = disc.moved(0, 0.014)
     angle = np.linspace(0, 2 * math.pi, 33)
     path = [(width / 2 * math.cos(a), 0.01, height / 2 + height / 2 * math.sin(a)) for a in angle]

@@ -12,7 +12,7 @@ from placecat_homes.style import Style
 
 
 def _load(rng: np.random.Generator, style: Style, width: float, fill: float) -> Mesh:
-    """Load one board: bottles, folded or rolled towels, or paper."""
+    """Fill one board with bottles, folded or rolled towels, or paper."""
     choice = rng.random()
     if choice < 0.55 or width < 0.25:
         return row(rng, width - 0.04, fill).moved(0, 0.11)

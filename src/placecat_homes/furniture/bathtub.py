@@ -28,31 +28,32 @@ def bathtub(
     screen: str | None = None,
     wall_height: float = 1.9,
 ) -> Mesh:
-    """Draw a bath tub lying along the wall, with its tap and hand shower.
+    """Draw a bath tub along the wall, with its tap and hand shower.
 
     Parameters
     ----------
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     ceramic
-        Of the tub; None draws one.
+        Material of the tub; drawn at random if None.
     kind
-        "built-in" (with a panel in front), "claw-foot" or "modern" (both free-standing); None draws one.
+        "built-in" (with a panel in front), "claw-foot" or "modern" (both free-standing);
+        drawn at random if None.
     length
-        Metres; None draws one.
+        Metres; drawn at random if None.
     tiles
-        Of the wall behind a built-in tub and perhaps its panel; None draws them.
+        Tiles of the wall behind a built-in tub and perhaps of its panel; drawn at random if None.
     screen
-        Before a built-in tub: "curtain", "glass" or "none"; None draws one.
+        Screen in front of a built-in tub: "curtain", "glass" or "none"; drawn at random if None.
     wall_height
-        Up to which the wall behind a built-in tub is tiled, metres; 0 for bare walls.
+        Height in metres up to which the wall behind a built-in tub is tiled; 0 for bare walls.
 
     Returns
     -------
     Mesh
-        1.4 to 1.8 m wide.
+        A tub 1.4 to 1.8 m wide.
     """
     ceramic = ceramic or palette.ceramic(rng)
     length = length or float(rng.choice((1.5, 1.6, 1.7, 1.75)))
@@ -67,7 +68,7 @@ def bathtub(
 def _hollow(
     width: float, depth: float, round_: tuple[float, float], y: float, top: float, deep: float
 ) -> list[tuple[Outline, float]]:
-    """Give rings of the inside; the end at +x slopes."""
+    """Return the rings of the inside; the end at +x slopes."""
     rings = []
     for short, narrow, down in (
         (0, 0, 0),
@@ -139,7 +140,7 @@ def _built_in(
 
 
 def _shower_curtain(rng: np.random.Generator, style: Style, length: float, depth: float, top: float) -> Mesh:
-    """Draw a curtain on a rail over the front edge, mostly drawn aside."""
+    """Draw a curtain on a rail above the front edge, usually drawn aside."""
     high = 2.0
     cloth = style.any_fabric(rng)
     wide = length * rng.uniform(0.2, 0.75)
@@ -172,7 +173,7 @@ def _shower_curtain(rng: np.random.Generator, style: Style, length: float, depth
 def _things(
     rng: np.random.Generator, style: Style, length: float, depth: float, top: float, screen: str
 ) -> Mesh:
-    """Put bottles on the edge, a towel over it, perhaps a rubber duck."""
+    """Put bottles and perhaps a rubber duck on the edge, and a towel over it."""
     parts = []
     for k in range(int(rng.integers(1, 3 + round(4 * style.clutter)))):
         parts.append(bottle(rng).moved(length / 2 - 0.12 - 0.09 * k, 0.045, top))
@@ -191,7 +192,7 @@ def _things(
 
 
 def _free(rng: np.random.Generator, style: Style, ceramic: Material, length: float, kind: str) -> Mesh:
-    """Draw a free-standing tub, a little off the wall, with a floor-standing mixer."""
+    """Draw a free-standing tub a little off the wall, with a floor-standing mixer."""
     depth, gap = rng.uniform(0.72, 0.8), 0.12
     top = 0.58
     outer_paint = palette.paint(rng) if rng.random() < 0.4 else ceramic

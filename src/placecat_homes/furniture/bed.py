@@ -34,18 +34,18 @@ def bed(
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     width
-        Of the mattress in metres: 0.9 to 1.2 for one, 1.4 to 1.8 for two; None draws a double bed.
+        Width of the mattress in metres: 0.9 to 1.2 for one person, 1.4 to 1.8 for two; a double bed if None.
     kind
-        One of `KINDS`; None draws one.
+        One of `KINDS`; drawn at random if None.
     bedclothes
-        See `bedding`; None draws them.
+        How the bed is made, see `bedding`; drawn at random if None.
 
     Returns
     -------
     Mesh
-        2.05 to 2.2 m deep.
+        A bed 2.05 to 2.2 m deep.
     """
     width = width or float(rng.choice((1.4, 1.6, 1.6, 1.8)))
     length = float(rng.choice((1.95, 2.0, 2.0)))
@@ -177,7 +177,7 @@ def _cloth(rng: np.random.Generator) -> Material:
 
 
 def _headboard(rng: np.random.Generator, cloth: Material, width: float, high: float) -> Mesh:
-    """Draw a padded headboard: in squares, in upright channels, or plain with a border; 0.1 m deep."""
+    """Draw a padded headboard 0.1 m deep: in squares, in upright channels, or plain with a border."""
     design = str(rng.choice(("plain", "squares", "channels", "wings")))
     parts = [box(width, 0.07, high - 0.1, bevel=0.02).moved(0, 0, 0.1)]
     if design == "squares":

@@ -15,18 +15,18 @@ T = TypeVar("T")
 
 
 def choose(rng: np.random.Generator, options: Sequence[T], weights: Sequence[float] | None = None) -> T:
-    """Draw one of the options."""
+    """Draw one of the options at random."""
     p = None if weights is None else np.asarray(weights, float) / sum(weights)
     return options[int(rng.choice(len(options), p=p))]
 
 
 def between(rng: np.random.Generator, low: float, high: float) -> float:
-    """Draw a number between two others."""
+    """Draw a number between two limits."""
     return float(rng.uniform(low, high))
 
 
 def chance(rng: np.random.Generator, probability: float) -> bool:
-    """Toss a coin that falls on yes with a given probability."""
+    """Draw True with a given probability."""
     return bool(rng.random() < probability)
 
 
@@ -41,11 +41,11 @@ def block(
     Parameters
     ----------
     material
-        Of all of it.
+        Material of the whole box.
     size
         Width, depth and height in metres.
     at
-        Where the middle of its back lower edge is.
+        Position of the middle of its lower back edge.
     bevel
         Metres.
 
@@ -76,13 +76,13 @@ def leg(
     Parameters
     ----------
     foot, top
-        Its axis at both ends, x and y in metres.
+        x and y of its axis at the lower and the upper end, in metres.
     height
         Metres.
     thick, thin
         Radius at the top and at the foot in metres.
     segments
-        Around.
+        Number of segments around the axis.
 
     Returns
     -------
@@ -107,18 +107,18 @@ def legs(
     kind
         "square", "round", "tapered", "splayed", "turned" or "sled".
     width, depth
-        Outer measures of the square they stand on in metres.
+        Outer size in metres of the rectangle they stand on.
     height
         Metres.
     material
-        Of the legs.
+        Material of the legs.
     thickness
         Metres.
 
     Returns
     -------
     Mesh
-        In the frame of a piece of furniture: back at y = 0, centred in x.
+        Legs in the frame of a piece of furniture: back at y = 0, centred in x.
     """
     t = thickness
     parts: list[Mesh] = []
@@ -167,18 +167,18 @@ def open_box(
     bottom: bool = True,
     top: bool = True,
 ) -> Mesh:
-    """Draw a case of boards that is open in front, as shelves and cupboards are.
+    """Draw a case of boards that is open in front, as for shelves and cupboards.
 
     Parameters
     ----------
     material
-        Of the boards.
+        Material of the boards.
     size
         Width, depth and height in metres.
     board
         Thickness of the boards in metres.
     back, bottom, top
-        Whether there are these.
+        Whether the case has these boards.
 
     Returns
     -------
@@ -198,16 +198,16 @@ def open_box(
 
 
 def handle(kind: str, material: Material, length: float = 0.14) -> Mesh:
-    """Draw a handle of a drawer or door: "bar" (level), "knob", or nothing for "none".
+    """Draw the handle of a drawer or door: a level bar, a knob, or nothing for "none".
 
     Parameters
     ----------
     kind
         As in `Style.handle`.
     material
-        Of the handle.
+        Material of the handle.
     length
-        Of a bar in metres.
+        Length of a bar in metres.
 
     Returns
     -------
@@ -224,7 +224,7 @@ def handle(kind: str, material: Material, length: float = 0.14) -> Mesh:
 
 
 def ring(radius: float, count: int, start: float = 0.0) -> list[tuple[float, float]]:
-    """Give points on a circle, counter-clockwise."""
+    """Return points on a circle, counter-clockwise."""
     return [
         (
             radius * math.cos(start + 2 * math.pi * k / count),
@@ -235,7 +235,7 @@ def ring(radius: float, count: int, start: float = 0.0) -> list[tuple[float, flo
 
 
 def shade(low: float, high: float, height: float, material: Material, segments: int = 22) -> Mesh:
-    """Draw the shade of a lamp: a sleeve of cloth, open above and below.
+    """Draw a lampshade: a sleeve of cloth, open above and below.
 
     Parameters
     ----------
@@ -244,9 +244,9 @@ def shade(low: float, high: float, height: float, material: Material, segments: 
     height
         Metres.
     material
-        Of both sides.
+        Material of both sides.
     segments
-        Around.
+        Number of segments around the axis.
 
     Returns
     -------

@@ -12,7 +12,7 @@ PAGES = Material((0.9, 0.87, 0.78))
 
 
 def covers(rng: np.random.Generator, count: int = 9) -> list[Material]:
-    """Draw what the covers of a home's books are of."""
+    """Draw the materials of the covers of a home's books."""
     found = []
     for _ in range(count):
         base = palette.colour(rng, 0.85, 0.12, 0.9)
@@ -32,20 +32,20 @@ def row(
     Parameters
     ----------
     rng
-        Source of their sizes and colours.
+        Random generator for the sizes and colours.
     length
-        Of the row in metres.
+        Length of the row in metres.
     height
-        Of the shelf in metres; the books are lower.
+        Height of the shelf in metres; the books are lower.
     depth
-        Of the shelf in metres.
+        Depth of the shelf in metres.
     pool
-        Covers to choose from; None draws some.
+        Covers to choose from; drawn at random if None.
 
     Returns
     -------
     Mesh
-        The backs of the books look to +y; standing on z = 0.
+        Standing on z = 0, with the spines facing +y.
     """
     pool = covers(rng) if pool is None else pool
     parts: list[Mesh] = []
@@ -85,16 +85,16 @@ def row(
 
 
 def stack(rng: np.random.Generator, count: int | None = None, pool: list[Material] | None = None) -> Mesh:
-    """Draw books or magazines that lie on each other.
+    """Draw a pile of books or magazines.
 
     Parameters
     ----------
     rng
-        Source of their sizes and colours.
+        Random generator for the sizes and colours.
     count
-        How many; None draws 2 to 6.
+        How many; 2 to 6 if None.
     pool
-        Covers to choose from; None draws some.
+        Covers to choose from; drawn at random if None.
 
     Returns
     -------
@@ -125,7 +125,7 @@ def stack(rng: np.random.Generator, count: int | None = None, pool: list[Materia
 
 
 def magazine(rng: np.random.Generator) -> Mesh:
-    """Draw a magazine that lies flat, its cover a picture."""
+    """Draw a magazine that lies flat, with a picture on its cover."""
     w, d = between(rng, 0.2, 0.23), between(rng, 0.27, 0.3)
     cover = palette.art(rng, w, d)
     top = quad(w, d).turned(90, "x").moved(0, d, 0.008).of(cover)

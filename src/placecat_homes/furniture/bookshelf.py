@@ -21,18 +21,18 @@ def bookshelf(
     height: float | None = None,
     full: float | None = None,
 ) -> Mesh:
-    """Draw a shelf with books and other things: a case of boards, a ladder, a grid of cubes, or metal frames.
+    """Draw a shelf with books and objects: a case of boards, a ladder, a grid of cubes, or metal frames.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, height
-        Metres; None draws them.
+        Metres; drawn at random if None.
     full
-        0 for few books to 1 for many; None draws it.
+        0 for few books to 1 for many; drawn at random if None.
 
     Returns
     -------
@@ -175,13 +175,13 @@ def wall_unit(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
     screen
-        Whether a television stands in it; None draws it.
+        Whether a television stands in it; drawn at random if None.
 
     Returns
     -------
@@ -239,16 +239,16 @@ def wall_unit(
 
 
 def wall_shelf(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw one or two boards on a wall with things on them.
+    """Draw one or two boards on a wall with objects on them.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------

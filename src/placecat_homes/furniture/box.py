@@ -26,11 +26,11 @@ def cardboard(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, depth, height
-        Metres; None draws them.
+        Metres; drawn at random if None.
 
     Returns
     -------
@@ -78,11 +78,11 @@ def storage_box(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, depth, height
-        Metres; None draws them.
+        Metres; drawn at random if None.
 
     Returns
     -------
@@ -132,11 +132,11 @@ def basket(rng: np.random.Generator, style: Style, height: float | None = None) 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     height
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
@@ -161,14 +161,14 @@ def basket(rng: np.random.Generator, style: Style, height: float | None = None) 
 
 
 def pile(rng: np.random.Generator, style: Style, count: int = 3) -> Mesh:
-    """Draw cardboard boxes on each other.
+    """Draw a pile of cardboard boxes.
 
     Parameters
     ----------
     rng
-        Source of their design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     count
         How many.
 

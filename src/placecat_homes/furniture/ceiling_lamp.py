@@ -30,9 +30,9 @@ def ceiling_lamp(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------
@@ -109,14 +109,14 @@ def _panel(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def pendant(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a lamp that hangs from the ceiling, as over a dining table.
+    """Draw a lamp that hangs from the ceiling, as those over dining tables do.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------

@@ -15,9 +15,9 @@ def ceiling_strip(rng: np.random.Generator, style: Style, *, length: float | Non
     Parameters
     ----------
     rng, style
-        Draw the design.
+        Random generator and style that the design is drawn from.
     length
-        Metres; None draws 1.2 or 1.5.
+        Metres; 1.2 or 1.5 if None.
     """
     length = length or choose(rng, (1.2, 1.5))
     kind = choose(rng, ("cover", "louvre", "tube", "square"), (2, 2, 1, 1.5))

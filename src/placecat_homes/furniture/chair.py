@@ -27,18 +27,18 @@ def chair(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     design
-        One of `DESIGNS`; None draws one that suits the style.
+        One of `DESIGNS`; one that suits the style is drawn if None.
     armrests
-        None draws none, mostly.
+        Whether it has armrests; if None, it usually has none.
 
     Returns
     -------
     Mesh
-        Its back is towards the wall; a person on it looks along +y.
+        A chair with its back to the wall; a person on it looks along +y.
     """
     m = style.modern
     weights = (1.2 - m, 1.0, 0.8, 0.2 + 1.3 * m, 0.7, 0.7 * (1 - m), 0.7 * (1 - m), 0.1 + 0.7 * m)
@@ -102,7 +102,7 @@ def _pad(outline: Sequence[tuple[float, float]], height: float) -> Mesh:
 
 
 def seat_cover(rng: np.random.Generator, style: Style) -> Material:
-    """Draw what a seat is covered with."""
+    """Draw the cover of a seat."""
     kind = rng.random()
     if kind < 0.3:
         return palette.leather(rng)
@@ -110,7 +110,7 @@ def seat_cover(rng: np.random.Generator, style: Style) -> Material:
 
 
 def _seat(rng: np.random.Generator, style: Style, wood: Material, width: float, depth: float) -> Mesh:
-    """Draw the seat of a wooden chair: a board, a pad, or rush, its top at the height of seats."""
+    """Draw the seat of a wooden chair (a board, a pad or rush), its top at seat height."""
     outline = _seat_outline(width, width * 0.88, depth)
     kind = rng.random()
     if kind < 0.4:

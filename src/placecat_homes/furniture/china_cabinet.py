@@ -22,16 +22,16 @@ def china_cabinet(rng: np.random.Generator, style: Style, *, width: float | None
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
     Mesh
-        1.7 m to 2.1 m high.
+        A cabinet 1.7 m to 2.1 m high.
     """
     w = width or between(rng, 0.8, 1.35)
     wood = style.any_wood(rng)

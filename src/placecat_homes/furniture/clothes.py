@@ -1,4 +1,4 @@
-"""Clothes and shoes: hung on hangers, folded, and put in pairs."""
+"""Clothes on hangers, folded clothes, and pairs of shoes."""
 
 import math
 
@@ -21,7 +21,7 @@ HANGER = (
 
 
 def cloth(rng: np.random.Generator) -> Material:
-    """Draw what clothes are of."""
+    """Draw the material of a piece of clothing."""
     kind = rng.random()
     if kind < 0.3:
         v = between(rng, 0.06, 0.3) if chance(rng, 0.6) else between(rng, 0.75, 0.95)
@@ -39,16 +39,16 @@ def garment(rng: np.random.Generator, kind: str | None = None, hanger: Material 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     kind
-        "shirt", "jacket", "coat", "dress", "trousers" or "skirt"; None draws it.
+        "shirt", "jacket", "coat", "dress", "trousers" or "skirt"; drawn at random if None.
     hanger
-        What the hanger is of.
+        Material of the hanger.
 
     Returns
     -------
     Mesh
-        Hanging from a rod along x through the origin; its shoulders are along y.
+        Hanging from a rod along x through the origin, with its shoulders along y.
     """
     kind = (
         choose(rng, ("shirt", "jacket", "coat", "dress", "trousers", "skirt"), (5, 2, 1, 2, 2, 0.7))
@@ -97,7 +97,7 @@ def garment(rng: np.random.Generator, kind: str | None = None, hanger: Material 
 
 
 def _body(top: float, hem: float, thick: float, long: float, slope: float, fold: float) -> Mesh:
-    """A hanging hollow of cloth: flat along x, `top` and `hem` metres wide along y."""
+    """A hollow piece of hanging cloth: flat along x, `top` and `hem` metres wide along y."""
 
     def surface(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
         a = s * 2 * math.pi
@@ -111,7 +111,7 @@ def _body(top: float, hem: float, thick: float, long: float, slope: float, fold:
         drop = np.interp(t, [0, 0.12, 1], [0, 0.08 if slope > 0.05 else 0.02, long])
         return x, y, -drop
 
-    # Along s from the front to +y and t downwards would look inwards; s runs the other way.
+    # With s from the front to +y and t downwards the surface would face inwards, so s runs the other way.
     return sheet(lambda s, t: surface(1 - s, t), 14, 6, (2 * top, long))
 
 
@@ -123,21 +123,21 @@ def hanging(
     Parameters
     ----------
     rng
-        Source of their design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Of the rod in metres.
+        Width of the rod in metres.
     long
-        Room below the rod in metres.
+        Space below the rod in metres.
     full
         0 for a nearly empty rod to 1 for a crowded one.
 
     Returns
     -------
     Mesh
-        The rod is the x axis, centred; clothes hang below, about 0.25 m to both sides along
-        y. Without the rod.
+        The clothes without the rod, which is the x axis. They are centred and hang below it, about 0.25 m to
+        both sides along y.
     """
     hanger = choose(rng, HANGER)
     kinds = ["shirt", "shirt", "shirt", "jacket", "trousers", "skirt"]
@@ -174,18 +174,18 @@ def folded(
     Parameters
     ----------
     rng
-        Source of their design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, depth
         Metres.
     count
-        How many; None draws 2 to 6.
+        How many; 2 to 6 if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, the back on y = 0, the folds in front.
+        Standing on z = 0, with the back on y = 0 and the folds in front.
     """
     count = int(rng.integers(2, 7)) if count is None else count
     parts, z = [], 0.0
@@ -204,16 +204,16 @@ def shoes(rng: np.random.Generator, style: Style, kind: str | None = None) -> Me
     Parameters
     ----------
     rng
-        Source of their design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     kind
-        "shoe", "sneaker" or "boot"; None draws it.
+        "shoe", "sneaker" or "boot"; drawn at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, the heels at y = 0.
+        Standing on z = 0, with the heels at y = 0.
     """
     kind = choose(rng, ("shoe", "sneaker", "boot")) if kind is None else kind
     skin = (

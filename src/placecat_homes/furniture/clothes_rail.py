@@ -17,11 +17,11 @@ def clothes_rail(rng: np.random.Generator, style: Style, width: float | None = N
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
@@ -56,16 +56,16 @@ def coat_hooks(rng: np.random.Generator, style: Style, width: float | None = Non
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
     Mesh
-        z = 0 is the lower end of the longest coat; the board is up to 1.3 m above.
+        The lower end of the longest coat is z = 0; the board is up to 1.3 m above.
     """
     width = between(rng, 0.5, 1.1) if width is None else width
     wood = style.any_wood(rng)

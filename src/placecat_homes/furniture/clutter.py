@@ -1,4 +1,4 @@
-"""Small things that lie about on tables and shelves."""
+"""Small objects that lie about on tables and shelves."""
 
 import numpy as np
 
@@ -23,9 +23,9 @@ def mug(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------
@@ -50,9 +50,9 @@ def remote(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------
@@ -68,14 +68,14 @@ def remote(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def small_thing(rng: np.random.Generator, style: Style, height: float = 0.4) -> Mesh:
-    """Draw an ornament for a shelf, sill or sideboard that is lower than `height` metres.
+    """Draw an ornament, lower than `height` metres, for a shelf, sill or sideboard.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     height
         Metres.
 
@@ -109,9 +109,9 @@ def fill(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, height, depth
         Free space in metres.
     pool
@@ -172,13 +172,13 @@ def table_things(rng: np.random.Generator, style: Style, width: float, depth: fl
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, depth
-        Of the table top in metres.
+        Width and depth of the table top in metres.
     count
-        How many things at most.
+        Largest number of objects.
 
     Returns
     -------

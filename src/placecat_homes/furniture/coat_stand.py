@@ -14,14 +14,14 @@ from placecat_homes.style import Style
 
 
 def coat(rng: np.random.Generator, style: Style, length: float | None = None) -> Mesh:
-    """Draw a coat or jacket hanging from a hook; its loop is at the origin, it hangs down.
+    """Draw a coat or jacket that hangs from a hook by its loop at the origin.
 
     Parameters
     ----------
     rng, style
-        Draw the cut and the cloth.
+        Random generator and style that decide the cut and the cloth.
     length
-        Metres; None draws 0.6 to 1.1.
+        Metres; 0.6 to 1.1 if None.
     """
     length = length or between(rng, 0.6, 1.1)
     cloth = _cloth(rng)

@@ -1,4 +1,4 @@
-"""Low tables before a sofa."""
+"""Low tables to stand in front of a sofa."""
 
 import math
 
@@ -16,16 +16,16 @@ from placecat_homes.style import Style
 
 
 def coffee_table(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a coffee table with things on it: rectangular, round, of glass, a chest, or a nest of two.
+    """Draw a coffee table with objects on it: rectangular, round, of glass, a chest, or a nest of two.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------

@@ -16,14 +16,14 @@ from placecat_homes.style import Style
 
 
 def console_table(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a narrow table on legs with keys, letters, a bowl, a telephone, flowers or a lamp on it.
+    """Draw a narrow table on legs, with keys, letters, a bowl, a telephone, flowers or a lamp on it.
 
     Parameters
     ----------
     rng, style
-        Draw the design and the things.
+        Random generator and style that decide the design and the objects.
     width
-        Metres; None draws 0.7 to 1.2.
+        Metres; 0.7 to 1.2 if None.
     """
     width = width or between(rng, 0.7, 1.2)
     deep, high = between(rng, 0.26, 0.36), between(rng, 0.76, 0.88)

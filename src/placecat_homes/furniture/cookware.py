@@ -1,4 +1,4 @@
-"""Pots and pans and what else stands ready for cooking."""
+"""Pots, pans and other things that stand ready for cooking."""
 
 import math
 
@@ -28,7 +28,7 @@ def _pot_metal(rng: np.random.Generator) -> Material:
 
 
 def pot(rng: np.random.Generator, style: Style, *, radius: float | None = None) -> Mesh:
-    """Draw a pot with two handles and mostly a lid, or a saucepan with one long handle."""
+    """Draw a pot with two handles and usually a lid, or a saucepan with one long handle."""
     metal = _pot_metal(rng)
     r = radius or float(rng.uniform(0.085, 0.125))
     height = r * float(rng.uniform(0.8, 1.4))
@@ -135,7 +135,7 @@ def cutting_board(rng: np.random.Generator, style: Style, *, leaning: bool | Non
 
 
 def hanging_rail(rng: np.random.Generator, style: Style, *, width: float | None = None) -> Mesh:
-    """Draw a rail for the wall with ladles, spatulas and pans hanging from hooks; z = 0 is the lowest one."""
+    """Draw a wall rail with ladles, spatulas and pans hanging from hooks; z = 0 is the lowest point."""
     length = width or float(rng.uniform(0.5, 0.9))
     parts = [tube([(-length / 2, 0.045, 0), (length / 2, 0.045, 0)], 0.007, 8).of(style.metal)]
     for x in (-length / 2 + 0.03, length / 2 - 0.03):

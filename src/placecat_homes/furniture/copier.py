@@ -16,12 +16,12 @@ DARK = Material((0.1, 0.1, 0.11), gloss=0.03)
 
 
 def copier(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a copier: trays for paper below, an output tray, a control panel, and a lid with a feeder.
+    """Draw a copier: paper trays below, an output tray, a control panel, and a lid with a feeder.
 
     Parameters
     ----------
     rng, style
-        Draw the size, the colours and what is attached.
+        Random generator and style that decide the size, the colours and the attachments.
     """
     body = _shell(rng)
     trim = choose(

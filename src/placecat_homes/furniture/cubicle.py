@@ -27,18 +27,18 @@ def cubicle(
     rng
         Source of randomness.
     style
-        Of the building.
+        Style of the building.
     count
-        How many.
+        Number of cubicles.
     width, depth
-        Of each, metres; None draws them.
+        Width and depth of each cubicle in metres; drawn at random if None.
     ceramic
-        Of the toilets; None draws one.
+        Material of the toilets; drawn at random if None.
 
     Returns
     -------
     Mesh
-        2 m high, open above, 0.15 m off the floor.
+        Cubicles 2 m high, open above, 0.15 m off the floor.
     """
     width, depth = width or rng.uniform(0.88, 1.0), depth or rng.uniform(1.35, 1.55)
     ceramic = ceramic or palette.ceramic(rng)
@@ -76,7 +76,7 @@ def cubicle(
 
 
 def grab_rails(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a pair of fold-down rails, as beside toilets for the handicapped; z = 0 is the floor."""
+    """Draw a pair of fold-down rails, as beside accessible toilets; z = 0 is the floor."""
     material = style.metal if rng.random() < 0.5 else palette.WHITE
     path = [(0, 0, 0.88), (0, 0.68, 0.88), (0, 0.74, 0.84), (0, 0.74, 0.78), (0, 0.68, 0.74), (0, 0, 0.74)]
     rail = tube(path, 0.017, 8)
@@ -86,14 +86,14 @@ def grab_rails(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _inside(x: float, total: float) -> float:
-    """Keep a post of 12 cm within the row."""
+    """Keep a post 12 cm wide within the row."""
     return min(max(x, -total / 2 + 0.06), total / 2 - 0.06)
 
 
 def _door(
     width: float, height: float, material: Material, metal: Material, side: float, locked: bool
 ) -> Mesh:
-    """Draw a leaf with knob, lock and hinges; its hinges are at `side` (-1 or 1) of x."""
+    """Draw a door leaf with knob, lock and hinges; `side` (-1 or 1) is the end along x with the hinges."""
     free = -side * (width / 2 - 0.06)
     sign = Material((0.75, 0.1, 0.1) if locked else (0.1, 0.55, 0.2))
     parts = [

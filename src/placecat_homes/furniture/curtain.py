@@ -1,4 +1,4 @@
-"""What hangs before windows."""
+"""Curtains, nets and blinds to hang in front of windows."""
 
 import math
 
@@ -22,13 +22,13 @@ def curtains(rng: np.random.Generator, style: Style, width: float = 1.3, height:
     Parameters
     ----------
     rng
-        Source of their design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Of the window in metres; the rod is longer.
+        Width of the window in metres; the rod is longer.
     height
-        From the lower end to the rod in metres.
+        Height of the rod above the lower end, in metres.
 
     Returns
     -------
@@ -83,21 +83,21 @@ def _tied(width: float, height: float, folds: int, side: int) -> Mesh:
         y = 0.03 + 0.03 * np.sin(s * folds * 2 * math.pi) * (1 - 0.5 * waist)
         return x, y, t * height
 
-    # Along s to smaller x and t upwards the surface looks towards +y, into the room.
+    # With s towards smaller x and t upwards the surface faces +y, into the room.
     return sheet(surface, folds * 6, 12, (width, height))
 
 
 def blind(rng: np.random.Generator, style: Style, width: float = 1.2, height: float = 1.4) -> Mesh:
-    """Draw a roller blind, a pleated one, or a venetian one, let down some way.
+    """Draw a roller, pleated or venetian blind, let down some way.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, height
-        Of the window in metres.
+        Width and height of the window in metres.
 
     Returns
     -------
@@ -151,11 +151,11 @@ def net(rng: np.random.Generator, style: Style, width: float = 1.2, height: floa
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, height
-        Of the window in metres.
+        Width and height of the window in metres.
 
     Returns
     -------

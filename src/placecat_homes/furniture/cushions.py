@@ -25,23 +25,23 @@ def upright(width: float, thickness: float, height: float, softness: float = 0.3
 
 
 def scatter(rng: np.random.Generator, style: Style, width: float, count: int | None = None) -> Mesh:
-    """Draw loose pillows that lean on a backrest.
+    """Draw loose pillows that lean against a backrest.
 
     Parameters
     ----------
     rng
-        Source of their designs.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Of the seat in metres.
+        Width of the seat in metres.
     count
-        How many; None draws some.
+        Number of pillows; drawn at random if None.
 
     Returns
     -------
     Mesh
-        On the seat at z = 0, the backrest at y = 0.
+        Pillows on a seat at z = 0 with its backrest at y = 0.
     """
     count = int(rng.integers(0, 2 + round(width / 0.45))) if count is None else count
     first, second = style.any_fabric(rng), style.any_fabric(rng)
@@ -67,12 +67,12 @@ def thrown(
     Parameters
     ----------
     path
-        (y, z) of the surface it lies on, from one end of the blanket to the other, such that the surface's
-        outside is on the left.
+        (y, z) points of the surface it lies on, from one end of the blanket to the other, with the outside of
+        the surface on the left.
     width
         Along x, in metres.
     material
-        Of the blanket.
+        Material of the blanket.
     away
         Distance from the surface in metres.
 

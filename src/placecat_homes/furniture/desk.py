@@ -12,7 +12,7 @@ from placecat_homes.shapes import box, tube
 from placecat_homes.style import Style
 
 HEIGHT = 0.74
-"""Of the top of every desk, in metres: things on it stand here."""
+"""Height of the top of every desk in metres, on which objects stand."""
 
 
 def desk(
@@ -23,9 +23,9 @@ def desk(
     Parameters
     ----------
     rng, style
-        Draw the design, the size and the materials.
+        Random generator and style that decide the design, the size and the materials.
     width, depth
-        Metres; None draws 1.2 to 1.8 by 0.65 to 0.85.
+        Metres; 1.2 to 1.8 by 0.65 to 0.85 if None.
     """
     width = width or float(rng.uniform(1.2, 1.8))
     depth = depth or float(rng.uniform(0.65, 0.85))

@@ -1,4 +1,4 @@
-"""Small things on desks."""
+"""Small objects on desks."""
 
 import math
 
@@ -17,7 +17,7 @@ GREY = Material((0.12, 0.12, 0.13), gloss=0.03)
 
 
 def paper_stack(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a pile of papers, high or low."""
+    """Draw a high or low pile of papers."""
     return stack(rng, between(rng, 0.004, 0.11), loose=0.008).turned(between(rng, -20, 20))
 
 
@@ -95,7 +95,7 @@ def phone(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def book_pile(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a few books lying on each other."""
+    """Draw a small pile of books."""
     parts = []
     z = 0.0
     wide = between(rng, 0.19, 0.24)
@@ -122,7 +122,7 @@ def mug(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def in_tray(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw letter trays on each other, with papers in them."""
+    """Draw stacked letter trays with papers in them."""
     tray = choose(rng, (palette.plastic(rng), Material((0.1, 0.1, 0.1)), style.metal))
     parts = []
     for k in range(int(rng.integers(1, 5))):
@@ -199,16 +199,16 @@ def clutter(
     middle: float = 0.7,
     amount: float = 0.6,
 ) -> Mesh:
-    """Draw all small things on a desk, left and right of where the computer is.
+    """Draw all small objects on a desk, to the left and right of the computer.
 
     Parameters
     ----------
     rng, style
-        Draw what there is.
+        Random generator and style that decide what is there.
     width, depth
-        Of the desk top in metres, z = 0 is the top; back edge on y = 0, centred in x.
+        Width and depth of the desk top in metres. The top is z = 0, its back edge is on y = 0, centred in x.
     middle
-        Width in metres that stays free in the middle.
+        Width in metres of the middle part that stays free.
     amount
         From tidy (0) to untidy (1).
     """

@@ -1,4 +1,4 @@
-"""A table with the chairs around it and what is on it."""
+"""A table with the chairs around it and the objects on it."""
 
 import math
 
@@ -25,20 +25,20 @@ def dining_set(
     shape: str | None = None,
     laid: float = 0.5,
 ) -> Mesh:
-    """Draw a dining table with four to eight chairs, laid for a meal or with something in its middle.
+    """Draw a dining table with four to eight chairs, laid for a meal or with a centrepiece.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     seats
-        About how many; None draws it.
+        Approximate number of chairs; drawn at random if None.
     width, depth
-        Of the table top in metres; None draws what suits the number of seats.
+        Width and depth of the table top in metres; if None, drawn to suit the number of seats.
     shape
-        "rectangle", "round" or "oval"; None draws one.
+        "rectangle", "round" or "oval"; drawn at random if None.
     laid
         Probability that the table is laid.
 
@@ -87,13 +87,13 @@ def dining_set(
 
 
 def _at(mesh: Mesh, x: float, y: float, turn: float, inwards: float) -> Mesh:
-    """Put something at the edge point (x, y) of a table, looking inwards."""
+    """Put an object at the edge point (x, y) of a table, facing inwards."""
     a = math.radians(turn)
     return mesh.turned(turn).moved(x - inwards * math.sin(a), y + inwards * math.cos(a))
 
 
 def _seated(rng: np.random.Generator, model: Mesh, x: float, y: float, turn: float) -> Mesh:
-    """Put a chair at the edge of a table, pushed in more or less."""
+    """Put a chair at the edge of a table, pushed in some way."""
     deep = float(model.size[1])
     inwards = between(rng, 0.1, 0.24) if chance(rng, 0.85) else between(rng, -0.15, 0.05)
     askew = float(rng.normal(0, 3)) if chance(rng, 0.75) else float(rng.normal(0, 13))
@@ -127,21 +127,21 @@ def _beside(
 
 
 def breakfast_set(rng: np.random.Generator, style: Style, *, seats: int | None = None) -> Mesh:
-    """Draw a small table that stands with one side at the wall, with two or three chairs or stools.
+    """Draw a small table with one side at the wall and two or three chairs or stools.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     seats
-        Two or three; None draws it.
+        Number of chairs, two or three; drawn at random if None.
 
     Returns
     -------
     Mesh
-        Its back is at the wall.
+        A set whose back is at the wall.
     """
     number = seats or choose(rng, (2, 2, 3))
     if chance(rng, 0.2):

@@ -1,4 +1,4 @@
-"""Tables for meals."""
+"""Dining tables and kitchen tables."""
 
 import math
 from dataclasses import replace
@@ -30,20 +30,20 @@ def dining_table(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     shape
-        "rectangle", "round" or "oval"; None draws one.
+        "rectangle", "round" or "oval"; drawn at random if None.
     width, depth
-        Of its top in metres; None draws them.
+        Width and depth of its top in metres; drawn at random if None.
     cloth
-        Whether a table cloth lies on it; None draws it.
+        Whether a table cloth lies on it; drawn at random if None.
 
     Returns
     -------
     Mesh
-        0.75 m high.
+        A table 0.75 m high.
     """
     form = shape or choose(rng, ("rectangle", "round", "oval"), (0.65, 0.2, 0.15))
     if form == "round":
@@ -169,13 +169,13 @@ def table_cloth(
     Parameters
     ----------
     rng
-        Source of its folds and pattern.
+        Random generator for the folds and the pattern.
     style
-        Of the home.
+        Style of the home.
     outline
-        Of the table top, centred, counter-clockwise; None is a table of 1.2 m by 0.8 m.
+        Outline of the table top, centred, counter-clockwise; that of a table of 1.2 m by 0.8 m if None.
     drop
-        Metres it hangs down.
+        Length in metres that hangs down.
 
     Returns
     -------
@@ -222,7 +222,7 @@ def small_table(rng: np.random.Generator, style: Style, *, width: float | None =
 
 
 def folding_table(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a narrow table for the wall, as in small kitchens."""
+    """Draw a narrow wall table, as found in small kitchens."""
     wood = style.any_wood(rng)
     w, d = between(rng, 0.8, 1.1), between(rng, 0.45, 0.55)
     top = box(w, d, 0.03, 0.005).moved(z=HEIGHT - 0.03).of(wood)

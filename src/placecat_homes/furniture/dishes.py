@@ -313,7 +313,7 @@ def shelf_of_dishes(
     height: float = 0.3,
     china: Material | None = None,
 ) -> Mesh:
-    """Draw a row of dishes for a shelf of some width, depth and clear height."""
+    """Draw a row of dishes for a shelf of the given width, depth and clear height."""
     material = china or _china(rng)
     things: list[Mesh] = []
     filled = 0.0

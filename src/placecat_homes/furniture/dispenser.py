@@ -1,4 +1,4 @@
-"""What hangs on the walls of lavatories: soap, paper, dryers; and their bins."""
+"""Soap and paper dispensers and hand dryers for the walls of lavatories, and waste bins."""
 
 import numpy as np
 
@@ -31,7 +31,7 @@ def soap_box(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def towel_dispenser(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a dispenser of paper towels, one hanging out; hang it 1.1 m high."""
+    """Draw a paper-towel dispenser with one towel hanging out; hang it 1.1 m high."""
     shell = _shell(rng, style)
     width, height = rng.uniform(0.27, 0.32), rng.uniform(0.3, 0.42)
     outline = rounded(width, 0.14, 0.04, 0.003)
@@ -65,7 +65,7 @@ def hand_dryer(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def paper_dispenser(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a round dispenser of large rolls of toilet paper; hang it 0.7 m high."""
+    """Draw a round dispenser for large rolls of toilet paper; hang it 0.7 m high."""
     shell = _shell(rng, style)
     body = cylinder(0.13, 0.11, 20, bevel=0.012).turned(-90, "x").moved(0, 0, 0.17)
     return grounded(

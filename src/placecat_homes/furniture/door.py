@@ -1,4 +1,4 @@
-"""Doors: frame, and a leaf that stands open or is shut."""
+"""Doors: a frame and a leaf that is open or shut."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -32,11 +32,11 @@ def door(
     Parameters
     ----------
     rng
-        Draws the design: plain, panelled or glazed, with a handle or knob.
+        Random generator for the design: plain, panelled or glazed, with a handle or a knob.
     style
-        Of the building.
+        Style of the building.
     width, height
-        Of the opening in metres.
+        Width and height of the opening in metres.
     wall
         Thickness of the wall.
     angle
@@ -44,12 +44,12 @@ def door(
     hinge
         "left" or "right", as seen from the room it swings into.
     glass
-        The leaf is a pane of glass in a narrow frame.
+        Make the leaf a pane of glass in a narrow frame.
 
     Returns
     -------
     Mesh
-        The near face of the wall is y = 0, the far one y = -wall; the leaf swings to +y.
+        A door in a wall whose near face is y = 0 and whose far face is y = -wall; the leaf swings to +y.
     """
     designs = ["plain", "two", "four", "lights"]
     design = "glass" if glass else str(rng.choice(designs, p=[0.35, 0.25, 0.25, 0.15]))
@@ -60,7 +60,7 @@ def door(
     side = leaf_width / 2 - 0.07
     for face in (0, 1):
         handle = _handle(style.metal, knob, leaf_width)
-        # The leaf's hinge is at x = +width / 2, the left as seen from +y.
+        # The hinge of the leaf is at x = +width / 2, on the left as seen from +y.
         if face == 0:
             handle = handle.moved(-side, LEAF, 0.0)
         else:
@@ -79,9 +79,9 @@ def frame(style: Style, width: float, height: float, wall: float = 0.12, casing:
     Parameters
     ----------
     style
-        Of the building.
+        Style of the building.
     width, height
-        Of the opening in metres.
+        Width and height of the opening in metres.
     wall
         Thickness of the wall.
     casing
@@ -90,7 +90,7 @@ def frame(style: Style, width: float, height: float, wall: float = 0.12, casing:
     Returns
     -------
     Mesh
-        The near face of the wall is y = 0, the far one y = -wall.
+        The near face of the wall is y = 0, the far face y = -wall.
     """
     t, deep = _LINING, 0.014
     parts = []
@@ -107,7 +107,7 @@ def frame(style: Style, width: float, height: float, wall: float = 0.12, casing:
 
 
 def leaf_corners(width: float, angle: float, hinge: str) -> np.ndarray:
-    """Give the (4, 2) corners of an open leaf's footprint in the frame of `door`, counter-clockwise."""
+    """Return the (4, 2) footprint corners of an open leaf in the frame of `door`, counter-clockwise."""
     t, w = _LINING, width - 2 * _LINING + 0.012
     corners = np.array([(-w, -LEAF), (0.0, -LEAF), (0.0, 0.0), (-w, 0.0)])
     c, s = np.cos(np.radians(-angle)), np.sin(np.radians(-angle))
@@ -141,7 +141,7 @@ def _framed(
     bar: float,
     filling: Material | None = None,
 ) -> Mesh:
-    """A leaf of stiles and rails around panels; None leaves frosted glass in between."""
+    """A leaf of stiles and rails around panels, or around frosted glass if `panel` is None."""
     parts = []
     for sign in (-1, 1):
         parts.append(_upright(box(bar, LEAF, height, 0.003)).moved(sign * (width - bar) / 2))
@@ -182,7 +182,7 @@ def _upright(mesh: Mesh) -> Mesh:
 
 
 def _handle(metal: Material, knob: bool, width: float) -> Mesh:
-    """A handle on the face y = 0 that points to the hinge (+x), at the height of a hand."""
+    """A handle on the face y = 0, at hand height, that points to the hinge (+x)."""
     z = 1.03
     if knob:
         ball = cylinder(0.028, 0.03, 12, 0.01).turned(-90, "x").moved(0, 0.03, z)

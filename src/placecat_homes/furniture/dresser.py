@@ -1,4 +1,4 @@
-"""Chests of drawers, dressing tables, benches for bedrooms."""
+"""Chests of drawers, dressing tables and benches for bedrooms."""
 
 import math
 
@@ -22,7 +22,7 @@ from placecat_homes.style import Style
 
 
 def _stand(mesh: Mesh, x: float, y: float, z: float) -> Mesh:
-    """Move a thing so that the middle of its footprint comes to x, y and its foot to z."""
+    """Move an object so that the middle of its footprint is at x, y and its foot at z."""
     middle = (mesh.low + mesh.high) / 2
     return mesh.moved(x - float(middle[0]), y - float(middle[1]), z - float(mesh.low[2]))
 
@@ -39,13 +39,13 @@ def jewel_box(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def standing_mirror(rng: np.random.Generator, style: Style, width: float = 0.5, height: float = 0.6) -> Mesh:
-    """Draw a mirror on a foot, for a chest or dressing table: oval or square, tilted a little."""
+    """Draw a slightly tilted oval or square mirror on a foot, for a chest or dressing table."""
     outline = (
         rounded(width, height, (width / 2, height / 2), points=8)
         if rng.random() < 0.55
         else rounded(width, height, 0.04, points=4)
     )
-    # The glass is drawn lying with its face down, then raised: its face looks to +y.
+    # The glass is drawn lying face down and then raised, so that it faces +y.
     glass = loft([(outline, 0.0), (outline, 0.006)]).turned(90, "x").moved(0, 0.02, 0)
     frame = style.any_wood(rng) if rng.random() < 0.7 else style.metal
     rim = tube([(float(x), 0.012, float(z)) for x, z in [*outline, outline[0]]], 0.016, 6)
@@ -63,7 +63,7 @@ def standing_mirror(rng: np.random.Generator, style: Style, width: float = 0.5, 
 
 
 def _decoration(rng: np.random.Generator, style: Style, width: float, depth: float, top: float) -> Mesh:
-    """Put a mirror, a lamp, flacons, a casket, framed photographs, clothes on a chest."""
+    """Put a mirror, a lamp, perfume bottles, a casket, framed photographs and clothes on a chest."""
     parts: list[Mesh] = []
     room = [(-width / 2 + 0.03, width / 2 - 0.03)]
     if width > 0.75 and rng.random() < 0.4:
@@ -117,14 +117,14 @@ def dresser(rng: np.random.Generator, style: Style, *, width: float | None = Non
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws 0.5 to 1.5 m.
+        Metres; 0.5 to 1.5 m if None.
 
     Returns
     -------
     Mesh
-        0.75 to 1.25 m high without the decoration.
+        A chest 0.75 to 1.25 m high without the decoration.
     """
     width = width or rng.uniform(0.6, 1.5)
     depth = rng.uniform(0.4, 0.5)
@@ -163,7 +163,7 @@ def dresser(rng: np.random.Generator, style: Style, *, width: float | None = Non
 
 
 def vanity_table(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a dressing table with its mirror, drawers, flacons, and a stool before it."""
+    """Draw a dressing table with mirror, drawers and perfume bottles, and a stool in front of it."""
     width, depth, height = rng.uniform(0.85, 1.15), rng.uniform(0.4, 0.48), 0.75
     material = style.any_wood(rng)
     design = "flat" if style.modern > 0.5 else "raised"
@@ -261,14 +261,14 @@ def bed_bench(rng: np.random.Generator, style: Style, *, width: float | None = N
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws 0.9 to 1.4 m.
+        Metres; 0.9 to 1.4 m if None.
 
     Returns
     -------
     Mesh
-        0.45 m high.
+        A bench or chest 0.45 m high.
     """
     width = width or rng.uniform(0.9, 1.4)
     depth, high = rng.uniform(0.36, 0.44), rng.uniform(0.42, 0.48)
@@ -309,7 +309,7 @@ def bed_bench(rng: np.random.Generator, style: Style, *, width: float | None = N
 
 
 def tall_mirror(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a mirror as high as a person that leans on the wall."""
+    """Draw a mirror as tall as a person that leans against the wall."""
     width, height, frame = rng.uniform(0.42, 0.7), rng.uniform(1.5, 1.8), rng.uniform(0.02, 0.06)
     material = style.any_wood(rng) if rng.random() < 0.7 else style.metal
     post = box(frame, 0.03, height, bevel=0.006).of(material)

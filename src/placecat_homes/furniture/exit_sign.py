@@ -10,14 +10,14 @@ from placecat_homes.style import Style
 
 
 def exit_sign(rng: np.random.Generator, style: Style, *, hanging: bool = False) -> Mesh:
-    """Draw a lit green sign: for a wall (z = 0 its lower edge), or hanging from the ceiling (z = 0).
+    """Draw a lit green sign for a wall (lower edge at z = 0) or the ceiling (which is then z = 0).
 
     Parameters
     ----------
     rng, style
-        Draw the size and the direction of the arrow.
+        Random generator and style that decide the size and the direction of the arrow.
     hanging
-        Let it hang from the ceiling, with two faces.
+        Hang the sign from the ceiling, with two faces.
     """
     width = between(rng, 0.3, 0.42)
     height = width / 2

@@ -1,4 +1,4 @@
-"""Cabinets for files: with drawers, with doors, low or high."""
+"""High and low filing cabinets with drawers or doors."""
 
 import numpy as np
 
@@ -30,7 +30,7 @@ def filing_cabinet(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def steel_cabinet(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a cabinet with two doors or a roller front, as high as a person or half as high."""
+    """Draw a cabinet with two doors or a roller front, as tall as a person or half as tall."""
     skin = _skin(rng, style)
     wide, deep = between(rng, 0.8, 1.0), between(rng, 0.4, 0.48)
     high = choose(rng, (between(rng, 1.75, 1.98), between(rng, 0.95, 1.2)), (0.6, 0.4))

@@ -1,4 +1,4 @@
-"""Fireplaces and stoves for wood."""
+"""Fireplaces and wood stoves."""
 
 import numpy as np
 
@@ -36,14 +36,14 @@ def _fire(rng: np.random.Generator, width: float, lit: bool) -> Mesh:
 
 
 def fireplace(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a fireplace with a mantelpiece and things on it, or an iron stove.
+    """Draw a fireplace with objects on its mantelpiece, or an iron stove.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------

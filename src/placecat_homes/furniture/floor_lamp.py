@@ -14,14 +14,14 @@ from placecat_homes.style import Style
 
 
 def floor_lamp(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a standing lamp: with a shade, on three legs, with a bent arm, or an uplighter.
+    """Draw a standing lamp: with a shade, on three legs, with a bent arm, or as an uplighter.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------

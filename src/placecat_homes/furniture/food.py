@@ -105,7 +105,7 @@ def bread_box(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def jar(rng: np.random.Generator, style: Style, *, height: float | None = None) -> Mesh:
-    """Draw a storage jar with its filling and lid."""
+    """Draw a filled storage jar with its lid."""
     tall = height or float(rng.uniform(0.12, 0.26))
     r = float(rng.uniform(0.042, 0.058))
     lid = (palette.wood, palette.metal, palette.plastic)[int(rng.integers(3))](rng)
@@ -120,7 +120,7 @@ def jar(rng: np.random.Generator, style: Style, *, height: float | None = None) 
 
 
 def jars(rng: np.random.Generator, style: Style, *, count: int | None = None) -> Mesh:
-    """Draw a row of storage jars of falling height."""
+    """Draw a row of storage jars of decreasing height."""
     number = count or int(rng.integers(3, 6))
     seed = int(rng.integers(2**31))
     things = []

@@ -22,18 +22,18 @@ def fridge(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     design
-        "single", "two" (freezer above or below), "double" (side by side) or "retro"; None draws one.
+        "single", "two" (freezer above or below), "double" (side by side) or "retro"; drawn at random if None.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
     Mesh
-        1.4 to 2 m high.
+        A refrigerator 1.4 to 2 m high.
     """
     weights = (0.2, 0.5, 0.12, 0.18) if width is None or width < 0.8 else (0, 0.1, 0.9, 0)
     kind = design or choose(rng, ("single", "two", "double", "retro"), weights)

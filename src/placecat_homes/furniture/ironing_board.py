@@ -29,16 +29,16 @@ def iron(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def ironing_board(rng: np.random.Generator, style: Style, folded_up: bool | None = None) -> Mesh:
-    """Draw an ironing board, put up with an iron on it, or folded and leaning on the wall.
+    """Draw an ironing board, set up with an iron on it, or folded and leaning against the wall.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     folded_up
-        None draws it.
+        Whether the board is folded; drawn at random if None.
 
     Returns
     -------
@@ -69,7 +69,7 @@ def ironing_board(rng: np.random.Generator, style: Style, folded_up: bool | None
         ]
         legs.append(tube([(-long * 0.45, -0.16, -0.02), (-long * 0.45, 0.16, -0.02)], 0.011, 6))
         board = join(top, join(legs).of(steel))
-        # Its length upwards, its underside to the wall.
+        # The board stands upright with its underside to the wall.
         return grounded(board.turned(-90, "y").turned(90).turned(180).turned(7, "x"))
     parts = [top.moved(0, 0, height - 0.03)]
     for s, (a, b) in ((-1, (-0.38, 0.3)), (1, (0.38, -0.34))):

@@ -25,25 +25,25 @@ def island(
     bar: bool = True,
     design: Design | None = None,
 ) -> Mesh:
-    """Draw a free-standing block of cabinets with a worktop, fruit and dishes on it.
+    """Draw a free-standing block of cabinets with fruit and dishes on its worktop.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
         Metres.
     bar
-        Whether the worktop sticks out behind, for stools (their place is y < 0.3).
+        Whether the worktop sticks out behind to leave space for stools (at y < 0.3).
     design
-        Of the kitchen; None draws one.
+        Design of the kitchen; drawn at random if None.
 
     Returns
     -------
     Mesh
-        The cabinets' doors look to +y.
+        An island whose cabinet doors face +y.
     """
     looks = design or Design.draw(rng, style)
     units = row(rng, width, [])

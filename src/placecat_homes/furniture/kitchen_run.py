@@ -26,33 +26,33 @@ def kitchen_run(
     dishwasher: bool | None = None,
     cooker: bool = True,
 ) -> Mesh:
-    """Draw a straight fitted kitchen with sink, hob, oven, worktop, what hangs above it and things on it.
+    """Draw a straight fitted kitchen: sink, hob, oven and worktop, what hangs above, and objects on it.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     length
-        Metres, from about 1.2.
+        Length in metres, at least about 1.2.
     design
-        Its looks; None draws one.
+        Look of the kitchen; drawn at random if None.
     ceiling
         Height of the room in metres.
     wall_cabinets
-        False leaves out all above the worktop.
+        False leaves out everything above the worktop.
     windows
-        Left and right end (in x) and sill of windows behind it in metres; nothing hangs there.
+        Left end, right end (in x) and sill height in metres of each window behind it; nothing hangs there.
     dishwasher
-        None draws whether there is one, if there is space.
+        Whether there is one; if None, drawn at random where there is space.
     cooker
         Whether it has a hob and oven.
 
     Returns
     -------
     Mesh
-        0.6 m deep.
+        A kitchen 0.6 m deep.
     """
     looks = design or Design.draw(rng, style)
     fixed: list[tuple[str, float]] = [("sink", sink_width(rng, length))]

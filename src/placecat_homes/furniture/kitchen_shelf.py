@@ -18,16 +18,16 @@ def kitchen_shelf(rng: np.random.Generator, style: Style, *, width: float | None
     Parameters
     ----------
     rng
-        Source of details.
+        Random generator for the details.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
     Mesh
-        For the wall; z = 0 is its lowest point.
+        A shelf for the wall; its lowest point is z = 0.
     """
     w, depth = width or between(rng, 0.6, 1.3), between(rng, 0.16, 0.22)
     wood = style.any_wood(rng)

@@ -1,4 +1,4 @@
-"""Tall kitchen cupboards: with built-in ovens, or open with provisions."""
+"""Tall kitchen cupboards with built-in ovens, and open shelves with provisions."""
 
 import numpy as np
 
@@ -19,21 +19,21 @@ from placecat_homes.style import Style
 
 
 def oven_tower(rng: np.random.Generator, style: Style, *, design: Design | None = None) -> Mesh:
-    """Draw a tall cabinet with an oven, mostly a microwave oven above it, and doors and drawers.
+    """Draw a tall cabinet with an oven, usually a microwave oven above it, and doors and drawers.
 
     Parameters
     ----------
     rng
-        Source of details.
+        Random generator for the details.
     style
-        Of the home.
+        Style of the home.
     design
-        Of the kitchen; None draws one.
+        Design of the kitchen; drawn at random if None.
 
     Returns
     -------
     Mesh
-        About 2 m high.
+        A cabinet about 2 m high.
     """
     looks = design or Design.draw(rng, style)
     w, depth = 0.6, looks.depth
@@ -65,16 +65,16 @@ def larder(rng: np.random.Generator, style: Style, *, width: float | None = None
     Parameters
     ----------
     rng
-        Source of details.
+        Random generator for the details.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
     Mesh
-        1.5 m to 1.9 m high.
+        Shelves 1.5 m to 1.9 m high.
     """
     w, depth, height = width or between(rng, 0.6, 1.0), between(rng, 0.34, 0.42), between(rng, 1.5, 1.9)
     wood = style.any_wood(rng) if chance(rng, 0.7) else style.metal

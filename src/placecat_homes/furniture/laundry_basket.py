@@ -47,7 +47,7 @@ def laundry_basket(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def heap(rng: np.random.Generator, cloth: Material, width: float, height: float) -> Mesh:
-    """Draw a crumpled piece of clothing lying on z = 0, centred."""
+    """Draw a crumpled piece of clothing that lies on z = 0, centred."""
     waves = rng.uniform(0, 2 * math.pi, 6)
     stretch = rng.uniform(0.5, 0.85)
 

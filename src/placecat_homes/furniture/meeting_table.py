@@ -1,4 +1,4 @@
-"""Tables to sit around in offices."""
+"""Meeting tables for offices."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from placecat_homes.style import Style
 
 
 def meeting_table(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a round table on a column, or a square one on legs; its top is as high as a desk's."""
+    """Draw a round table on a column or a square one on legs, as high as a desk."""
     wide = between(rng, 0.8, 1.1)
     top = surface(rng, style)
     if chance(rng, 0.6):

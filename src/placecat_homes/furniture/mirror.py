@@ -13,14 +13,14 @@ from placecat_homes.style import Style
 def mirror(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw a mirror in a frame: upright, lying, round or oval; to hang on a wall.
+    """Draw a framed mirror to hang on a wall: upright, lying, round or oval.
 
     Parameters
     ----------
     rng, style
-        Draw the design.
+        Random generator and style that the design is drawn from.
     width, height
-        Metres; None draws 0.4 to 0.8 by 0.6 to 1.5.
+        Metres; 0.4 to 0.8 by 0.6 to 1.5 if None.
     """
     width = width or between(rng, 0.4, 0.75)
     height = height or choose(rng, (between(rng, 1.2, 1.6), between(rng, 0.6, 1.0)))

@@ -1,4 +1,4 @@
-"""Bedside tables with what lies on them."""
+"""Bedside tables and the objects on them."""
 
 import numpy as np
 
@@ -49,7 +49,7 @@ def _glass(rng: np.random.Generator) -> Mesh:
 
 
 def _tops(rng: np.random.Generator, style: Style, width: float, depth: float, height: float) -> Mesh:
-    """Put lamp, books, clock, glass on a top, without overlaps."""
+    """Put a lamp, books, a clock and a glass on a top without overlaps."""
     parts = []
     side = float(rng.choice((-1, 1)))
     if rng.random() < 0.85:
@@ -79,21 +79,21 @@ def _tops(rng: np.random.Generator, style: Style, width: float, depth: float, he
 
 
 def nightstand(rng: np.random.Generator, style: Style, *, seed: int | None = None) -> Mesh:
-    """Draw a bedside table with a lamp, books, an alarm clock.
+    """Draw a bedside table with a lamp, books and an alarm clock.
 
     Parameters
     ----------
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     seed
-        Equal seeds give tables of the same design (both sides of a bed); None draws a design.
+        Equal seeds give tables of the same design, as on both sides of a bed; drawn at random if None.
 
     Returns
     -------
     Mesh
-        The table 0.4 to 0.65 m high.
+        A table 0.4 to 0.65 m high.
     """
     plan = rng if seed is None else np.random.default_rng(seed)
     width, depth, height = plan.uniform(0.38, 0.55), plan.uniform(0.34, 0.42), plan.uniform(0.42, 0.62)

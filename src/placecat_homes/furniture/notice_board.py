@@ -1,4 +1,4 @@
-"""Boards with notices, and posters on the wall."""
+"""Notice boards, and posters on the wall."""
 
 import numpy as np
 
@@ -19,9 +19,9 @@ def notice_board(
     Parameters
     ----------
     rng, style
-        Draw the board and what is on it.
+        Random generator and style that decide the board and what is on it.
     width, height
-        Metres; None draws 0.6 to 1.6 by 0.5 to 1.1.
+        Metres; 0.6 to 1.6 by 0.5 to 1.1 if None.
     """
     width = width or between(rng, 0.6, 1.6)
     height = height or between(rng, 0.5, 1.1)
@@ -38,7 +38,7 @@ def notice_board(
 
 
 def papers_on_wall(rng: np.random.Generator, style: Style, width: float = 0.9, height: float = 0.7) -> Mesh:
-    """Draw sheets stuck straight on a wall or door."""
+    """Draw sheets stuck directly on a wall or door."""
     return _papers(rng, width, height, round(width * height * between(rng, 6, 12)) + 2)
 
 

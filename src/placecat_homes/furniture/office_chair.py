@@ -1,4 +1,4 @@
-"""Chairs of offices: on castors, and for visitors."""
+"""Office chairs: on castors, and for visitors."""
 
 import math
 
@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def office_chair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a swivel chair on a five-star base: for typing, of mesh, or an executive's."""
+    """Draw a swivel chair on a five-star base: a typing, mesh or executive chair."""
     kind = str(rng.choice(["task", "mesh", "executive"], p=[0.45, 0.3, 0.25]))
     frame = style.metal if rng.random() < 0.35 else _plastic(rng)
     if kind == "executive":

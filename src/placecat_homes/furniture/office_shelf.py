@@ -20,14 +20,14 @@ CARD = Material((0.66, 0.52, 0.36))
 def office_shelf(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw a bookcase of an office, filled, sometimes with doors below.
+    """Draw a filled office bookcase, sometimes with doors below.
 
     Parameters
     ----------
     rng, style
-        Draw the design and what stands in it.
+        Random generator and style that decide the design and what stands in it.
     width, height
-        Metres; None draws 0.75 to 1.25 by 1.1 to 2.2.
+        Metres; 0.75 to 1.25 by 1.1 to 2.2 if None.
     """
     width = width or between(rng, 0.75, 1.25)
     height = height or choose(rng, (between(rng, 1.1, 1.3), between(rng, 1.75, 2.2)), (0.3, 0.7))
@@ -75,16 +75,16 @@ def shelf_row(
     colours: list[tuple[float, float, float]],
     style: Style,
 ) -> Mesh:
-    """Fill one board of a shelf: binders, books, journals, boxes or little of all.
+    """Fill one board of a shelf with binders, books, journals, boxes or a few of each.
 
     Parameters
     ----------
     rng, style
-        Draw what stands there.
+        Random generator and style that decide what stands there.
     width, height, depth
-        Metres free on the board.
+        Free space on the board in metres.
     colours
-        Of the binders.
+        Colours of the binders.
     """
     parts: list[Mesh] = []
     x = -width / 2 + 0.005

@@ -21,11 +21,11 @@ def picture(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, height
-        With the frame, in metres; None draws them.
+        Size with the frame, in metres; drawn at random if None.
 
     Returns
     -------
@@ -78,16 +78,16 @@ def group(rng: np.random.Generator, style: Style, count: int | None = None) -> M
     Parameters
     ----------
     rng
-        Source of their designs.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     count
-        How many; None draws 2 to 6.
+        How many; 2 to 6 if None.
 
     Returns
     -------
     Mesh
-        z = 0 is the lower end of the lowest.
+        The lower end of the lowest picture is z = 0.
     """
     count = int(rng.integers(2, 7)) if count is None else count
     gap = between(rng, 0.04, 0.1)
@@ -120,9 +120,9 @@ def poster(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------

@@ -11,12 +11,12 @@ from placecat_homes.style import Style
 
 
 def pigeonholes(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a rack of mail slots with names, letters and papers in them; it stands on a low cabinet.
+    """Draw a rack of mail slots with names, letters and papers, standing on a low cabinet.
 
     Parameters
     ----------
     rng, style
-        Draw the number of slots, the material and the mail.
+        Random generator and style that decide the number of slots, the material and the mail.
     """
     columns, rows = int(rng.integers(3, 6)), int(rng.integers(5, 10))
     slot_wide, slot_high, deep = between(rng, 0.25, 0.3), between(rng, 0.09, 0.13), between(rng, 0.33, 0.38)

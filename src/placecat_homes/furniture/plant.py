@@ -17,7 +17,7 @@ from placecat_homes.style import Style
 Points = NDArray[np.float64]
 
 OVAL = (0.12, 0.8, 1.0, 0.75, 0.0)
-"""Widths of a leaf from its stalk to its tip: of a rubber tree."""
+"""Widths of a rubber tree's leaf from its stalk to its tip."""
 
 HEART = (0.55, 1.0, 0.85, 0.5, 0.0)
 SWORD = (0.7, 0.9, 1.0, 0.8, 0.0)
@@ -38,13 +38,13 @@ def leaves(
     Parameters
     ----------
     foot
-        (n, 3), where they begin, in metres.
+        (n, 3), where the leaves begin, in metres.
     direction
-        (n, 3), where they point at first.
+        (n, 3), direction in which they start.
     length, width
         (n,) metres.
     bend
-        (n,) radians that the tip is bent down by.
+        (n,) radians by which the tip is bent down.
     outline
         Widths from the stalk to the tip, relative to `width`.
     crease
@@ -89,7 +89,7 @@ def leaves(
 
 
 def _around(rng: np.random.Generator, n: int, low: float, high: float) -> Points:
-    """Directions around the z axis that rise by `low` to `high` degrees."""
+    """Directions all around the z axis that rise by `low` to `high` degrees."""
     turn = np.arange(n) * 2.4 + rng.uniform(0, 6.28) + rng.normal(0, 0.25, n)
     rise = np.radians(rng.uniform(low, high, n))
     return np.stack([np.cos(turn) * np.cos(rise), np.sin(turn) * np.cos(rise), np.sin(rise)], 1)
@@ -101,9 +101,9 @@ def pot(rng: np.random.Generator, style: Style, radius: float, height: float) ->
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     radius, height
         Metres.
 
@@ -145,11 +145,11 @@ def plant(rng: np.random.Generator, style: Style, height: float | None = None) -
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     height
-        Metres with the pot: below 0.6 a plant for a sill or table. None draws a plant for the floor.
+        Height with the pot in metres: below 0.6, a plant for a sill or table; if None, a plant for the floor.
 
     Returns
     -------
@@ -334,16 +334,16 @@ def blossom(rng: np.random.Generator, size: float, petal: Material) -> Mesh:
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     size
-        Across, in metres.
+        Diameter in metres.
     petal
-        What its petals are of.
+        Material of the petals.
 
     Returns
     -------
     Mesh
-        Around the origin, looking up.
+        A flower at the origin that faces upwards.
     """
     if chance(rng, 0.4):
         return superellipsoid(size * 0.8, size * 0.8, size, 0.9, 1, 10).moved(0, 0, -size * 0.3).of(petal)

@@ -1,4 +1,4 @@
-"""Printers: small ones for a desk, larger ones, and plotters."""
+"""Printers: small printers for a desk, larger ones, and plotters."""
 
 import math
 
@@ -17,13 +17,13 @@ DARK = Material((0.08, 0.08, 0.09), gloss=0.03)
 
 
 def printer(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a printer to stand on a table: laser, or inkjet with a scanner."""
+    """Draw a printer for a table: a laser printer, or an inkjet printer with a scanner."""
     skin = _skin(rng)
     return _laser(rng, skin) if chance(rng, 0.6) else _inkjet(rng, skin)
 
 
 def floor_printer(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a larger printer on a stack of paper drawers on castors."""
+    """Draw a larger printer on a stack of paper drawers with castors."""
     skin = _skin(rng)
     top = _laser(rng, skin, large=True)
     wide, deep = float(top.size[0]), float(top.high[1])
@@ -41,7 +41,7 @@ def floor_printer(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def plotter(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a plotter for posters on its stand; a printed sheet hangs out of it."""
+    """Draw a poster plotter on its stand, with a printed sheet hanging out."""
     wide = between(rng, 1.1, 1.6)
     skin, trim = _skin(rng), choose(rng, (DARK, palette.plastic(rng)))
     parts = [
@@ -78,7 +78,7 @@ def plotter(rng: np.random.Generator, style: Style) -> Mesh:
         parts.append(tube(line, 0.008, 6).of(DARK))
 
         def basket(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
-            """Sag between the two bars."""
+            """Let the sheet sag between the two bars."""
             return (0.5 - s) * (wide - 0.32), 0.3 + 0.32 * t, 0.35 - 0.22 * np.sin(math.pi * t)
 
         parts.append(sheet(basket, 1, 8).of(cloth))

@@ -11,21 +11,21 @@ from placecat_homes.style import Style
 def radiator(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Build a radiator, to be hung about 0.12 m above the floor.
+    """Build a radiator, to hang about 0.12 m above the floor.
 
     Parameters
     ----------
     rng
-        Draws the design.
+        Random generator for the design.
     style
-        Of the building.
+        Style of the building.
     width, height
-        Metres; None draws them.
+        Metres; drawn at random if None.
 
     Returns
     -------
     Mesh
-        Its back at the wall, at most 0.13 m deep.
+        A radiator with its back at the wall, at most 0.13 m deep.
     """
     wide = float(rng.uniform(0.6, 1.3)) if width is None else width
     tall = float(rng.uniform(0.5, 0.62)) if height is None else height

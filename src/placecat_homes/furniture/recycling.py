@@ -14,7 +14,7 @@ DARK = Material((0.06, 0.06, 0.065), gloss=0.03)
 
 
 def recycling(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw two or three bins side by side with lids of different colours and signs."""
+    """Draw two or three bins side by side, with signs and lids of different colours."""
     body = palette.plastic(rng) if chance(rng, 0.6) else style.metal
     wide, deep, high = between(rng, 0.28, 0.36), between(rng, 0.3, 0.4), between(rng, 0.6, 0.85)
     parts = []

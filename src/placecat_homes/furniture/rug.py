@@ -19,16 +19,16 @@ def rug(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, depth
-        Metres; None draws them.
+        Metres; drawn at random if None.
 
     Returns
     -------
     Mesh
-        One centimetre high, its back on y = 0.
+        A rug one centimetre high, its back on y = 0.
     """
     width = between(rng, 1.2, 2.4) if width is None else width
     depth = width * between(rng, 0.6, 0.75) if depth is None else depth
@@ -47,14 +47,14 @@ def rug(
 
 
 def mat(rng: np.random.Generator, style: Style, width: float = 0.8, depth: float = 0.5) -> Mesh:
-    """Draw a small mat, as before a bed, bath or door.
+    """Draw a small mat, such as those in front of beds, baths and doors.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, depth
         Metres.
 

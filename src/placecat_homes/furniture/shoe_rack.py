@@ -68,7 +68,7 @@ def shoe_cabinet(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def shoes_on_floor(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a few pairs of shoes left on the floor beside each other."""
+    """Draw a few pairs of shoes left side by side on the floor."""
     count = int(rng.integers(1, 4))
     pairs = [
         shoes(rng, style)

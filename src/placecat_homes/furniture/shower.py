@@ -24,27 +24,27 @@ def shower(
     width: float | None = None,
     kind: str | None = None,
 ) -> Mesh:
-    """Draw a shower with its tray, tiled back wall, head, and walls of glass or a curtain.
+    """Draw a shower with tray, tiled back wall, shower head, and glass walls or a curtain.
 
     Parameters
     ----------
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     ceramic
-        Of the tray; None draws one.
+        Material of the tray; drawn at random if None.
     tiles
-        Behind it; None draws them.
+        Tiles of the wall behind it; drawn at random if None.
     width
-        Metres; None draws one.
+        Metres; drawn at random if None.
     kind
-        "cabin" (glass around, a door), "walk-in" (one pane) or "curtain"; None draws one.
+        "cabin" (glass on all sides, a door), "walk-in" (one pane) or "curtain"; drawn at random if None.
 
     Returns
     -------
     Mesh
-        2 to 2.1 m high.
+        A shower 2 to 2.1 m high.
     """
     ceramic = ceramic or palette.ceramic(rng)
     tiles = tiles or palette.tiles(rng)
@@ -96,7 +96,7 @@ def _tray(ceramic: Material, metal: Material, width: float, depth: float, rim: f
 
 
 def _fittings(rng: np.random.Generator, style: Style, width: float) -> Mesh:
-    """Draw mixer, head, hose and a shelf with bottles, all on the back wall."""
+    """Draw the mixer, the head, the hose and a shelf with bottles, all on the back wall."""
     metal = style.metal
     parts = [wall_mixer(metal, spout=False).moved(0, 0, 1.05)]
     if rng.random() < 0.5:

@@ -9,20 +9,20 @@ from placecat_homes.mesh import Mesh
 from placecat_homes.style import Style
 
 DEEP = 0.012
-"""How far the leaf lies behind the front of its frame, in metres."""
+"""Distance of the leaf behind the front of its frame, in metres."""
 
 
 def shut_door(
     rng: np.random.Generator, style: Style, width: float = 0.9, height: float = 2.05, hinge: str = "left"
 ) -> Mesh:
-    """Draw what is seen of a shut door, to stand flat on a wall.
+    """Draw the visible side of a shut door, to stand flat against a wall.
 
     Parameters
     ----------
     rng, style
-        Draw the design.
+        Random generator and style that the design is drawn from.
     width, height
-        Of the opening in metres.
+        Width and height of the opening in metres.
     hinge
         "left" or "right".
     """

@@ -14,18 +14,18 @@ from placecat_homes.style import Style
 def side_table(
     rng: np.random.Generator, style: Style, height: float | None = None, lamp: bool | None = None
 ) -> Mesh:
-    """Draw a small table with a lamp, a plant or other small things on it.
+    """Draw a small table with a lamp, a plant or other small objects on it.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     height
-        Metres; None draws it.
+        Metres; drawn at random if None.
     lamp
-        Whether a lamp stands on it; None draws it.
+        Whether a lamp stands on it; drawn at random if None.
 
     Returns
     -------

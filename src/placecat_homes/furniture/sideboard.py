@@ -1,4 +1,4 @@
-"""Sideboards with things on them."""
+"""Sideboards and the objects on them."""
 
 from collections.abc import Callable
 
@@ -25,23 +25,23 @@ SHADOW = Material(colour=(0.06, 0.05, 0.045))
 def sideboard(
     rng: np.random.Generator, style: Style, *, width: float | None = None, decorated: bool = True
 ) -> Mesh:
-    """Draw a sideboard: doors and drawers on legs or a plinth, with tableware and decoration on top.
+    """Draw a sideboard: doors and drawers on legs or a plinth, tableware and decoration on top.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
     decorated
-        Put things on it.
+        Put objects on it.
 
     Returns
     -------
     Mesh
-        0.75 m to 0.95 m high without the things on it.
+        A sideboard 0.75 m to 0.95 m high without the objects on it.
     """
     w = width or between(rng, 1.1, 1.9)
     depth, height = between(rng, 0.4, 0.48), between(rng, 0.72, 0.92)
@@ -110,7 +110,7 @@ def _face(
 
 
 def decoration(rng: np.random.Generator, style: Style, *, width: float = 1.2, depth: float = 0.35) -> Mesh:
-    """Draw a row of things for the top of a sideboard, back at y = 0."""
+    """Draw a row of objects for the top of a sideboard, whose back is at y = 0."""
     makers: tuple[Callable[[np.random.Generator, Style], Mesh], ...] = (
         vase,
         _lamp,

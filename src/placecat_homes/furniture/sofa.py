@@ -15,7 +15,7 @@ from placecat_homes.style import Style
 
 
 def cover(rng: np.random.Generator, style: Style) -> Material:
-    """Draw what seats are covered with."""
+    """Draw the cover of the seats."""
     kind = rng.random()
     if kind < 0.5:
         return palette.plain_fabric(rng)
@@ -30,11 +30,11 @@ def sofa(rng: np.random.Generator, style: Style, seats: int | None = None) -> Me
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     seats
-        1 to 4; None draws 2 or 3.
+        1 to 4; 2 or 3 if None.
 
     Returns
     -------
@@ -50,7 +50,7 @@ def sofa(rng: np.random.Generator, style: Style, seats: int | None = None) -> Me
 def _dressed(
     rng: np.random.Generator, style: Style, width: float, seats: int, at: tuple[float, float]
 ) -> Mesh:
-    """Loose pillows and sometimes a blanket; `at` is y and z of the edge between seat and back."""
+    """Loose pillows and sometimes a blanket; `at` gives y and z of the edge between seat and back."""
     parts = []
     if seats > 1 or chance(rng, 0.5):
         parts.append(scatter(rng, style, width, None if seats > 1 else 1).moved(0, at[0], at[1]))
@@ -189,11 +189,11 @@ def buttoned(rng: np.random.Generator, style: Style, seats: int) -> Mesh:
         parts.append(
             seat(each - 0.004, depth - back + 0.02, 0.16, 0.25).moved(x, back - 0.02, top - 0.14).of(skin)
         )
-    # The buttons pull the padding in: it is drawn as a wavy sheet with small knobs.
+    # The buttons pull the padding in, so it is drawn as a wavy sheet with small knobs.
     columns, pitch = round(inner / 0.14), inner / round(inner / 0.14)
 
     def padding(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
-        # t from right to left and s upwards makes the front the outside.
+        # With t from right to left and s upwards, the front is the outside.
         x = (0.5 - t) * inner
         z = top + s * (tall - top - 0.06)
         wave = np.abs(np.sin(math.pi * (x / pitch + s * 2))) * np.abs(np.sin(math.pi * (x / pitch - s * 2)))
@@ -250,14 +250,14 @@ def corner_sofa(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0; L-shaped.
+        An L-shaped sofa standing on z = 0.
     """
     skin = cover(rng, style)
     seats, each, arm = int(rng.integers(2, 4)), between(rng, 0.66, 0.8), between(rng, 0.12, 0.24)
@@ -311,16 +311,16 @@ def corner_sofa(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def footstool(rng: np.random.Generator, style: Style, skin: Material | None = None) -> Mesh:
-    """Draw a padded stool to put one's feet on.
+    """Draw a padded footstool.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     skin
-        Its cover; None draws it.
+        Its cover; drawn at random if None.
 
     Returns
     -------

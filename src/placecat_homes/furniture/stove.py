@@ -25,20 +25,20 @@ def stove(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws 0.5, 0.6 or 0.9.
+        Metres; 0.5, 0.6 or 0.9 if None.
     height
-        Of its hob above the floor in metres.
+        Height of its hob above the floor in metres.
     body
-        None draws steel, white, black or a colour.
+        Material of the body; steel, white, black or a colour is drawn if None.
 
     Returns
     -------
     Mesh
-        With burners or plates on top, an oven in front and a drawer below.
+        A range with burners or plates on top, an oven in front and a drawer below.
     """
     w = width or choose(rng, (0.5, 0.6, 0.9), (0.3, 0.5, 0.2))
     depth = 0.6

@@ -18,11 +18,11 @@ def suitcase(rng: np.random.Generator, style: Style, lying: bool | None = None) 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     lying
-        Flat instead of upright; None draws it.
+        Whether it lies flat instead of standing; drawn at random if None.
 
     Returns
     -------

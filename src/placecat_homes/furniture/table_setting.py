@@ -1,4 +1,4 @@
-"""What lies on a laid table."""
+"""Objects on a laid table."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -33,24 +33,24 @@ FLAME = Material(colour=(1.0, 0.8, 0.4), emission=3.0)
 
 @dataclass(frozen=True)
 class Tableware:
-    """What every place of one table gets.
+    """What all places at one table have in common.
 
     Attributes
     ----------
     china
-        Of plates and cups.
+        Material of plates and cups.
     metal
-        Of the cutlery.
+        Material of the cutlery.
     cloth
-        Of napkins.
+        Material of the napkins.
     mat
-        Of the place mats; None for no mats.
+        Material of the place mats; None for no mats.
     round_mat
-        Whether these are round.
+        Whether the mats are round.
     drink
         ``glass``, ``wine``, ``both`` or ``tea``.
     soup
-        There is a bowl on the plate.
+        Whether there is a bowl on the plate.
     """
 
     china: Material
@@ -63,7 +63,7 @@ class Tableware:
 
     @classmethod
     def draw(cls, rng: np.random.Generator, style: Style) -> "Tableware":
-        """Draw what a table is laid with."""
+        """Draw the tableware for one table."""
         return cls(
             china=palette.ceramic(rng),
             metal=palette.METALS[int(rng.integers(2))],
@@ -76,21 +76,21 @@ class Tableware:
 
 
 def place_setting(rng: np.random.Generator, style: Style, *, ware: Tableware | None = None) -> Mesh:
-    """Draw plate, cutlery, glass and napkin for one person who sits at y < 0 and looks along +y.
+    """Draw a plate, cutlery, a glass and a napkin for one person, who sits at y < 0 and looks along +y.
 
     Parameters
     ----------
     rng
-        Source of small differences.
+        Random generator for small differences.
     style
-        Of the home.
+        Style of the home.
     ware
-        What all places of the table share; None draws it.
+        What all places at the table have in common; drawn at random if None.
 
     Returns
     -------
     Mesh
-        About 0.45 m by 0.35 m; the edge of the table is y = 0.
+        A setting of about 0.45 m by 0.35 m; the edge of the table is y = 0.
     """
     kit = ware or Tableware.draw(rng, style)
     parts: list[Mesh] = []
@@ -161,18 +161,18 @@ def runner(rng: np.random.Generator, style: Style, *, length: float = 1.2, width
 def centrepiece(
     rng: np.random.Generator, style: Style, *, width: float = 0.8, depth: float = 0.3, festive: bool = True
 ) -> Mesh:
-    """Draw what stands in the middle of a table: flowers, fruit, candles, a jug, bread.
+    """Draw a centrepiece for a table: flowers, fruit, candles, a jug or bread.
 
     Parameters
     ----------
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     width, depth
-        Space for it in metres.
+        Available space in metres.
     festive
-        More things, as on a laid table.
+        Add more objects, as on a laid table.
 
     Returns
     -------

@@ -43,13 +43,13 @@ def television(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
     lit
-        Whether it is on; None draws it.
+        Whether it is on; drawn at random if None.
 
     Returns
     -------
@@ -77,13 +77,13 @@ def wall_television(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
     lit
-        Whether it is on; None draws it.
+        Whether it is on; drawn at random if None.
 
     Returns
     -------
@@ -100,9 +100,9 @@ def crt(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------
@@ -138,11 +138,11 @@ def speaker(rng: np.random.Generator, style: Style, height: float | None = None)
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     height
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
@@ -166,14 +166,14 @@ def speaker(rng: np.random.Generator, style: Style, height: float | None = None)
 
 
 def stereo(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a tower of music players and a turntable on a low stand.
+    """Draw a stack of music players and a turntable on a low stand.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------
@@ -217,11 +217,11 @@ def bench(rng: np.random.Generator, style: Style, width: float | None = None) ->
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
@@ -273,18 +273,18 @@ def bench(rng: np.random.Generator, style: Style, width: float | None = None) ->
 
 
 def tv_bench(rng: np.random.Generator, style: Style, width: float | None = None, hung: bool = False) -> Mesh:
-    """Draw a low cabinet with a television and things around it.
+    """Draw a low cabinet with a television and other objects on and around it.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Of the cabinet in metres; None draws it.
+        Width of the cabinet in metres; drawn at random if None.
     hung
-        Leave the television away because it hangs on the wall above.
+        Leave out the television because it hangs on the wall above.
 
     Returns
     -------

@@ -27,19 +27,20 @@ def toilet(
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     ceramic
-        Of the bowl; None draws one.
+        Material of the bowl; drawn at random if None.
     kind
         "close-coupled" (its cistern stands on the bowl), "wall-hung" (cistern in a boxed wall behind),
-        "low" (cistern hung on the wall at half height) or "high" (old, with a chain); None draws one.
+        "low" (cistern hung on the wall at half height) or "high" (old, with a chain);
+        drawn at random if None.
     open_lid
-        None opens it in one of three.
+        Whether the lid is open; open in one of three cases if None.
 
     Returns
     -------
     Mesh
-        0.6 to 0.75 m deep.
+        A toilet 0.6 to 0.75 m deep.
     """
     ceramic = ceramic or palette.ceramic(rng)
     metal = style.metal
@@ -95,7 +96,7 @@ def toilet_brush(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _bowl_inside(back: float, width: float, length: float, top: float) -> list[tuple[np.ndarray, float]]:
-    """Give rings from the rim down to the water."""
+    """Return rings from the rim down to the water."""
     inner = rounded(width - 0.07, length - 0.10, (0.13, 0.2), (0.1, 0.1), y=back + 0.06)
     lower = rounded(width - 0.13, length - 0.19, (0.11, 0.15), (0.08, 0.08), y=back + 0.09)
     deep = rounded(0.13, 0.15, (0.06, 0.08), (0.06, 0.06), y=back + 0.13)
@@ -103,7 +104,7 @@ def _bowl_inside(back: float, width: float, length: float, top: float) -> list[t
 
 
 def _standing(ceramic: Material, back: float, rng: np.random.Generator) -> Mesh:
-    """Draw a bowl on a foot whose rim starts at y = `back`, 40 cm high."""
+    """Draw a bowl on a foot; its rim starts at y = `back` and is 40 cm high."""
     width, length = 0.36, 0.47
     waist = rng.uniform(0.17, 0.22)
 
@@ -136,7 +137,7 @@ def _seat(
     opened: bool,
     lean: float,
 ) -> Mesh:
-    """Draw seat and lid on the rim; the open lid leans back by up to `lean` metres of free depth."""
+    """Draw the seat and the lid on the rim; an open lid leans back by up to `lean` metres of free depth."""
     outer = rounded(0.375, 0.455, (0.187, 0.29), (0.13, 0.1), points=8)
     inner = rounded(0.22, 0.29, (0.11, 0.17), (0.09, 0.09), y=0.09, points=8)
     seat = ring(outer, inner, 0.02, 0.006)
@@ -154,7 +155,7 @@ def _seat(
 
 
 def _tank(rng: np.random.Generator, ceramic: Material, metal: Material) -> Mesh:
-    """Draw a cistern with its lid and button or lever, on z = 0."""
+    """Draw a cistern that stands on z = 0, with its lid and a button or lever."""
     width, height, round_ = rng.uniform(0.36, 0.42), rng.uniform(0.33, 0.38), rng.uniform(0.02, 0.07)
     wide = rounded(width, 0.18, (round_, round_), 0.012)
     low = rounded(width - rng.uniform(0.01, 0.07), 0.165, (round_, round_), 0.012)
@@ -175,7 +176,7 @@ def _tank(rng: np.random.Generator, ceramic: Material, metal: Material) -> Mesh:
 def _hung(
     rng: np.random.Generator, ceramic: Material, metal: Material, seat: Material, opened: bool
 ) -> list[Mesh]:
-    """Draw a bowl without foot, before a boxed wall with a flush plate."""
+    """Draw a bowl without a foot in front of a boxed wall with a flush plate."""
     boxed = palette.tiles(rng) if rng.random() < 0.6 else palette.paint(rng)
     width, height, depth = rng.uniform(0.6, 1.0), rng.uniform(1.05, 1.2), rng.uniform(0.12, 0.2)
     back = depth + 0.07

@@ -1,4 +1,4 @@
-"""Toilet paper: on a holder at the wall, on a stand, in store."""
+"""Toilet paper: on a wall holder, on a stand, and as spare rolls."""
 
 import numpy as np
 
@@ -23,7 +23,7 @@ def toilet_paper(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def toilet_paper_stand(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a stand with a spare roll or two on its pole and one hung from its arm."""
+    """Draw a stand with one or two spare rolls on its pole and a roll hung from its arm."""
     metal = style.metal
     parts = [
         cylinder(0.09, 0.015, 16).of(metal),

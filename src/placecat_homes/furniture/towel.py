@@ -1,4 +1,4 @@
-"""Towels on rails, hooks, heated rails, and folded in stacks."""
+"""Towels on rails, rings, hooks and heated rails."""
 
 import math
 
@@ -35,14 +35,14 @@ def towel(rng: np.random.Generator, style: Style, *, kind: str | None = None) ->
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     kind
-        "rail", "double rail", "hooks" or "ring"; None draws one.
+        "rail", "double rail", "hooks" or "ring"; drawn at random if None.
 
     Returns
     -------
     Mesh
-        z = 0 is the lower end of the towels; 0.5 to 0.9 m high.
+        Towels 0.5 to 0.9 m high; their lower end is z = 0.
     """
     kind = kind or str(rng.choice(("rail", "double rail", "hooks", "ring"), p=(0.4, 0.15, 0.3, 0.15)))
     if kind == "hooks":
@@ -118,7 +118,7 @@ def _ring(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def towel_radiator(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a heated rail, a ladder of bars with towels on it; z = 0 is its lower end."""
+    """Draw a heated rail: a ladder of bars with towels on it; its lower end is z = 0."""
     width, height = rng.uniform(0.45, 0.6), rng.uniform(1.1, 1.6)
     metal = style.metal if rng.random() < 0.45 else Material((0.92, 0.92, 0.91), gloss=0.04)
     bars = np.arange(0.05, height, 0.06)

@@ -75,16 +75,16 @@ def bricks(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def toys(rng: np.random.Generator, style: Style, count: int | None = None) -> Mesh:
-    """Draw toys that lie about on the floor.
+    """Draw toys lying about on the floor.
 
     Parameters
     ----------
     rng
-        Source of their design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     count
-        How many; None draws some.
+        How many; drawn at random if None.
 
     Returns
     -------

@@ -24,16 +24,16 @@ def urinal(
     rng
         Source of randomness.
     style
-        Of the building.
+        Style of the building.
     count
-        How many.
+        Number of urinals.
     ceramic
-        None draws one.
+        Material of the urinals; drawn at random if None.
 
     Returns
     -------
     Mesh
-        Stands in the frame of the floor: the rims are 0.62 m high.
+        Urinals whose z = 0 is the floor; the rims are 0.62 m high.
     """
     ceramic = ceramic or palette.ceramic(rng)
     pitch = rng.uniform(0.7, 0.85)
@@ -56,7 +56,7 @@ def urinal(
 
 
 def _bowl(ceramic: Material) -> Mesh:
-    """Draw one: a shell that is open in front above its lip."""
+    """Draw one urinal: a shell that is open in front above its lip."""
 
     def ring(width: float, depth: float, z: float, inside: float = 0.0) -> tuple[np.ndarray, float]:
         w, d = width - 2 * inside, depth - 2 * inside

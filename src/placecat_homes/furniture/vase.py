@@ -1,4 +1,4 @@
-"""Small things that stand on furniture: vases, bowls, candles."""
+"""Small objects that stand on furniture: vases, bowls, candles."""
 
 import math
 
@@ -22,11 +22,11 @@ def vase(rng: np.random.Generator, style: Style, flowers: bool | None = None) ->
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     flowers
-        Whether there are some; None draws it.
+        Whether there are flowers in it; drawn at random if None.
 
     Returns
     -------
@@ -77,9 +77,9 @@ def bouquet(rng: np.random.Generator, height: float, radius: float) -> Mesh:
     Parameters
     ----------
     rng
-        Source of their design.
+        Random generator for the design.
     height, radius
-        Over the rim and at the rim, in metres.
+        Height above the rim and radius at the rim, in metres.
 
     Returns
     -------
@@ -114,9 +114,9 @@ def candle(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of their design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------
@@ -144,11 +144,11 @@ def bowl(rng: np.random.Generator, style: Style, fruit: bool | None = None) -> M
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     fruit
-        Whether there is some; None draws it.
+        Whether there is fruit in it; drawn at random if None.
 
     Returns
     -------
@@ -184,9 +184,9 @@ def figure(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
 
     Returns
     -------

@@ -30,19 +30,19 @@ def wardrobe(
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws 0.9 to 2.4 m.
+        Metres; 0.9 to 2.4 m if None.
     kind
         "hinged" (two to five doors, some perhaps of mirror), "sliding" (two or three, often mirrors), "open"
-        (clothes hang in it, seen) or "antique" (cornice, drawers below); None draws one.
+        (clothes are seen hanging in it) or "antique" (cornice, drawers below); drawn at random if None.
     height
-        Metres; None draws one.
+        Metres; drawn at random if None.
 
     Returns
     -------
     Mesh
-        0.55 to 0.65 m deep.
+        A wardrobe 0.55 to 0.65 m deep.
     """
     if kind is None:
         old, new = 1 - style.modern, style.modern
@@ -66,7 +66,7 @@ def wardrobe(
 
 
 def _on_top(rng: np.random.Generator, style: Style, width: float, height: float) -> Mesh:
-    """Put boxes, a suitcase or blankets on top."""
+    """Put boxes, a suitcase or blankets on top of it."""
     parts, x = [], -width / 2 + 0.05
     while x < width / 2 - 0.35:
         wide, high = rng.uniform(0.3, 0.55), rng.uniform(0.1, 0.22)
@@ -212,7 +212,7 @@ def _antique(
 
 
 def garment(rng: np.random.Generator, cloth: Material) -> Mesh:
-    """Draw a shirt, jacket or dress on a hanger; it hangs from the origin, its shoulders along y."""
+    """Draw a shirt, jacket or dress on a hanger that hangs from the origin, its shoulders along y."""
     long, wide = rng.uniform(0.65, 1.15), rng.uniform(0.4, 0.48)
     thick = rng.uniform(0.025, 0.05)
     half, sleeve = wide / 2, wide / 2 + 0.05
@@ -237,7 +237,7 @@ def garment(rng: np.random.Generator, cloth: Material) -> Mesh:
 def _open(
     rng: np.random.Generator, style: Style, material: Material, width: float, depth: float, height: float
 ) -> Mesh:
-    """Draw a wardrobe without doors: a rail of clothes, shelves of folded ones, shoes below."""
+    """Draw a wardrobe without doors: a rail of clothes, shelves of folded clothes, and shoes below."""
     thick, shelf_width = 0.022, min(0.5, width * 0.38)
     split = width / 2 - shelf_width
     parts = [
@@ -308,7 +308,7 @@ def clothes_rail(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def hanging_clothes(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a bathrobe or dress on a hook, for the wall or a door; z = 0 is its hem."""
+    """Draw a bathrobe or dress on a hook for a wall or door; its hem is z = 0."""
     piece = garment(rng, style.any_fabric(rng)).turned(90).moved(0, 0.07, 0)
     hook = handle("knob", style.metal).moved(0, 0, 0.03)
     mesh = join(piece, hook)

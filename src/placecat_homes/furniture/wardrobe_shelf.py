@@ -14,21 +14,21 @@ from placecat_homes.style import Style
 
 
 def on_shelf(rng: np.random.Generator, style: Style, width: float, height: float, depth: float) -> Mesh:
-    """Draw what lies on one shelf of a closet: folded clothes, boxes, shoes, bags, hats or nothing.
+    """Draw the content of one closet shelf: folded clothes, boxes, shoes, bags, hats or nothing.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, height, depth
         Free space in metres.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, the back on y = 0, centred in x.
+        Standing on z = 0, with the back on y = 0, centred in x.
     """
     kind = choose(rng, ("folded", "boxes", "shoes", "mixed"), (5, 1.5, 1.5, 2))
     parts: list[Mesh] = []
@@ -112,16 +112,16 @@ def _rails(
 def wardrobe_shelf(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw an open closet system: bays with rails of clothes and bays with shelves, boxes on top.
+    """Draw an open closet system: bays with rails of clothes, bays with shelves, and boxes on top.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, height
-        Metres; None draws them.
+        Metres; drawn at random if None.
 
     Returns
     -------
@@ -178,11 +178,11 @@ def low_shelf(
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width, height
-        Metres; None draws them.
+        Metres; drawn at random if None.
 
     Returns
     -------
@@ -204,16 +204,16 @@ def low_shelf(
 
 
 def wall_board(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a board high on a wall with boxes and folded clothes on it and a rod with clothes below.
+    """Draw a board high on a wall, with boxes and folded clothes on it and a rod of clothes below.
 
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------
@@ -242,11 +242,11 @@ def shoe_rack(rng: np.random.Generator, style: Style, width: float | None = None
     Parameters
     ----------
     rng
-        Source of its design.
+        Random generator for the design.
     style
-        Of the home.
+        Style of the home.
     width
-        Metres; None draws it.
+        Metres; drawn at random if None.
 
     Returns
     -------

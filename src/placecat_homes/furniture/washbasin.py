@@ -1,4 +1,4 @@
-"""Wash basins, with or without a cabinet, and what stands on them."""
+"""Wash basins, with or without a cabinet, and the objects on them."""
 
 import numpy as np
 
@@ -24,28 +24,28 @@ def washbasin(
     width: float | None = None,
     clutter: float | None = None,
 ) -> Mesh:
-    """Draw a wash basin with its tap and what belongs there.
+    """Draw a wash basin with its tap and the usual objects.
 
     Parameters
     ----------
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     ceramic
-        Of the basin; None draws one.
+        Material of the basin; drawn at random if None.
     kind
         "pedestal", "wall" (with its drain showing), "vanity" (a cabinet with the basin as its top), "vessel"
-        (a bowl on a counter) or "stand" (a bowl on a table); None draws one.
+        (a bowl on a counter) or "stand" (a bowl on a table); drawn at random if None.
     width
-        Metres; None draws one. A vanity of 1.1 m or more has two basins.
+        Metres; drawn at random if None. A vanity of 1.1 m or more has two basins.
     clutter
-        From a soap only (0) to many bottles (1); None takes that of the style.
+        From only a bar of soap (0) to many bottles (1); None takes the clutter of the style.
 
     Returns
     -------
     Mesh
-        Rim at 0.86 m.
+        A wash basin whose rim is at 0.86 m.
     """
     ceramic = ceramic or palette.ceramic(rng)
     clutter = style.clutter if clutter is None else clutter
@@ -65,7 +65,7 @@ def washbasin(
 def hollow(
     width: float, depth: float, radius: tuple[float, float], y: float, top: float, deep: float
 ) -> list[tuple[Outline, float]]:
-    """Give rings of a hollow from its edge down to its floor."""
+    """Return rings of a hollow from its edge down to its floor."""
     rings = []
     for share, down in ((1.0, 0.0), (0.97, 0.02), (0.86, 0.75), (0.7, 0.95), (0.4, 1.0)):
         outline = rounded(width, depth, radius, y=y)
@@ -138,7 +138,7 @@ def _towel_bar(rng: np.random.Generator, style: Style, width: float, depth: floa
 
 
 def _things(rng: np.random.Generator, style: Style, width: float, y: float, z: float, clutter: float) -> Mesh:
-    """Put soap and tooth brushes left and right of the tap, more the more clutter."""
+    """Put soap and toothbrushes left and right of the tap; the more clutter, the more objects."""
     things = [soap_dispenser(rng, style.metal) if rng.random() < 0.6 else soap(rng)]
     if rng.random() < 0.35 + 0.6 * clutter:
         things.append(tooth_brushes(rng))

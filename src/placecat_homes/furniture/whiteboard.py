@@ -12,14 +12,14 @@ PENS: tuple[Colour, ...] = ((0.05, 0.06, 0.08), (0.08, 0.15, 0.55), (0.75, 0.1, 
 
 
 def whiteboard(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a whiteboard somebody has written on, to hang at 0.85 m; pens and a wiper lie on its tray.
+    """Draw a used whiteboard, to hang at 0.85 m, with pens and a wiper on its tray.
 
     Parameters
     ----------
     rng, style
-        Draw the size and the scribbles.
+        Random generator and style that decide the size and the scribbles.
     width
-        Metres; None draws 0.9 to 2.0.
+        Metres; 0.9 to 2.0 if None.
     """
     width = width or between(rng, 0.9, 2.0)
     height = min(width * between(rng, 0.62, 0.75), 1.2)

@@ -1,4 +1,4 @@
-"""Windows: frame, sashes with muntins, and sill. The panes are left out, so that light comes through."""
+"""Windows: frame, sashes with muntins, and sill. The panes are left out to let the light through."""
 
 import numpy as np
 
@@ -21,20 +21,20 @@ def window(
     Parameters
     ----------
     rng
-        Draws the number of sashes and muntins, and the sill.
+        Random generator for the number of sashes and muntins and for the sill.
     style
-        Of the building.
+        Style of the building.
     width, height
-        Of the opening in metres.
+        Width and height of the opening in metres.
     depth
-        From the wall's inner face to the window.
+        Distance from the inner face of the wall to the window.
     to_floor
-        A balcony door: no sill.
+        Build a balcony door, without a sill.
 
     Returns
     -------
     Mesh
-        z = 0 is the bottom of the opening, y = 0 the inner face of the wall; the window is at y = -depth,
+        z = 0 is the bottom of the opening, y = 0 the inner face of the wall. The window is at y = -depth;
         only the sill comes into the room.
     """
     bar, thick = float(rng.uniform(0.04, 0.065)), 0.06

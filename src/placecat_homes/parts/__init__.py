@@ -1,1 +1,1 @@
-"""Parts that several kinds of furniture are made of."""
+"""Parts that several kinds of furniture share."""

@@ -1,4 +1,4 @@
-"""Small things put down on tables, worktops and shelves."""
+"""Small objects arranged on tables, worktops and shelves."""
 
 from collections.abc import Iterable, Sequence
 
@@ -8,14 +8,14 @@ from placecat_homes.mesh import Mesh, join
 
 
 def grounded(*parts: Mesh | Iterable[Mesh]) -> Mesh:
-    """Put meshes together as one piece that stands on z = 0, its back on y = 0, centred in x."""
+    """Join meshes to one piece that stands on z = 0, its back on y = 0, centred in x."""
     mesh = join(*parts)
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1]), -float(low[2]))
 
 
 def centred(mesh: Mesh) -> Mesh:
-    """Shift a mesh so that its middle is over the origin."""
+    """Shift a mesh so that its middle is above the origin."""
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1] + high[1]) / 2)
 
@@ -23,18 +23,18 @@ def centred(mesh: Mesh) -> Mesh:
 def in_a_row(
     rng: np.random.Generator, things: Sequence[Mesh], width: float, *, depth: float = 0.0, gap: float = 0.02
 ) -> Mesh:
-    """Stand things side by side on a shelf, as many as fit, with gaps of random width.
+    """Stand as many objects as fit side by side on a shelf, with gaps of random width.
 
     Parameters
     ----------
     rng
-        Draws the gaps.
+        Random generator for the gaps.
     things
-        Standing pieces, from left to right as seen from behind (towards +x).
+        Standing objects, from left to right as seen from behind (towards +x).
     width
-        Of the shelf in metres; it is centred in x, with its back on y = 0.
+        Width of the shelf in metres; it is centred in x, with its back on y = 0.
     depth
-        Of the shelf in metres; 0 puts all things to its back edge.
+        Depth of the shelf in metres; 0 puts all objects at its back edge.
     gap
         Smallest distance in metres.
 
@@ -73,20 +73,20 @@ def scattered(
     gap: float = 0.02,
     tries: int = 20,
 ) -> Mesh:
-    """Put things on a table top at random places where they do not overlap; those without a place stay away.
+    """Put objects at random places on a table top without overlaps; leave out those that find no place.
 
     Parameters
     ----------
     rng
-        Draws the places.
+        Random generator for the places.
     things
-        Standing pieces; each is turned by its maker.
+        Standing objects, which are not turned here.
     width, depth
-        Of the top in metres; it is centred on the origin.
+        Width and depth of the top in metres; it is centred on the origin.
     gap
         Smallest distance in metres.
     tries
-        Places tried for each thing.
+        Number of places tried for each object.
 
     Returns
     -------

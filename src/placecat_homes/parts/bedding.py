@@ -1,4 +1,4 @@
-"""What lies on a bed: sheets, pillows, duvets, blankets."""
+"""Bedclothes: sheets, pillows, duvets and blankets."""
 
 import math
 from collections.abc import Callable
@@ -41,30 +41,31 @@ def cover(
     rng
         Source of randomness.
     width
-        Of the mattress, metres.
+        Width of the mattress in metres.
     start, end
-        Of the blanket along y: its edge towards the head, and the foot of the bed over which it hangs.
+        Where the blanket starts and ends along y: at its edge towards the head, and at the foot of the bed,
+        over which it hangs.
     top
         Height of the mattress.
     side, foot
-        How far it hangs down at both sides and at the foot; a foot of 0 lets it end on the mattress.
+        How far it hangs down at both sides and at the foot; with a `foot` of 0 it ends on the mattress.
     thickness, crease
-        Of the blanket, and height of its creases.
+        Thickness of the blanket and height of its creases.
     slant
-        Metres by which the edge towards the head is further down at +x than at -x (half thrown back).
+        Metres by which the edge towards the head is nearer to the foot at +x than at -x (half thrown back).
     centre
-        Shift along x.
+        Shift of the blanket along x.
     quilt
-        Edge of stitched squares in metres; 0 for none.
+        Edge length of stitched squares in metres; 0 for none.
     clear
-        How far the hanging parts keep from the mattress, to clear the frame, metres.
+        Distance in metres of the hanging parts from the mattress, so that they clear the frame.
     cells
-        Over its width and length.
+        Number of cells over the width and over the length.
 
     Returns
     -------
     Mesh
-        A sheet, seen from both sides.
+        A sheet that is visible from both sides.
     """
     bump = rumples(rng, crease, rng.uniform(0.35, 0.7))
     folds, phase = rng.uniform(0.16, 0.3), rng.uniform(0, 6, 2)
@@ -75,7 +76,7 @@ def cover(
     foot_arc = radius * math.pi / 2 + max(foot - radius, 0.0) - radius if foot > 0 else 0.0
 
     def bent(arc: Array, edge: float) -> tuple[Array, Array]:
-        """Follow the top, a round edge and the hanging part; give the place and how far it is down."""
+        """Follow the top, a round edge and the hanging part; return the position and how far down it is."""
         over = np.maximum(arc - (edge - radius), 0.0)
         turn = np.minimum(over / radius, math.pi / 2)
         down = radius * (1 - np.cos(turn)) + np.maximum(over - radius * math.pi / 2, 0.0)
@@ -124,25 +125,25 @@ def pillows(
     *,
     upright: bool | None = None,
 ) -> Mesh:
-    """Lay or lean pillows at the head (y = 0) of a bed: one on single beds, else two, perhaps twice.
+    """Lay or lean pillows at the head (y = 0): one on a single bed, otherwise two, perhaps in two rows.
 
     Parameters
     ----------
     rng
         Source of randomness.
     width
-        Of the mattress, metres.
+        Width of the mattress in metres.
     top
         Height of the mattress.
     cloth
-        Gives a material for each row of pillows.
+        Returns a material for each row of pillows.
     upright
-        Lean them on the headboard; None draws that.
+        Whether the pillows lean against the headboard; drawn at random if None.
 
     Returns
     -------
     Mesh
-        Within the mattress.
+        Pillows within the outline of the mattress.
     """
     across = 1 if width < 1.25 else 2
     size = min(0.78, width / across * 0.88)
@@ -206,27 +207,27 @@ def bedding(
     rng
         Source of randomness.
     style
-        Of the home.
+        Style of the home.
     width, length
-        Of the mattress, metres.
+        Width and length of the mattress in metres.
     top
-        Height of its upper side.
+        Height of the upper side of the mattress.
     thick
-        Of the mattress.
+        Thickness of the mattress.
     free
-        Blankets may hang over the sides and the foot; else they end inside the frame.
+        Let blankets hang over the sides and the foot; otherwise they end inside the frame.
     footboard
-        Nothing may hang over the foot.
+        The bed has a footboard, so nothing hangs over the foot.
     clear
-        How far the frame sticks out from the mattress, metres.
+        How far the frame sticks out from the mattress, in metres.
     kind
         "made" (duvet up to the pillows, its edge folded back), "spread" (all covered), "open" (thrown back),
-        "two" (two duvets side by side) or "folded" (folded at the foot); None draws one.
+        "two" (two duvets side by side) or "folded" (folded at the foot); drawn at random if None.
 
     Returns
     -------
     Mesh
-        The head at y = 0.
+        The bedclothes, with the head at y = 0.
     """
     kinds = ("made", "spread", "open", "two", "folded")
     kind = kind or str(rng.choice(kinds, p=(0.42, 0.14, 0.22, 0.12, 0.1)))

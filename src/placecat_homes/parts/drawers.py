@@ -1,4 +1,4 @@
-"""Fronts with handles, chests of drawers, and what desks are covered with."""
+"""Handles, chests of drawers, and surfaces of desks."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from placecat_homes.style import Style
 
 
 def pull(style: Style, width: float, *, kind: str | None = None) -> Mesh:
-    """Draw a handle for a front `width` metres wide; it sticks out to +y, its middle on the origin."""
+    """Draw a handle for a front `width` metres wide, sticking out to +y with its middle on the origin."""
     kind = kind or style.handle
     if kind == "knob":
         return cylinder(0.013, 0.025, 10).turned(-90, "x").of(style.metal)
@@ -37,13 +37,13 @@ def chest(
     Parameters
     ----------
     style
-        Of the home.
+        Style of the home.
     width, depth, height
         Metres.
     shares
         Relative heights of the drawers from the top down.
     case, front
-        Materials.
+        Materials of the case and of the drawer fronts.
     plinth
         Height of the base in metres.
     handle
@@ -65,7 +65,7 @@ def chest(
 
 
 def surface(rng: np.random.Generator, style: Style) -> Material:
-    """Choose what desks and shelves of an office are covered with."""
+    """Choose the surface of desks and shelves in an office."""
     kind = rng.random()
     if kind < 0.35:
         return style.wood

@@ -16,16 +16,16 @@ TAPS = ("mixer", "tall", "two handles", "square")
 
 
 def front(width: float, height: float, material: Material, design: str = "flat") -> Mesh:
-    """Draw the front of a drawer or door, 2 cm thick, upright, its back on y = 0.
+    """Draw the upright front of a drawer or door, 2 cm thick, its back on y = 0.
 
     Parameters
     ----------
     width, height
         Metres.
     material
-        Of all of it.
+        Material of the whole front.
     design
-        One of `FRONTS`. Small fronts are flat.
+        One of `FRONTS`; small fronts are always flat.
 
     Returns
     -------
@@ -62,18 +62,18 @@ def front(width: float, height: float, material: Material, design: str = "flat")
 
 
 def handle(kind: str, metal: Material, length: float = 0.14, *, upright: bool = False) -> Mesh:
-    """Draw a handle whose foot is at the origin, sticking out to +y.
+    """Draw a handle that sticks out to +y, with its foot at the origin.
 
     Parameters
     ----------
     kind
         "bar", "knob" or "none".
     metal
-        Its material.
+        Material of the metal parts.
     length
-        Of a bar, metres.
+        Length of a bar in metres.
     upright
-        Turn a bar upright (for doors).
+        Turn a bar upright, as for doors.
 
     Returns
     -------
@@ -117,19 +117,19 @@ def fronts(
     Parameters
     ----------
     width, height
-        Of the rectangle, metres.
+        Width and height of the rectangle in metres.
     material, metal
-        Of the fronts and of the handles.
+        Materials of the fronts and of the handles.
     rows, columns
-        How many fronts.
+        Number of fronts in each direction.
     design
-        See `front`.
+        Design of the fronts, see `front`.
     grip
-        Handle, see `handle`; "none" gives a dark gap above each front instead.
+        Kind of handle, see `handle`; "none" leaves a dark gap above each front instead.
     gap
-        Between fronts, metres.
+        Gap between fronts in metres.
     doors
-        Doors open to the side: pairs of doors have their handles at the middle.
+        The fronts are doors, which open to the side; pairs of doors have their handles in the middle.
 
     Returns
     -------
@@ -167,16 +167,16 @@ def tap(rng: np.random.Generator, metal: Material, kind: str | None = None, size
     rng
         Source of randomness.
     metal
-        Its material.
+        Material of the metal parts.
     kind
-        One of `TAPS`; None draws one.
+        One of `TAPS`; drawn at random if None.
     size
-        Factor.
+        Factor on the size.
 
     Returns
     -------
     Mesh
-        About 15 cm long.
+        A tap about 15 cm long.
     """
     kind = kind or str(rng.choice(TAPS))
     parts: list[Mesh]

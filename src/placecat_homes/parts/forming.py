@@ -1,4 +1,4 @@
-"""Boards with round corners and bent panels."""
+"""Boards with round corners, and bent panels."""
 
 from dataclasses import replace
 
@@ -17,13 +17,13 @@ def board(width: float, depth: float, height: float, radius: float, steps: int =
     width, depth, height, radius
         Metres.
     steps
-        Edges in each corner.
+        Number of edges in each corner.
     """
     return extrude(rectangle(width, depth, radius, steps), height, smooth=False).moved(y=depth / 2)
 
 
 def bent(mesh: Mesh, radius: float) -> Mesh:
-    """Bend an upright panel around a vertical axis at `radius` metres before it, towards +y at the sides."""
+    """Bend an upright panel around a vertical axis `radius` metres in front, so that its sides come to +y."""
     x = mesh.vertices[:, 0]
     vertices = mesh.vertices.copy()
     vertices[:, 1] += x * x / np.float32(2 * radius)

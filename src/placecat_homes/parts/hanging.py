@@ -16,9 +16,9 @@ def curtain(
     Parameters
     ----------
     width, height, depth, thickness
-        Metres; `depth` is that of the folds.
+        Metres; `depth` is the depth of the folds.
     folds
-        Over the width.
+        Number of folds over the width.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Shapes made of level outlines one above the other: basins, bowls, tubs; and soft ones: cushions, cloth."""
+"""Shapes made of stacked level outlines (basins, bowls, tubs) and soft shapes (cushions, cloth)."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -30,11 +30,12 @@ def rounded(
     width, depth
         Metres.
     front, back
-        Radius of the corners at +y and at -y, or their radii along x and y; None takes those of the front.
+        Radius of the corners at +y and at -y, or their radii along x and y. If `back` is None, it equals
+        `front`.
     y
         Where its back edge lies.
     points
-        For each corner; outlines of equally many can be lofted.
+        Points in each corner; outlines with equally many points can be lofted.
 
     Returns
     -------
@@ -66,12 +67,12 @@ def loft(rings: Sequence[tuple[Outline, float]], *, bottom: bool = True, top: bo
         Outlines with equally many points and their heights. A vessel goes up outside and down again inside.
         Where the profile turns by more than 40 degrees the edge stays sharp.
     bottom, top
-        Close the first outline (seen from below) and the last (seen from above).
+        Whether to close the first outline (seen from below) and the last (seen from above).
 
     Returns
     -------
     Mesh
-        u runs around, v along the profile, in metres.
+        A skin whose u runs around and whose v runs along the profile, in metres.
     """
     levels = np.stack([np.c_[outline, np.full(len(outline), z)] for outline, z in rings])
     middle = levels.mean(axis=1, keepdims=True)
@@ -189,7 +190,7 @@ def rumples(
     Returns
     -------
     Callable
-        Takes x and y in metres, gives the height in metres.
+        A function of x and y in metres that returns the height in metres.
     """
     angle = rng.uniform(0, math.pi, 6)
     wave = 2 * math.pi / (scale * np.exp(rng.uniform(-0.5, 0.7, 6)))
@@ -212,14 +213,14 @@ def hung(rng: np.random.Generator, width: float, front: float, back: float, radi
     rng
         Source of randomness.
     width, front, back
-        Metres; how far it hangs down before and behind the bar.
+        Width, and how far the cloth hangs down in front of and behind the bar, in metres.
     radius
-        Of the bar with the cloth.
+        Radius of the bar including the cloth.
 
     Returns
     -------
     Mesh
-        Open; below z = radius.
+        An open sheet below z = radius.
     """
     over = math.pi * radius
     phase, folds = rng.uniform(0, 6), rng.uniform(1.5, 3.0)

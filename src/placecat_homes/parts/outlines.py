@@ -1,4 +1,4 @@
-"""Outlines of boards and vessels, and bodies made of them."""
+"""Outlines of boards and vessels, and bodies made from them."""
 
 import math
 from collections.abc import Sequence
@@ -14,14 +14,14 @@ Outline = list[tuple[float, float]]
 
 
 def rectangle(width: float, depth: float, radius: float = 0.0, steps: int = 4) -> Outline:
-    """Give the outline of a rectangle with rounded corners, centred, counter-clockwise.
+    """Return the outline of a centred rectangle with rounded corners, counter-clockwise.
 
     Parameters
     ----------
     width, depth, radius
         Metres.
     steps
-        Edges in each rounded corner.
+        Number of edges in each rounded corner.
 
     Returns
     -------
@@ -45,7 +45,7 @@ def rectangle(width: float, depth: float, radius: float = 0.0, steps: int = 4) -
 
 
 def oval(width: float, depth: float, steps: int = 24) -> Outline:
-    """Give the outline of an ellipse, centred, counter-clockwise."""
+    """Return the outline of a centred ellipse, counter-clockwise."""
     angles = [2 * math.pi * k / steps for k in range(steps)]
     return [(width / 2 * math.cos(a), depth / 2 * math.sin(a)) for a in angles]
 
@@ -60,7 +60,7 @@ def frontal(outline: Sequence[tuple[float, float]], depth: float, *, smooth: boo
     depth
         Thickness in metres, along y.
     smooth
-        Round the shading of the edges.
+        Shade the edges as if they were rounded.
 
     Returns
     -------
@@ -80,7 +80,7 @@ def sideways(outline: Sequence[tuple[float, float]], width: float, *, smooth: bo
     width
         Metres, along x.
     smooth
-        Round the shading of the edges.
+        Shade the edges as if they were rounded.
 
     Returns
     -------
@@ -91,19 +91,19 @@ def sideways(outline: Sequence[tuple[float, float]], width: float, *, smooth: bo
 
 
 def loft(rings: Sequence[NDArray[np.float64]], *, close: bool = False) -> Mesh:
-    """Draw the skin through rings of equally many points, smooth.
+    """Draw a smooth skin through rings of equally many points.
 
     Parameters
     ----------
     rings
         (n, 3) each, counter-clockwise seen from above where the skin goes up outside.
     close
-        Also close the last ring, by a fan around its middle.
+        Also close the last ring with a fan around its middle.
 
     Returns
     -------
     Mesh
-        Open at the first ring.
+        A skin that is open at the first ring.
     """
     closed = [np.vstack([ring, ring[:1]]) for ring in rings]
     if close:
@@ -132,6 +132,6 @@ def ring(outline: Sequence[tuple[float, float]], z: float) -> NDArray[np.float64
 
 
 def textured(mesh: Mesh, *, u: float = 0.0, v: float = 0.0, quarter: bool = False) -> Mesh:
-    """Shift the texture of a mesh by metres, or turn it by a quarter (the grain of upright boards)."""
+    """Shift the texture of a mesh by metres, or turn it by 90 degrees, as for the grain of upright boards."""
     uv = mesh.uv[:, ::-1] if quarter else mesh.uv
     return replace(mesh, uv=(uv + np.array([u, v], np.float32)).astype(np.float32))

@@ -19,7 +19,7 @@ PAPERS: tuple[Colour, ...] = (
 
 
 def ink(rng: np.random.Generator) -> Colour:
-    """Draw a strong colour, as of headings, binders and pens."""
+    """Draw a strong colour, like those of headings, binders and pens."""
     hue, deep = rng.random(), rng.uniform(0.2, 0.9)
     wheel = np.clip(np.abs((hue * 6 + np.array([0, 4, 2])) % 6 - 3) - 1, 0, 1)
     r, g, b = (float(v) for v in deep * (1 - rng.beta(1.6, 1.3) * (1 - wheel)))
@@ -27,7 +27,7 @@ def ink(rng: np.random.Generator) -> Colour:
 
 
 def leaf(rng: np.random.Generator, *, white: float = 0.8) -> Material:
-    """Choose plain paper, white with probability `white`."""
+    """Choose plain paper, which is white with probability `white`."""
     first = rng.random() < white
     return Material(PAPERS[int(rng.integers(3))] if first else PAPERS[int(rng.integers(3, len(PAPERS)))])
 
@@ -52,7 +52,7 @@ def lying(rng: np.random.Generator, width: float = 0.21, height: float = 0.297) 
 
 
 def stack(rng: np.random.Generator, high: float, *, loose: float = 0.01) -> Mesh:
-    """Pile up sheets in a few bundles that do not quite lie on each other; centred on the origin."""
+    """Pile up sheets in a few bundles that are not quite aligned, centred on the origin."""
     parts = []
     z = 0.0
     bundles = max(1, min(4, round(high / 0.015)))
@@ -68,6 +68,6 @@ def stack(rng: np.random.Generator, high: float, *, loose: float = 0.01) -> Mesh
 
 
 def pinned(rng: np.random.Generator, width: float, height: float, *, large: bool = False) -> Mesh:
-    """Hang a sheet flat on a board or wall: its back on y = 0, its lower edge on z = 0."""
+    """Hang a sheet flat on a board or wall, with its back on y = 0 and its lower edge on z = 0."""
     material = poster(rng, width, height) if large else page(rng, width, height, white=0.65)
     return quad(width, height).of(material).moved(y=0.002)

@@ -12,7 +12,7 @@ class Canvas:
     Parameters
     ----------
     pixels
-        Side length.
+        Side length of the picture.
     ground
         sRGB of the paper.
     """
@@ -84,7 +84,7 @@ class Canvas:
     def words(
         self, rng: np.random.Generator, x0: float, x1: float, y: float, height: float, colour: ArrayLike
     ) -> None:
-        """Print a row of words between x0 and x1, on the line y, as small strokes the size of letters."""
+        """Print a row of words between x0 and x1 on the line y, as small strokes of the size of letters."""
         x = x0
         step = height * 0.7
         while x + 2 * step < x1:
@@ -100,7 +100,7 @@ class Canvas:
     def writing(
         self, rng: np.random.Generator, x0: float, x1: float, y: float, height: float, colour: ArrayLike
     ) -> None:
-        """Write a row by hand: a wavy line broken into words."""
+        """Write a row of handwriting: a wavy line broken into words."""
         x = x0
         while x + height < x1:
             end = min(x1, x + height * float(rng.uniform(1.2, 5.0)))

@@ -1,4 +1,4 @@
-"""Small things found on wash stands and shelves: bottles, tubes, jars, soap, tooth brushes, rolls."""
+"""Small objects found on wash stands and shelves: bottles, tubes, jars, soap, toothbrushes, rolls."""
 
 import math
 
@@ -15,7 +15,7 @@ PAPER = Material((0.94, 0.93, 0.91))
 
 
 def bright(rng: np.random.Generator) -> Colour:
-    """Draw a colour as packagings have: white, pastel or strong."""
+    """Draw a typical colour of packaging: white, pastel or strong."""
     if rng.random() < 0.3:
         return (0.93, 0.93, 0.9)
     hue, strength, value = rng.uniform(0, 6), rng.uniform(0.2, 0.85), rng.uniform(0.35, 0.95)
@@ -74,7 +74,7 @@ def flacon(rng: np.random.Generator) -> Mesh:
 
 
 def squeeze_tube(rng: np.random.Generator) -> Mesh:
-    """Draw a tube of tooth paste or cream, standing on its cap."""
+    """Draw a tube of toothpaste or cream that stands on its cap."""
     wide, thin = (
         rounded(0.05, 0.006, 0.002, y=-0.003, points=3),
         rounded(0.036, 0.036, 0.018, y=-0.018, points=3),
@@ -86,7 +86,7 @@ def squeeze_tube(rng: np.random.Generator) -> Mesh:
 
 
 def soap_dispenser(rng: np.random.Generator, metal: Material) -> Mesh:
-    """Draw a soap dispenser with a pump looking to +y, centred."""
+    """Draw a centred soap dispenser whose pump points to +y."""
     body = Material(bright(rng), gloss=0.06, roughness=0.1)
     height = rng.uniform(0.1, 0.14)
     shape = [(0, 0), (0.034, 0), (0.035, height * 0.8), (0.03, height * 0.93), (0.014, height), (0, height)]
@@ -109,7 +109,7 @@ def soap(rng: np.random.Generator) -> Mesh:
 
 
 def tooth_brushes(rng: np.random.Generator) -> Mesh:
-    """Draw a glass or mug with one to four tooth brushes and perhaps tooth paste, centred."""
+    """Draw a glass or mug with one to four toothbrushes and perhaps toothpaste, centred."""
     mug = GLASS if rng.random() < 0.4 else Material(bright(rng), gloss=0.06)
     profile = [(0, 0), (0.03, 0), (0.036, 0.1), (0.033, 0.1), (0.028, 0.006), (0, 0.006)]
     parts = [lathe(profile, 12).of(mug)]
@@ -126,7 +126,7 @@ def tooth_brushes(rng: np.random.Generator) -> Mesh:
 
 
 def roll(rng: np.random.Generator, tail: float = 0.0) -> Mesh:
-    """Draw a roll of toilet paper around the x axis, with a tail hanging before it."""
+    """Draw a roll of toilet paper around the x axis, with its end hanging down in front."""
     radius = rng.uniform(0.045, 0.06)
     body = lathe([(0.02, 0), (radius, 0), (radius, 0.1), (0.02, 0.1), (0.02, 0)], 16).moved(z=-0.05)
     parts = [body.turned(90, "y").of(PAPER)]
@@ -136,13 +136,13 @@ def roll(rng: np.random.Generator, tail: float = 0.0) -> Mesh:
 
 
 def standing_roll(rng: np.random.Generator) -> Mesh:
-    """Draw a roll of toilet paper standing on its end."""
+    """Draw a roll of toilet paper that stands on end."""
     radius = rng.uniform(0.05, 0.06)
     return lathe([(0.02, 0), (radius, 0), (radius, 0.1), (0.02, 0.1), (0.02, 0.01)], 14).of(PAPER)
 
 
 def cosmetic(rng: np.random.Generator) -> Mesh:
-    """Draw any one thing to stand on a bathroom shelf, centred."""
+    """Draw a random object for a bathroom shelf, centred."""
     makers = (bottle, bottle, bottle, jar, squeeze_tube, flacon)
     return makers[int(rng.integers(len(makers)))](rng).turned(rng.uniform(-25, 25))
 
@@ -155,14 +155,14 @@ def row(rng: np.random.Generator, width: float, fill: float = 0.7) -> Mesh:
     rng
         Source of randomness.
     width
-        Of the shelf, metres.
+        Width of the shelf in metres.
     fill
-        Share of the places taken.
+        Share of the places that are taken.
 
     Returns
     -------
     Mesh
-        May be empty.
+        The row, which may be empty.
     """
     count = max(1, int(width / 0.095))
     things = []
@@ -181,14 +181,14 @@ def folded_towels(rng: np.random.Generator, cloths: list[Material], width: float
     rng
         Source of randomness.
     cloths
-        One for each towel, from below.
+        Material of each towel, from the bottom up.
     width
-        Metres; three quarters as deep.
+        Width in metres; the stack is three quarters as deep.
 
     Returns
     -------
     Mesh
-        Each towel is two rounded layers, the fold in front.
+        The stack; each towel consists of two rounded layers with the fold in front.
     """
     parts = []
     z = 0.0

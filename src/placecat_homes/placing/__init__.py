@@ -1,1 +1,1 @@
-"""Where things can stand, hang and lie in a room, so that everybody can still walk."""
+"""Where objects can stand, hang and lie in a room so that people can still walk through it."""

@@ -1,4 +1,4 @@
-"""Putting things on the walls of a room."""
+"""Placement of objects at the walls of a room."""
 
 from collections.abc import Sequence
 
@@ -11,21 +11,21 @@ from placecat_homes.placing.opening import Opening, Span
 from placecat_homes.placing.placed import Floats, Placed
 
 GAP = 0.02
-"""Metres between a wall and what stands on it."""
+"""Metres between a wall and an object that stands against it."""
 
 TRIES = 40
-"""At most so many places are tried for a thing."""
+"""Largest number of places that are tried for an object."""
 
 _FRAME = 0.1
 
 
 class AtWalls(Occupied):
-    """Four walls that things are stood on and hung on.
+    """Four walls, with objects that stand against them and hang on them.
 
     Attributes
     ----------
     rng
-        Where this room's randomness comes from.
+        Source of randomness.
     """
 
     def __init__(
@@ -45,27 +45,27 @@ class AtWalls(Occupied):
         corner: bool = False,
         z: float = 0.0,
     ) -> Placed | None:
-        """Stand a thing with its back on a wall, where it blocks neither doors nor windows nor other things.
+        """Stand an object with its back to a wall, where it blocks no door, window or other object.
 
         Parameters
         ----------
         model
-            The thing.
+            The object.
         front
-            Metres before it that must be free.
+            Metres in front of it that must be free.
         wall
-            0 to 3; None tries all.
+            Number of the wall, 0 to 3; None tries all.
         at
-            Where along the wall the middle of the thing comes; None draws a place.
+            Position of the middle of the object along the wall; drawn at random if None.
         corner
-            Prefer corners.
+            Whether to prefer corners.
         z
-            Height of the thing's origin.
+            Height of the object's origin.
 
         Returns
         -------
         Placed | None
-            None if there is no place from which all doors can still be reached.
+            The placed object; None if there is no place that leaves all doors within reach.
         """
         spots: list[tuple[float, Placed, Floats]] = []
         for number in range(4) if wall is None else (wall,):
@@ -82,14 +82,15 @@ class AtWalls(Occupied):
         Parameters
         ----------
         tall
-            Without any window; else windows whose sill is 0.9 m or more above the floor do not matter.
+            Allow no window at all; otherwise windows whose sill is at least about 0.9 m above the floor are
+            ignored.
         least
             Shortest useful length in metres.
 
         Returns
         -------
         Span | None
-            None if no stretch is as long as `least`.
+            The stretch; None if none is as long as `least`.
         """
         best: Span | None = None
         for wall in (int(k) for k in self.rng.permutation(4)):
@@ -113,21 +114,22 @@ class AtWalls(Occupied):
         return best if best is not None and best.length >= least else None
 
     def hang(self, model: Mesh, *, bottom: float, above: Placed | None = None) -> Placed | None:
-        """Hang a thing on a free place of a wall.
+        """Hang an object at a free place on a wall.
 
         Parameters
         ----------
         model
-            The thing.
+            The object.
         bottom
-            Height of its origin in metres; lowered a little under low ceilings, raised over a higher `above`.
+            Height of its origin in metres. It is lowered a little under a low ceiling, and raised if `above`
+            is higher.
         above
-            Hang it over the middle of this, on the same wall.
+            Hang the object over the middle of this one, on the same wall.
 
         Returns
         -------
         Placed | None
-            None if there is no place.
+            The placed object; None if there is no place.
         """
         if above is not None:
             if above.wall is None:
@@ -159,14 +161,15 @@ class AtWalls(Occupied):
         window
             One of `windows`.
         model
-            The curtain, z = 0 at its bottom.
+            The curtain, whose bottom is at z = 0.
         bottom
-            Height of its origin in metres; None lets it end 0.15 m above the window.
+            Height of its origin in metres; if None, it ends 0.15 m above the window.
 
         Returns
         -------
         Placed | None
-            None if it does not fit on the wall, or something tall stands there.
+            The placed curtain; None if it does not fit on the wall, or is blocked by a door or something
+            tall.
         """
         top = float(model.high[2])
         if bottom is None:
@@ -190,7 +193,7 @@ class AtWalls(Occupied):
         return thing
 
     def _places(self, model: Mesh, wall: int) -> Floats:
-        """Middles along a wall at which a model of this width fits between the corners."""
+        """Positions along a wall at which the middle of a model fits between the corners."""
         length, width = self.length(wall), float(model.size[0])
         margin = min(GAP, (length - width) / 2)
         if margin < -0.005:
@@ -201,7 +204,7 @@ class AtWalls(Occupied):
     def _stands(
         self, model: Mesh, wall: int, at: float | None, front: float, corner: bool, z: float
     ) -> list[tuple[float, Placed, Floats]]:
-        """Places on a wall that are free, with what to prefer (small values) and the floor before them."""
+        """Free places at a wall, each with a rating (small is better) and the floor in front of it."""
         width, depth = float(model.size[0]), float(model.size[1])
         length = self.length(wall)
         if at is None:
@@ -220,7 +223,7 @@ class AtWalls(Occupied):
         good &= self._clear(bodies, z0, z1, self._fronts)
         if front > 0:
             good &= self._clear(aheads, FLAT, HEAD, self._boxes)
-        # Who names the exact place may let a tap or kettle stand before the window.
+        # Where the caller gives the exact place, a tap or kettle may stand in front of the window.
         slack = 0.05 if at is None else 0.4
         good &= ~np.array(
             [self.covers_opening(wall, ends, z0, z1 - slack, 0.02) for ends in zip(left, right, strict=True)]

@@ -1,4 +1,4 @@
-"""The free floor of a room: whether everybody can still walk."""
+"""The free floor of a room, and whether people can still walk through it."""
 
 import numpy as np
 from scipy import ndimage
@@ -19,7 +19,7 @@ class FreeFloor:
     Parameters
     ----------
     walls
-        Around it.
+        The walls around the floor.
     """
 
     def __init__(self, walls: Walls) -> None:
@@ -28,7 +28,7 @@ class FreeFloor:
         self._solid = self._empty()
 
     def block(self, thing: Placed) -> None:
-        """Take the footprint of a thing off the floor."""
+        """Remove the footprint of an object from the free floor."""
         self._solid |= self._drawn(thing)
 
     def is_connected(self) -> bool:
@@ -36,12 +36,12 @@ class FreeFloor:
         return self._reached(self._solid)[0]
 
     def distances(self) -> Floats:
-        """Give how many cells it is from each cell between the walls to the nearest that is not free."""
+        """Return the distance in cells from each cell between the walls to the nearest that is not free."""
         distances = ndimage.distance_transform_edt(~self._solid)
         return np.asarray(distances[_PAD:-_PAD, _PAD:-_PAD])
 
     def allows(self, thing: Placed) -> bool:
-        """Tell whether a thing in the way leaves all doors connected and enough floor in reach."""
+        """Tell whether an object in the way leaves all doors connected and enough floor within reach."""
         if not self._sills:
             return True
         before, _ = self._reached(self._solid)
@@ -57,7 +57,7 @@ class FreeFloor:
         return bool(lost.sum() * CELL**2 < _POCKET)
 
     def _reached(self, solid: Bools) -> tuple[bool, Bools]:
-        """Tell whether all doors are connected, and what can be reached from the first."""
+        """Tell whether all doors are connected, and which cells can be reached from the first door."""
         labels, _ = ndimage.label(room_for_person(solid, _WIDE))
         numbers = {int(labels[cell]) for cell in self._sills}
         if not numbers:
@@ -83,7 +83,7 @@ class FreeFloor:
         return solid
 
     def _swing(self, door: Opening) -> Floats:
-        """Corners of the floor where the leaf of an open door may stand, counter-clockwise."""
+        """Corners of the floor area where the leaf of an open door may stand, counter-clockwise."""
         inwards = 1.0 if door.hinge == "left" else -1.0
         hinge = door.start if door.hinge == "left" else door.end
         tips = [(hinge + inwards * side, door.width) for side in (0.1, -0.1)]

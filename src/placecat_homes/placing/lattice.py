@@ -1,4 +1,4 @@
-"""The floor as a lattice of cells: what is drawn on it, and where a person fits."""
+"""The floor as a lattice of cells: drawing footprints on it, and finding where a person fits."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,7 +7,7 @@ from scipy import ndimage
 from placecat_homes.placing.placed import Floats
 
 CELL = 0.05
-"""Edge of the cells of the floor lattice in metres."""
+"""Edge length of the cells of the floor lattice in metres."""
 
 PERSON = 0.25
 """Radius of a walking person in metres."""
@@ -16,21 +16,21 @@ Bools = NDArray[np.bool_]
 
 
 def room_for_person(solid: Bools, radius: float = PERSON) -> Bools:
-    """Tell in which cells of a lattice of edge `CELL` the middle of a person of this radius fits."""
+    """Tell in which cells (of edge length `CELL`) the middle of a person of this radius fits."""
     return np.asarray(ndimage.distance_transform_edt(~solid) >= radius / CELL)
 
 
 def drawn(corners: Floats, origin: tuple[float, float], shape: tuple[int, int]) -> Bools:
-    """Draw a convex polygon, corners counter-clockwise, on a lattice of edge `CELL`.
+    """Draw a convex polygon on a lattice of cells of edge length `CELL`.
 
     Parameters
     ----------
     corners
-        (n, 2) metres.
+        (n, 2) metres, counter-clockwise.
     origin
-        Of the lattice's first corner.
+        Position of the lattice's first corner.
     shape
-        Of the lattice.
+        Shape of the lattice.
 
     Returns
     -------

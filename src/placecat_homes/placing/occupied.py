@@ -1,4 +1,4 @@
-"""A room with what is in it already, and whether something more has place."""
+"""A room with the objects already in it, and whether there is space for another."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ from placecat_homes.placing.opening import Opening
 from placecat_homes.placing.placed import Floats, Placed
 from placecat_homes.placing.walls import Walls
 
-# Heights in metres: what is above or below them is in nobody's way.
+# Heights in metres: objects entirely above or below them are in nobody's way.
 HEAD = 1.9
 FLAT = 0.08
 
@@ -19,14 +19,14 @@ _SHALLOW = 0.15
 
 
 class Occupied(Walls):
-    """Four walls and the things between them.
+    """Four walls and the objects between them.
 
     Attributes
     ----------
     placed
-        All things put into it so far.
+        All objects put into the room so far.
     blocking
-        Those of them that people walk around.
+        Those objects that people must walk around.
     """
 
     def __init__(self, size: tuple[float, float, float], openings: Sequence[Opening]) -> None:
@@ -40,7 +40,7 @@ class Occupied(Walls):
         self._floor = FreeFloor(self)
 
     def mesh(self) -> Mesh:
-        """Everything placed, in the frame of the room."""
+        """All placed objects in the frame of the room."""
         return join(thing.mesh() for thing in self.placed)
 
     def walkable(self) -> bool:
@@ -75,7 +75,7 @@ class Occupied(Walls):
         return np.asarray(~meets.any(axis=1))
 
     def _bulk(self, thing: Placed) -> Floats:
-        """Box of a thing; what hangs on a wall is at least 0.12 m deep, so that nothing hides it."""
+        """Box of an object; what hangs on a wall counts as at least 0.12 m deep, so that nothing hides it."""
         box = thing.box()
         if thing.wall is not None and thing.z > 0.3:
             near = min(max(self.back(thing, thing.wall), 0.0), 0.12)
@@ -88,7 +88,7 @@ class Occupied(Walls):
         return box
 
     def _zone(self, door: Opening) -> Floats:
-        """Floor before a door that must stay free."""
+        """Floor in front of a door that must stay free."""
         deep = 0.1 if not door.passage else (door.width + 0.05 if door.leaf else 0.6)
         start, end = door.start - 0.05, door.end + 0.05
         if door.leaf and door.hinge == "left":
@@ -100,7 +100,7 @@ class Occupied(Walls):
 
     @staticmethod
     def _blocks(thing: Placed) -> bool:
-        """Tell whether a person must walk around it."""
+        """Tell whether a person must walk around an object."""
         z0, z1 = thing.z + float(thing.model.low[2]), thing.z + float(thing.model.high[2])
         shallow = thing.wall is not None and float(thing.model.size[1]) < _SHALLOW
         return z0 < HEAD and z1 > FLAT and not shallow

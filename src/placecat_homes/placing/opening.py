@@ -18,11 +18,11 @@ class Opening:
     kind
         "window" or "door".
     leaf
-        A door's leaf swings into this room.
+        Whether a door leaf swings into this room.
     hinge
-        Of a door's leaf, as seen from inside this room: "left" or "right".
+        Side of the hinge of a door leaf, as seen from inside this room: "left" or "right".
     passage
-        People walk through it (false for windows and doors that stay closed).
+        Whether people walk through it (false for windows and for doors that stay closed).
     """
 
     wall: int
@@ -42,7 +42,7 @@ class Opening:
 
     @property
     def middle(self) -> float:
-        """Metres along the wall to its middle."""
+        """Position of the middle in metres along the wall."""
         return (self.start + self.end) / 2
 
 

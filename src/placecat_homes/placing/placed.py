@@ -1,4 +1,4 @@
-"""A thing at its place in a room."""
+"""An object at its place in a room."""
 
 import math
 from dataclasses import dataclass
@@ -13,14 +13,14 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """A thing that stands, hangs or lies in a room.
+    """An object that stands, hangs or lies in a room.
 
     Attributes
     ----------
     model
-        The thing in its own frame.
+        The object in the frame of its mesh.
     x, y, z
-        Of the thing's origin in the frame of the room, metres.
+        Position of the object's origin in the frame of the room, in metres.
     turn
         Degrees, counter-clockwise seen from above.
     wall
@@ -35,24 +35,24 @@ class Placed:
     wall: int | None = None
 
     def mesh(self) -> Mesh:
-        """Give the thing in the frame of the room."""
+        """Return the object in the frame of the room."""
         return self.model.turned(self.turn).moved(self.x, self.y, self.z)
 
     def corners(self) -> Floats:
-        """Give the (4, 2) corners of its footprint in the frame of the room, counter-clockwise."""
+        """Return the (4, 2) corners of its footprint in the frame of the room, counter-clockwise."""
         (x0, y0), (x1, y1) = self.model.low[:2], self.model.high[:2]
         local = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], dtype=np.float64)
         return local @ rotation(self.turn).T + (self.x, self.y)
 
     def box(self) -> Floats:
-        """Give x0, y0, x1, y1, z0, z1 of the box around it in the frame of the room."""
+        """Return x0, y0, x1, y1, z0, z1 of the box around it in the frame of the room."""
         corners = self.corners()
         z0, z1 = float(self.model.low[2]) + self.z, float(self.model.high[2]) + self.z
         return np.array([*corners.min(axis=0), *corners.max(axis=0), z0, z1])
 
 
 def rotation(degrees: float) -> Floats:
-    """Give the (2, 2) matrix that turns counter-clockwise."""
+    """Return the (2, 2) matrix that turns counter-clockwise."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     if degrees % 90 == 0:
         c, s = round(c), round(s)

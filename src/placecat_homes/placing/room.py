@@ -20,9 +20,9 @@ class Room(AtWalls):
     Attributes
     ----------
     kind, name
-        E.g. "bedroom" and "bedroom_1".
+        Kind and name of the room, such as "bedroom" and "bedroom_1".
     style
-        Of the whole building.
+        Style of the whole building.
     """
 
     def __init__(
@@ -39,21 +39,21 @@ class Room(AtWalls):
         self.kind, self.name, self.style = kind, name, style
 
     def middle(self, model: Mesh, *, clearance: float = 0.6, turn: float | None = None) -> Placed | None:
-        """Stand a thing free, at least `clearance` metres from walls and other things, rather central.
+        """Stand an object free, rather centrally, at least `clearance` metres from walls and other objects.
 
         Parameters
         ----------
         model
-            The thing; the middle of its footprint is moved onto the place.
+            The object; the middle of its footprint is moved to the place.
         clearance
             Metres.
         turn
-            Degrees; None draws among the four right angles.
+            Degrees; one of the four right angles is drawn if None.
 
         Returns
         -------
         Placed | None
-            None if there is no place.
+            The placed object; None if there is no place.
         """
         turns = [90.0 * float(k) for k in self.rng.permutation(4)] if turn is None else [turn]
         aim = np.array([self.width, self.depth]) / 2 + self.rng.normal(0, 0.15, 2)
@@ -73,7 +73,7 @@ class Room(AtWalls):
             good &= self._clear(around, FLAT, HEAD, self._boxes)
             distance = np.linalg.norm(centres - aim, axis=1)
             spots += [(distance[k], degrees, centres[k] - offset) for k in np.flatnonzero(good)]
-        # The right angles are tried in random order where they are equally central.
+        # Right angles for which the place is equally central are tried in random order.
         for _, degrees, origin in sorted(spots, key=lambda spot: round(float(spot[0]), 1))[:TRIES]:
             thing = Placed(model, float(origin[0]), float(origin[1]), 0.0, degrees)
             if self._walkable_with(thing):
@@ -81,14 +81,14 @@ class Room(AtWalls):
         return None
 
     def beside(self, other: Placed, model: Mesh, *, side: str = "left", gap: float = 0.05) -> Placed | None:
-        """Put a thing beside another, looking the same way, their backs in line.
+        """Put an object beside another, facing the same way, with their backs in line.
 
         Parameters
         ----------
         other
-            Stands or hangs already.
+            The other object, which already stands or hangs.
         model
-            The thing.
+            The object.
         side
             "left" or "right", as seen when facing `other`.
         gap
@@ -97,7 +97,7 @@ class Room(AtWalls):
         Returns
         -------
         Placed | None
-            None if there is no place.
+            The placed object; None if there is no place.
         """
         if side == "left":
             x = float(other.model.high[0]) + gap - float(model.low[0])
@@ -107,22 +107,22 @@ class Room(AtWalls):
         return self._try(self._in_frame(other, model, x, y, 0.0, 0.0, other.wall))
 
     def facing(self, other: Placed, model: Mesh, *, distance: float) -> Placed | None:
-        """Put a thing in front of another, looking back at it.
+        """Put an object in front of another, facing it.
 
         Parameters
         ----------
         other
-            Stands already.
+            The other object, which already stands in the room.
         model
-            The thing.
+            The object.
         distance
-            Metres between their fronts. From 1 m on, a thing that would come near the wall or beyond it is
-            put against the wall.
+            Metres between their fronts. From 1 m on, an object that would end near or behind the wall is put
+            against the wall.
 
         Returns
         -------
         Placed | None
-            None if there is no place.
+            The placed object; None if there is no place.
         """
         x = float(other.model.low[0] + other.model.high[0] + model.low[0] + model.high[0]) / 2
         y = float(other.model.high[1]) + distance + float(model.high[1])
@@ -138,23 +138,23 @@ class Room(AtWalls):
         return self._try(thing)
 
     def on(self, other: Placed, model: Mesh, x: float, y: float, z: float, turn: float = 0.0) -> Placed:
-        """Put a thing somewhere in the frame of another, whatever else is there.
+        """Put an object at a place in the frame of another, regardless of what else is there.
 
         Parameters
         ----------
         other
-            Stands already.
+            The other object, which already stands in the room.
         model
-            The thing.
+            The object.
         x, y, z
-            Of its origin in the frame of `other`, metres.
+            Position of its origin in the frame of `other`, in metres.
         turn
             Degrees relative to `other`.
 
         Returns
         -------
         Placed
-            The thing.
+            The object.
         """
         thing = self._in_frame(other, model, x, y, z, turn, other.wall)
         if thing.wall is not None and (turn % 360 != 0 or self.back(thing, thing.wall) > 0.15):
@@ -162,19 +162,19 @@ class Room(AtWalls):
         return self._keep(thing, blocks=self._blocks(thing) and self._walkable_with(thing))
 
     def floor(self, model: Mesh, *, under: Placed | None = None) -> Placed | None:
-        """Lay a flat thing on the floor.
+        """Lay a flat object on the floor.
 
         Parameters
         ----------
         model
-            Rug or mat.
+            A rug or mat.
         under
-            Lay it with its middle under that of this thing; else where much floor is free.
+            Lay its middle under that of this object; if None, lay it where much floor is free.
 
         Returns
         -------
         Placed | None
-            None if the room is too small for it.
+            The placed object; None if the room is too small for it.
         """
         if under is not None:
             turns = [under.turn, under.turn + 90.0]
@@ -206,21 +206,21 @@ class Room(AtWalls):
         x: float | None = None,
         y: float | None = None,
     ) -> Placed:
-        """Fix a thing to the ceiling.
+        """Fix an object to the ceiling.
 
         Parameters
         ----------
         model
-            Its z = 0 is the ceiling.
+            The object, whose z = 0 is the ceiling.
         above
-            Over the middle of this thing.
+            Hang it over the middle of this object.
         x, y
-            Else here; None is the middle of the room.
+            Position without `above`; None is the middle of the room.
 
         Returns
         -------
         Placed
-            The thing.
+            The object.
         """
         if above is not None:
             x, y = (float(value) for value in above.corners().mean(axis=0))
@@ -251,7 +251,7 @@ class Room(AtWalls):
 
     @staticmethod
     def _extent(model: Mesh, turn: float) -> tuple[Floats, Floats]:
-        """Size of the turned footprint, and where its middle is from the model's origin."""
+        """Size of the turned footprint, and its middle relative to the model's origin."""
         corners = Placed(model, 0.0, 0.0, 0.0, turn).corners()
         low, high = corners.min(axis=0), corners.max(axis=0)
         return high - low, (low + high) / 2

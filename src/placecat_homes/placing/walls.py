@@ -1,6 +1,6 @@
 """The walls of a room with their openings, and positions along them.
 
-Walls are numbered 0 to 3, such that a thing with its back on wall k is turned by 90 k degrees: wall 0 is
+Walls are numbered 0 to 3 so that an object with its back to wall k is turned by 90 k degrees: wall 0 is
 y = 0, wall 1 is x = width, wall 2 is y = depth, wall 3 is x = 0. Positions along a wall are metres from its
 left end as seen from inside.
 """
@@ -26,7 +26,7 @@ class Walls:
     """
 
     def __init__(self, size: tuple[float, float, float], openings: Sequence[Opening]) -> None:
-        """Build them; `size` is width, depth and height."""
+        """Build the walls; `size` is width, depth and height."""
         self.width, self.depth, self.height = (float(value) for value in size)
         self.openings = tuple(openings)
 
@@ -41,11 +41,11 @@ class Walls:
         return [opening for opening in self.openings if opening.kind == "door"]
 
     def length(self, wall: int) -> float:
-        """Metres of a wall from corner to corner."""
+        """Length of a wall from corner to corner, in metres."""
         return self.width if wall % 2 == 0 else self.depth
 
     def point(self, wall: int, along: float, inwards: float) -> tuple[float, float]:
-        """Give x and y of a point `along` metres from a wall's left end, `inwards` metres from the wall."""
+        """Return x and y of a point `along` metres from a wall's left end, `inwards` metres from the wall."""
         w, d = self.width, self.depth
         return (
             (w - along, inwards),
@@ -55,22 +55,22 @@ class Walls:
         )[wall]
 
     def along(self, wall: int, x: float, y: float) -> float:
-        """Give how far along a wall the point nearest to x, y is."""
+        """Return how far along a wall the point nearest to x, y is."""
         return float((self.width - x, self.depth - y, x, y)[wall])
 
     def back(self, thing: Placed, wall: int) -> float:
-        """Distance of a thing's back from a wall; negative beyond it."""
+        """Distance of an object's back from a wall; negative beyond the wall."""
         box = thing.box()
         return float((box[1], self.width - box[2], self.depth - box[3], box[0])[wall])
 
     def ends(self, thing: Placed, wall: int) -> tuple[float, float]:
-        """Give where along a wall a thing starts and ends."""
+        """Return where along a wall an object starts and ends."""
         box = thing.box()
         a, b = self.along(wall, box[0], box[1]), self.along(wall, box[2], box[3])
         return min(a, b), max(a, b)
 
     def strip(self, wall: int, start: Floats, end: Floats, near: float, far: float) -> Floats:
-        """Rectangles (n, 4) before a wall."""
+        """Rectangles (n, 4) in front of a wall."""
         w, d = self.width, self.depth
         low, high = np.full_like(start, near), np.full_like(start, far)
         columns = (
@@ -82,13 +82,13 @@ class Walls:
         return np.stack(columns, axis=1)
 
     def at_wall(self, model: Mesh, wall: int, place: float, z: float, gap: float) -> Placed:
-        """Give a thing with its middle at a place along a wall, its back `gap` metres from it."""
+        """Place an object with its middle at a position along a wall, its back `gap` metres from the wall."""
         along = place + float(model.low[0] + model.high[0]) / 2
         x, y = self.point(wall, along, gap - float(model.low[1]))
         return Placed(model, x, y, z, 90.0 * wall, wall)
 
     def on_wall(self, wall: int) -> list[Opening]:
-        """Give the openings in a wall."""
+        """Return the openings in a wall."""
         return [opening for opening in self.openings if opening.wall == wall]
 
     def covers_opening(

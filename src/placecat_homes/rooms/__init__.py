@@ -1,1 +1,1 @@
-"""What is in a room of each kind."""
+"""The furniture of each kind of room."""

@@ -65,7 +65,7 @@ def furnish(room: Room) -> None:
 
 
 def _walls(room: Room) -> None:
-    """Hang coats, and what else there is place for, on the walls that are left."""
+    """Hang coats and whatever else fits on the remaining walls."""
     rng, style = room.rng, room.style
     if chance(rng, 0.4):
         board = wall_board(rng, style)

@@ -58,14 +58,14 @@ def furnish(room: Room) -> None:
 
 
 def _coats(room: Room) -> None:
-    """Hang coats on a wall, or stand what carries them."""
+    """Hang coats on a wall, or put up a stand or unit for them."""
     rng, style = room.rng, room.style
     kinds = ["hooks", "hooks", "unit", "stand"]
     for kind in rng.permutation(kinds):
         if kind == "hooks":
             rack = coat_rack(rng, style)
             top = between(rng, 1.68, 1.85)
-            # The board is near the upper end of the rack, whatever hangs from it.
+            # The board is near the upper end of the rack, no matter what hangs from it.
             if room.hang(rack, bottom=max(0.3, top - float(rack.high[2]))) is not None:
                 return
         elif kind == "unit":

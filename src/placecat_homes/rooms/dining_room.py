@@ -1,4 +1,4 @@
-"""Dining rooms: a large table with chairs around it, a lamp above, sideboard and china cabinet."""
+"""Dining rooms: a large table with chairs and a lamp above it, a sideboard and a china cabinet."""
 
 from placecat_homes.furniture.bar_cart import bar_cart
 from placecat_homes.furniture.blocks import between, chance, choose
@@ -18,12 +18,12 @@ from placecat_homes.placing.room import Room
 
 
 def furnish(room: Room) -> None:
-    """Put a dining room into a room.
+    """Put the furniture of a dining room into a room.
 
     Parameters
     ----------
     room
-        Empty; changed in place.
+        An empty room, which is changed in place.
     """
     rng, style = room.rng, room.style
     table = _table(room)
@@ -40,7 +40,7 @@ def furnish(room: Room) -> None:
 
 
 def _table(room: Room) -> Placed | None:
-    """Stand the largest set that fits in the middle."""
+    """Stand the largest set that fits in the middle of the room."""
     rng, style = room.rng, room.style
     area = room.width * room.depth
     largest = 8 if area > 16 else (6 if area > 10.5 else 4)
@@ -57,7 +57,7 @@ def _table(room: Room) -> Placed | None:
 
 
 def _cabinets(room: Room) -> None:
-    """Stand sideboard and china cabinet at the walls: at least one of them where possible."""
+    """Stand a sideboard and a china cabinet against the walls, at least one of them where possible."""
     rng, style = room.rng, room.style
     order = ["china", "board"]
     if chance(rng, 0.5):
@@ -87,7 +87,7 @@ def _cabinets(room: Room) -> None:
 
 
 def _finish(room: Room) -> None:
-    """Hang curtains, pictures and a clock, and put down plants and lamps."""
+    """Hang curtains, pictures and a clock, and add plants and lamps."""
     rng, style = room.rng, room.style
     for window in room.windows:
         kind = rng.random()

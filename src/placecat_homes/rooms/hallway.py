@@ -65,7 +65,7 @@ def _sign(room: Room, opening: Opening) -> None:
 
 
 def _shut_doors(room: Room) -> None:
-    """Let doors that stay shut line walls that have few."""
+    """Line walls that have few doors with doors that stay shut."""
     rng, style = room.rng, room.style
     apart = between(rng, 2.6, 4.2)
     seed = int(rng.integers(1 << 30))

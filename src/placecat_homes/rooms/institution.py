@@ -1,4 +1,4 @@
-"""What rooms of an office building have in common: strip lights, notices, signs."""
+"""The strip lights and notices that all rooms of an office building have."""
 
 from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.ceiling_strip import ceiling_strip
@@ -15,7 +15,7 @@ def strip_lights(room: Room, *, apart: float = 2.6) -> None:
     room
         The room.
     apart
-        Metres from light to light along the room.
+        Distance from light to light along the room in metres.
     """
     rng, style = room.rng, room.style
     along = room.width >= room.depth
@@ -40,7 +40,7 @@ def notices(room: Room, count: int, *, boards: bool = True) -> None:
     room
         The room.
     count
-        How many.
+        Number of objects.
     boards
         Whether there may be pin boards.
     """

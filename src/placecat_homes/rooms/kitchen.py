@@ -1,4 +1,4 @@
-"""Kitchens: a row of fitted cabinets or two rows in a corner, fridge, perhaps a small table."""
+"""Kitchens: one row of fitted cabinets or two rows in a corner, a fridge, perhaps a small table."""
 
 from collections.abc import Sequence
 
@@ -38,12 +38,12 @@ SMALL = 1.2
 
 
 def furnish(room: Room) -> None:
-    """Put a kitchen into a room.
+    """Put the furniture of a kitchen into a room.
 
     Parameters
     ----------
     room
-        Empty; changed in place.
+        An empty room, which is changed in place.
     """
     rng, style = room.rng, room.style
     design = Design.draw(rng, style)
@@ -67,14 +67,14 @@ def furnish(room: Room) -> None:
 
 
 def _best_span(room: Room) -> Span | None:
-    """Find the wall for the main row; windows are no hindrance."""
+    """Find the wall for the main row; it may have windows."""
     return room.span(least=SMALL) or room.span(least=0.9)
 
 
 def _fridge_at_end(
     room: Room, chill: Mesh, wall: int, start: float, end: float
 ) -> tuple[Placed | None, float, float]:
-    """Stand the fridge at one end of a stretch of wall if that leaves enough; give what is left."""
+    """Stand the fridge at one end of a stretch of wall if that leaves enough; return what is left."""
     width = float(chill.size[0])
     if end - start < width + 1.65:
         return None, start, end
@@ -91,7 +91,7 @@ def _fridge_at_end(
 
 
 def _rows(room: Room, design: Design, wall: int, start: float, end: float, cold: Placed | None) -> None:
-    """Build the main row and perhaps a second one around a corner."""
+    """Build the main row and perhaps a second row around a corner."""
     rng = room.rng
     limit = between(rng, 2.6, 4.2)
     whole = room.length(wall)
@@ -124,7 +124,7 @@ def _rows(room: Room, design: Design, wall: int, start: float, end: float, cold:
     reach = min(free, between(rng, 1.2, 2.6))
     done = None
     while reach >= 0.6 and done is None:
-        # The second row starts where the first one ends, at the worktop's edge.
+        # The second row starts where the first row ends, at the edge of the worktop.
         deep = float(placed.model.high[1]) + 0.03
         total = room.length(neighbour)
         a, b = (total - deep - reach, total - deep) if side == "start" else (deep, deep + reach)
@@ -136,7 +136,7 @@ def _rows(room: Room, design: Design, wall: int, start: float, end: float, cold:
 
 
 def _shorter(room: Room, design: Design, wall: int, start: float, end: float) -> None:
-    """Build one row as long as fits into a stretch of wall, or else anywhere."""
+    """Build a row of the longest length that fits into a stretch of wall, or otherwise anywhere."""
     stretches = [(wall, start, end)]
     span = room.span(least=0.9)
     if span is not None:
@@ -156,7 +156,7 @@ def _stove_anywhere(room: Room) -> None:
 
 
 def _corner(room: Room, wall: int, at_start: bool, at_end: bool) -> tuple[str, int, float] | None:
-    """Find a neighbouring wall for a second row: which end of the first wall, its number, its free length."""
+    """Find a wall for a second row: the end of the first wall it adjoins, its number and its free length."""
     found = []
     for side, touching in (("start", at_start), ("end", at_end)):
         if not touching:
@@ -184,7 +184,7 @@ def _row(
     fixed: Sequence[tuple[str, float]],
     corner: str | None,
 ) -> Placed | None:
-    """Build one row with what hangs above it."""
+    """Build one row and what hangs above it."""
     rng, style = room.rng, room.style
     length, middle = end - start, (start + end) / 2
     windows: list[Window] = []
@@ -211,7 +211,7 @@ def _row(
 
 
 def _opposite(room: Room, design: Design) -> None:
-    """Build another row of cabinets at a free wall, if people can still walk."""
+    """Build another row of cabinets at a free wall if people can still walk past it."""
     rng = room.rng
     span = room.span(least=0.8)
     if span is None:
@@ -223,7 +223,7 @@ def _opposite(room: Room, design: Design) -> None:
 
 
 def _walls(room: Room, design: Design) -> None:
-    """Put kitchen things at the walls that are still bare."""
+    """Put kitchen furniture against the walls that are still bare."""
     rng, style = room.rng, room.style
     for _ in range(choose(rng, (1, 1, 2))):
         kind = rng.random()
@@ -246,7 +246,7 @@ def _walls(room: Room, design: Design) -> None:
 
 
 def _middle(room: Room, design: Design) -> None:
-    """Put a table or an island into the free floor, if there is enough."""
+    """Put a table or an island on the free floor if there is enough space."""
     rng, style = room.rng, room.style
     kind = rng.random()
     if kind < 0.2 and _island(room, design):
@@ -279,7 +279,7 @@ def _island(room: Room, design: Design) -> bool:
 
 
 def _finish(room: Room) -> None:
-    """Hang lamp, clock, pictures and curtains, and put down bin and plants."""
+    """Hang a lamp, a clock, pictures and curtains, and add a bin and plants."""
     rng, style = room.rng, room.style
     lamp = pendant(rng, style) if chance(rng, 0.15) else ceiling_lamp(rng, style)
     room.ceiling(lamp)

@@ -91,7 +91,7 @@ def _with(model: Mesh, thing: Mesh, x: float) -> Mesh:
 
 
 def _free(model: Mesh, thing: Mesh, length: float) -> float | None:
-    """Find where on a worktop a thing would touch nothing that stands there."""
+    """Find where on a worktop an object would touch nothing that stands there."""
     corners = model.vertices[model.triangles]
     low, high = corners.min(axis=1), corners.max(axis=1)
     above = (high[:, 2] > 0.93) & (low[:, 2] < 0.9 + float(thing.high[2])) & (high[:, 1] > 0.05)
@@ -105,7 +105,7 @@ def _free(model: Mesh, thing: Mesh, length: float) -> float | None:
 
 
 def _table(room: Room) -> None:
-    """Stand a small table with chairs, free or at a wall."""
+    """Stand a small table with chairs in the room, free or at a wall."""
     rng, style = room.rng, room.style
     model = small_table(rng, style)
     seat = chair(rng, style)

@@ -21,7 +21,7 @@ from placecat_homes.rooms.wall_tiles import tile_walls
 
 
 def furnish(room: Room) -> None:
-    """Put cubicles, urinals, wash basins and what belongs to them into a room."""
+    """Put cubicles, urinals, wash basins and their accessories into a room."""
     rng, style = room.rng, room.style
     ceramic = palette.ceramic(rng)
     if rng.random() < 0.8:
@@ -47,7 +47,7 @@ def furnish(room: Room) -> None:
 
 
 def _free_toilet(room: Room, ceramic: Material) -> Placed | None:
-    """Stand a toilet without cubicle, with grab rails and paper."""
+    """Stand a toilet without a cubicle, with grab rails and paper."""
     rng, style = room.rng, room.style
     kind = str(rng.choice(("close-coupled", "wall-hung", "low")))
     model = toilet(rng, style, ceramic=ceramic, kind=kind)
@@ -65,7 +65,7 @@ def _free_toilet(room: Room, ceramic: Material) -> Placed | None:
 
 
 def _cubicles(room: Room, ceramic: Material, area: float) -> Placed | None:
-    """Stand as many cubicles as fit, at least one; without place for any, a free toilet."""
+    """Stand as many cubicles as fit; if none fits, a toilet without a cubicle."""
     rng, style = room.rng, room.style
     most = 4 if area > 14 else 3 if area > 10 else 2
     for count, width, depth, front in (

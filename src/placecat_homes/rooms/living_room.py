@@ -99,7 +99,7 @@ def _sofa(room: Room, television: Placed | None, area: float) -> Placed | None:
 
 
 def _opposite(room: Room, television: Placed, model: Mesh) -> Placed | None:
-    """Put a sofa on the far wall, or free in a large room, looking at the television."""
+    """Put a sofa against the far wall, or free in a large room, facing the television."""
     across = room.depth if television.wall in (0, 2) else room.width
     gap = across - float(television.model.high[1]) - float(model.size[1]) - 0.04
     distances = [gap] if gap < 4.2 else []
@@ -113,14 +113,14 @@ def _opposite(room: Room, television: Placed, model: Mesh) -> Placed | None:
 
 
 def _before(room: Room, seat: Placed) -> None:
-    """Lay a rug and stand a coffee table before a sofa."""
+    """Lay a rug and stand a coffee table in front of a sofa."""
     rng, style = room.rng, room.style
     far = seat.model.vertices[seat.model.vertices[:, 1] > 1.25]
     table: Placed | None = None
     for width in (between(rng, 0.85, 1.2), 0.75, 0.6):
         model = coffee_table(rng, style, width)
         if len(far):
-            # In the corner of an L-shaped sofa.
+            # The table stands in the corner of an L-shaped sofa.
             side = -float(np.sign(far[:, 0].mean()))
             x = side * (float(seat.model.size[0]) / 2 - 0.25 - float(model.size[0]) / 2)
             table = room.on(seat, model, x, 1.3, 0.0)
@@ -135,7 +135,7 @@ def _before(room: Room, seat: Placed) -> None:
 
 
 def _cases(room: Room, area: float) -> None:
-    """Stand shelves and one or two large things against the walls."""
+    """Stand shelves and one or two large objects against the walls."""
     rng, style = room.rng, room.style
     if area > 13 and chance(rng, 0.25):
         placed = room.against(fireplace(rng, style), front=0.8)

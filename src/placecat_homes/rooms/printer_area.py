@@ -1,4 +1,4 @@
-"""Printer areas: copiers, printers, paper, and where paper ends."""
+"""Printer areas: copiers, printers, paper, and bins for waste paper."""
 
 from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.copier import copier
@@ -48,7 +48,7 @@ def furnish(room: Room) -> None:
 
 
 def _table(room: Room) -> None:
-    """Stand a table with printers, paper and small things."""
+    """Stand a table with printers, paper and small objects in the room."""
     rng, style = room.rng, room.style
     for width in (between(rng, 1.2, 1.6), 1.0, 0.8):
         depth = between(rng, 0.6, 0.7)

@@ -12,7 +12,7 @@ from placecat_homes.placing.room import Room
 from placecat_homes.shapes import box
 
 THICKNESS = 0.008
-"""Of the tiles in metres."""
+"""Thickness of the tiles in metres."""
 
 _CASING = 0.1
 
@@ -32,13 +32,13 @@ def tile_walls(
     room
         The room.
     tiles
-        Their material.
+        Material of the tiles.
     height
-        Metres.
+        Height in metres up to which walls are tiled.
     walls
-        0 to 3.
+        Numbers of the walls, 0 to 3.
     border
-        Of a strip along the upper edge; None for none.
+        Material of a strip along the upper edge; None for no strip.
     """
     for wall in walls:
         length = room.length(wall)
@@ -75,7 +75,7 @@ def _panel(
     levels: tuple[float, float],
     height: float,
 ) -> Mesh:
-    """Draw one rectangle of tiles in a frame whose origin is the middle of the wall's foot."""
+    """Draw a rectangle of tiles in a frame whose origin is the middle of the wall's lower edge."""
     width = ends[1] - ends[0]
     x = length / 2 - (ends[0] + ends[1]) / 2
     panel = box(width, THICKNESS, levels[1] - levels[0], bevel=0.0)

@@ -14,16 +14,16 @@ _SILL = 0.14
 
 
 def dress_windows(room: Room, bare: float = 0.15, cloth: float = 0.65) -> None:
-    """Hang curtains, blinds or nets before the windows of a room, the same design before each.
+    """Hang curtains, blinds or nets of one design in front of the windows of a room.
 
     Parameters
     ----------
     room
         The room.
     bare
-        Probability that there is nothing.
+        Probability that the windows stay bare.
     cloth
-        Probability of curtains when there is something; else blinds or nets.
+        Probability of curtains at windows that are not bare; the others have blinds or nets.
     """
     rng = room.rng
     for window in room.windows:
@@ -58,7 +58,7 @@ def _on_sill(room: Room, window: Opening) -> None:
 
 
 def _rod(window: Opening, extra: float) -> float:
-    """Metres from the lower end of the curtains to the rod."""
+    """Distance from the lower end of the curtains to the rod in metres."""
     low = 0.03 if window.sill < 0.5 or extra > 0.03 else window.sill - 0.12
     return window.top + 0.09 - low
 

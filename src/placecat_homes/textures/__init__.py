@@ -1,4 +1,4 @@
-"""Pictures on surfaces: one module a kind, each with a function `draw`, found by name."""
+"""Pictures on surfaces. Each kind has a module with a function `draw`, which is found by name."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ def draw(texture: Texture, pixels: int = 256) -> NDArray[np.uint8]:
     Parameters
     ----------
     texture
-        Its kind is the name of a module in this package.
+        The texture; its kind is the name of a module in this package.
     pixels
         Width and height of the picture.
 

@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw blots, bars and discs of the given colours."""
+    """Draw blots, bars and discs in the given colours."""
     x, y = grid(pixels)
     table = np.stack(colours)
     picture = table[0] * np.ones((pixels, pixels, 1))

@@ -1,4 +1,4 @@
-"""Oblong tiles or bricks in running bond: the second colour is that of the joints."""
+"""Oblong tiles or bricks in running bond; the joints have the second colour."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, cells, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw eight rows of four."""
+    """Draw eight rows of four tiles."""
     number, du, dv = cells(pixels, 4, 8, 0.5)
     tone = rng.uniform(-0.07, 0.07, 32)[number]
     tile = colours[0] * (1 + tone + 0.03 * smooth(rng, pixels, 0.8))[..., None]

@@ -1,4 +1,4 @@
-"""What a computer's screen shows: windows of text, tables and pictures over a background."""
+"""The picture on a computer screen: windows of text, tables and pictures over a background."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +12,11 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random numbers.
+        Random generator.
     colours
-        The background, then colours of title bars and pictures.
+        Colour of the background, then those of title bars and pictures.
     pixels
-        Side length.
+        Side length of the picture.
 
     Returns
     -------

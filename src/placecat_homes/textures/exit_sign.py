@@ -12,9 +12,9 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random numbers; choose the direction.
+        Random generator, which chooses the direction.
     colours
-        The ground, the figures.
+        Colours of the background and of the figures.
     pixels
         Side length; the picture is stretched over a sign twice as wide as high.
 

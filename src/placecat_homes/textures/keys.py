@@ -14,9 +14,9 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random numbers.
+        Random generator.
     colours
-        The case, the keys.
+        Colours of the case and of the keys.
     pixels
         Side length; the picture is stretched over the keyboard.
 

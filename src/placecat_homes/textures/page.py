@@ -12,11 +12,11 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random numbers.
+        Random generator.
     colours
-        The paper, the ink, then colours of pictures.
+        Colours of the paper and the ink, then those of pictures.
     pixels
-        Side length.
+        Side length of the picture.
 
     Returns
     -------

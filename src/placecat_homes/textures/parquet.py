@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, mix, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw squares of five strips each, turned by turns."""
+    """Draw squares of five strips each, in alternating directions."""
     x, y = grid(pixels)
     n, strips = 4, 5
     i, j = (x * n).astype(int), (y * n).astype(int)

@@ -1,4 +1,4 @@
-"""An oriental or modern rug, a picture: border and field."""
+"""An oriental or modern rug as a picture: a border and a field."""
 
 import numpy as np
 

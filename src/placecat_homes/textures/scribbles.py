@@ -1,4 +1,4 @@
-"""What a working group leaves on its whiteboard: formulas, diagrams, lists and plots."""
+"""The formulas, diagrams, lists and plots that a working group leaves on its whiteboard."""
 
 import itertools
 
@@ -16,11 +16,11 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random numbers.
+        Random generator.
     colours
-        The board, then the pens.
+        Colours of the board, then of the pens.
     pixels
-        Side length.
+        Side length of the picture.
 
     Returns
     -------

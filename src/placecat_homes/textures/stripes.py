@@ -1,4 +1,4 @@
-"""Upright stripes of the given colours."""
+"""Upright stripes in the given colours."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Square tiles with joints: the second colour is that of the joints, a third one an accent."""
+"""Square tiles with joints of the second colour and, if there is a third colour, accents."""
 
 import numpy as np
 

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 STRANDS = 8
-"""Strands over one repetition, each way."""
+"""Number of strands over one repetition, in each direction."""
 
 
 def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: int) -> NDArray[np.float32]:
@@ -15,9 +15,9 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     rng
         Source of randomness.
     colours
-        The canes' and the gaps'.
+        Colours of the canes and of the gaps.
     pixels
-        Edge of the picture.
+        Side length of the picture.
 
     Returns
     -------

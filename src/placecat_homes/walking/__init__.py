@@ -1,1 +1,1 @@
-"""Walks through a building: in which order, along which path, looking where."""
+"""Walks through a building: the order of rooms, the path, and where the camera looks."""

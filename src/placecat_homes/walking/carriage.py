@@ -1,4 +1,4 @@
-"""What carries the camera, and how steadily."""
+"""What carries the camera, and how steadily it does so."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ class Carriage:
     Attributes
     ----------
     height
-        Of the camera in metres.
+        Height of the camera in metres.
     height_spread
         Standard deviation of the height between walks in metres.
     speed, top_speed
@@ -32,9 +32,10 @@ class Carriage:
     shake
         Standard deviation of the tremor in degrees, in each angle.
     step
-        Height of the bob of a step in metres; 0 on wheels.
+        Height of the bobbing with each step in metres; 0 on wheels.
     steers
-        Whether the camera looks where it drives and turns on the spot (a robot); else it looks around.
+        Whether the camera looks where it drives and turns on the spot, as on a robot; otherwise it looks
+        around.
     """
 
     height: float
@@ -54,12 +55,12 @@ class Carriage:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str = "rendering.carriage") -> "Carriage":
-        """Make it of settings.
+        """Make a carriage from settings.
 
         Raises
         ------
         PlacecatError
-            A setting that does not exist.
+            If a setting does not exist.
         """
         settings.check(cls, values, where)
         return cls(**values)

@@ -23,20 +23,20 @@ _SHORTEST = 0.4
 
 @dataclass(frozen=True)
 class Act:
-    """What the camera does for a while; ahead is where it looks without `turn` and `point`.
+    """What the camera does for a while; without `turn` and `point`, it looks ahead.
 
     Attributes
     ----------
     seconds
-        How long.
+        How long it does so.
     turn
         Angle to turn by at a constant rate, in radians.
     point
-        x, y, z looked at.
+        x, y, z of the point to look at.
     aside
-        Angle beside the way ahead, in radians.
+        Angle by which it looks aside from the way ahead, in radians.
     tilt
-        Added to the usual pitch, in radians.
+        Angle added to the usual pitch, in radians.
     """
 
     seconds: float
@@ -47,18 +47,18 @@ class Act:
 
 
 class Gaze:
-    """Decides what to look at, and turns the camera there no faster than a person does.
+    """Decides what to look at, and turns the camera there no faster than a person would.
 
     Parameters
     ----------
     ground
         The building.
     rng
-        Where randomness comes from.
+        Source of randomness.
     carriage
         How fast the camera turns.
     height, pitch
-        Of the camera in metres, and its usual tilt in radians.
+        Height of the camera in metres, and its usual tilt in radians.
     """
 
     def __init__(
@@ -81,9 +81,9 @@ class Gaze:
         places
             (n, 2), where the camera is at each tick.
         ahead
-            (n,), direction of the way in radians.
+            (n,), direction of the path in radians.
         tick
-            Seconds.
+            Duration of a tick in seconds.
 
         Returns
         -------
@@ -178,7 +178,7 @@ class Gaze:
         return self._sweep(view, left)
 
     def _sweep(self, view: Viewpoint, left: float) -> Act:
-        # To the far end of an arc around the widest view, so that it is seen on the way.
+        # Turn to the far end of an arc around the widest view, so that the view is seen on the way.
         half = 0.5 * self._between(*_SWEEP)
         beside = _wrapped(view.outlook - self._yaw)
         turn = beside + half if beside >= 0 else beside - half
@@ -188,7 +188,7 @@ class Gaze:
         return Act(seconds, turn=turn, tilt=self._tilt())
 
     def _wall(self, view: Viewpoint) -> tuple[float, float, float]:
-        # Of a few points on the walls the one that is farthest from furniture, windows and doors.
+        # Of a few points on the walls, take the one farthest from furniture, windows and doors.
         x0, y0, x1, y1 = self.ground.rects[view.room]
         things = [item[:2] for item in self._items(view.room) + self._windows(view.room)]
         things += [(x, y) for a, b, x, y in self.ground.doors if view.room in (a, b)]
@@ -206,7 +206,7 @@ class Gaze:
         return [(x, y, 0.8 * height) for index, x, y, height in self.ground.items if index == room]
 
     def _choice(self, items: list[tuple[float, float, float]]) -> tuple[float, float, float]:
-        # What was put into a room first is what the room is for.
+        # The objects put into a room first are those the room is for.
         odds = (1.0 + np.arange(len(items))) ** -1.5
         return items[int(self.rng.choice(len(items), p=odds / odds.sum()))]
 
@@ -214,7 +214,7 @@ class Gaze:
         return [(x, y, 1.4) for index, x, y in self.ground.windows if index == room]
 
     def _tilt(self) -> float:
-        # Now and then down at what stands there.
+        # Sometimes look down at what stands there.
         return math.radians(-16.0 if self.rng.random() < 0.1 else self.rng.normal(0.0, 3.0))
 
     def _between(self, low: float, high: float) -> float:

@@ -21,21 +21,21 @@ class Ground:
         World x, y of the corner of cell (0, 0); cell (i, j) has its middle at
         origin + (i + 0.5, j + 0.5) * cell.
     free
-        (nx, ny), where the middle of a person of radius 0.25 m can be; connected.
+        (nx, ny), where the middle of a person of radius 0.25 m can be; the free cells are connected.
     room
         (nx, ny), index into `names`; -1 outside and in walls, -2 in door openings.
     names
         Names of the rooms, unique.
     kinds
-        Their labels.
+        Labels of the rooms.
     rects
         x0, y0, x1, y1 of each room.
     doors
-        Room, other room, world x, y of the middle of each opening.
+        For each opening: room, other room, and world x and y of its middle.
     windows
-        Room, world x, y of the middle of each window.
+        For each window: room, and world x and y of its middle.
     items
-        Room, world x, y, height of each larger piece of furniture.
+        For each larger piece of furniture: room, world x and y, and height.
     """
 
     cell: float
@@ -50,21 +50,21 @@ class Ground:
     items: tuple[tuple[int, float, float, float], ...] = ()
 
     def cells(self, points: NDArray[np.float64]) -> NDArray[np.int64]:
-        """Give the cells (n, 2) of points (n, 2), moved onto the lattice where they lie beside it."""
+        """Return the cells (n, 2) of points (n, 2), moving points beside the lattice onto it."""
         indices = np.floor((np.asarray(points) - self.origin) / self.cell).astype(np.int64)
         return np.clip(indices, 0, np.array(self.free.shape) - 1)
 
     def points(self, cells: NDArray[np.int64]) -> NDArray[np.float64]:
-        """Give the middles (n, 2) of cells (n, 2)."""
+        """Return the middles (n, 2) of cells (n, 2)."""
         return np.asarray(self.origin) + (np.asarray(cells) + 0.5) * self.cell
 
     def is_free(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Tell for points (n, 2) whether one can be there."""
+        """Tell for points (n, 2) whether a person can be there."""
         i, j = self.cells(points).T
         return self.free[i, j]
 
     def room_at(self, points: NDArray[np.float64]) -> NDArray[np.int16]:
-        """Give the room index of points (n, 2)."""
+        """Return the room index of points (n, 2)."""
         i, j = self.cells(points).T
         return self.room[i, j]
 

@@ -1,4 +1,4 @@
-"""Which rooms a walk stays in, one after the other."""
+"""The rooms in which a walk stays, in order."""
 
 import heapq
 import math
@@ -19,14 +19,14 @@ _NEAR = 4.0
 
 @dataclass(frozen=True)
 class Stop:
-    """A stay.
+    """A stay in a room.
 
     Attributes
     ----------
     room
         Index of the room.
     weight
-        Length as a multiple of the mean stay.
+        Length of the stay as a multiple of the mean stay.
     """
 
     room: int
@@ -35,12 +35,12 @@ class Stop:
 
 @dataclass(frozen=True)
 class Way:
-    """From one room to another.
+    """The way from one room to another.
 
     Attributes
     ----------
     length
-        Metres from the door out of the one to the door into the other; 0 for neighbours.
+        Metres from the door out of the first room to the door into the second; 0 for neighbours.
     out, into
         x, y of these doors.
     """
@@ -51,7 +51,7 @@ class Way:
 
 
 def ways(ground: Ground) -> dict[tuple[int, int], Way]:
-    """Find the shortest way from each room to each other."""
+    """Find the shortest way from each room to every other room."""
     doors = [door for door in ground.doors if min(door[:2]) >= 0]
     result: dict[tuple[int, int], Way] = {}
     for room in range(len(ground.names)):
@@ -91,18 +91,18 @@ def draw(
     ground
         The building.
     rng
-        Where randomness comes from.
+        Source of randomness.
     statistics
-        How often rooms follow each other.
+        Statistics of walks: how often rooms follow each other.
     rooms
-        Names of the rooms to stay in, each at least once; by default any that there are.
+        Names of the rooms to stay in, each at least once; by default, the walk may stay in any room.
     shorter
         Factor on the number of stays.
 
     Raises
     ------
     PlacecatError
-        No room of a known kind, or no order that visits what it must.
+        If no room is of a known kind, or no order visits all required rooms.
     """
     allowed = [
         room
@@ -116,12 +116,12 @@ def draw(
     way = ways(ground)
     count = max(len(must), len(must_kinds), round(statistics.count.draw(rng, 1.2) * shorter))
     for attempt in range(_DRAWS):
-        # More and more reluctant to return where it was, and longer.
+        # With each attempt the walk is more reluctant to return to a room, and grows longer.
         boost, longer = 1.0 + attempt / 10, count + attempt // 30
         order = _chain(ground, rng, statistics, allowed, way, longer, boost)
         if must_kinds <= {ground.kinds[room] for room in order} and must <= set(order):
             return [Stop(room, statistics.stays[ground.kinds[room]].draw(rng, 2.0)) for room in order]
-    raise PlacecatError("no order of stays visits every place: rooms must be connected by doors")
+    raise PlacecatError("no order of stays visits every place: connect the rooms by doors")
 
 
 def _chain(
@@ -150,7 +150,7 @@ def _chain(
             near = 1.0 if here is None or again else math.exp(-way[here, room].length / _NEAR)
             rooms.append((kind, room, fresh * near))
             weights.append(odds.get(kind, 0.0))
-        # Odds are those of kinds; within a kind rooms not seen yet and near ones are preferred.
+        # The odds apply to kinds; within a kind, near rooms and rooms not yet seen are preferred.
         sums: defaultdict[str, float] = defaultdict(float)
         for kind, _, liking in rooms:
             sums[kind] += liking

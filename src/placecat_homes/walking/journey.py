@@ -1,4 +1,4 @@
-"""The path of a walk, cut into stays, transitions and rooms passed on the way."""
+"""The path of a walk, divided into stays, transitions and rooms passed on the way."""
 
 import math
 from dataclasses import dataclass, field
@@ -16,7 +16,7 @@ from placecat_homes.walking.walk_statistics import Statistics
 
 TRANSITION = "transition"
 
-# Between two parts of it there is no doorway.
+# Kind of room that may consist of several parts without doorways between them.
 _HALL = "corridor"
 
 _WALKED = 0.5
@@ -32,9 +32,9 @@ class Piece:
     Attributes
     ----------
     start, end
-        Metres from the start of the path; alike for a pause.
+        Metres from the start of the path; equal for a pause.
     viewpoint
-        Where the pause is made; None for a part of the path or a pause on the way.
+        Place at which to pause; None for a part of the path or a pause on the way.
     """
 
     start: float
@@ -43,7 +43,7 @@ class Piece:
 
     @property
     def length(self) -> float:
-        """Metres."""
+        """Length in metres."""
         return self.end - self.start
 
 
@@ -58,9 +58,9 @@ class Section:
     room
         Index of the room; -1 for a transition.
     weight
-        Length in relation to others of its sort; 0 for a room that is only passed.
+        Length relative to other sections of the same sort; 0 for a room that is only passed.
     pieces
-        What happens in it.
+        The parts and pauses of the section.
     """
 
     label: str
@@ -70,7 +70,7 @@ class Section:
 
     @property
     def length(self) -> float:
-        """Metres."""
+        """Length in metres."""
         return sum(piece.length for piece in self.pieces)
 
     @property
@@ -88,9 +88,9 @@ class Journey:
     path
         (n, 2), metres.
     along
-        (n,), length of the way to each of its points.
+        (n,), length of the path up to each of its points.
     sections
-        In order.
+        The sections in order.
     """
 
     path: NDArray[np.float64]
@@ -114,9 +114,9 @@ def lay_out(
     router
         Finds paths.
     rng
-        Where randomness comes from.
+        Source of randomness.
     statistics
-        Where transitions begin and end.
+        Statistics of walks: where transitions begin and end.
     carriage
         How fast the camera moves.
     stops
@@ -124,7 +124,7 @@ def lay_out(
     seconds
         Length of the walk.
     transition_share
-        Share of it that is transitions.
+        Share of the walk's time that is spent in transitions.
     """
     ground = router.ground
     way = ways(ground)
@@ -260,7 +260,8 @@ class _Tour:
         there: int,
         weight: float,
     ) -> list[tuple[float, int]]:
-        # Ends and rooms (-1: transition) of the parts; the first belongs to `here`, the last to `there`.
+        # Ends and rooms (-1 for a transition) of the parts; the first part belongs to `here`, the last to
+        # `there`.
         rooms = self.ground.room_at(path)
         before, after = (value * self.rng.uniform(0.7, 1.3) for value in self.statistics.doorway)
         total = float(along[-1])

@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 from placecat_homes.walking.ground import Ground
 
 STEP = 0.05
-"""Distance of the points of a path in metres."""
+"""Distance between the points of a path in metres."""
 
 _COMFORT = 0.3
 _NARROW = 2.0
@@ -19,7 +19,7 @@ _ROUNDS = 80
 
 
 def clearance(free: NDArray[np.bool_], most: int) -> NDArray[np.int16]:
-    """Count the cells, at most `most`, from each free cell to the nearest that is not free."""
+    """Count the cells, up to `most`, from each free cell to the nearest cell that is not free."""
     distance = np.zeros(free.shape, dtype=np.int16)
     left = free.copy()
     for round_ in range(most):
@@ -38,7 +38,7 @@ class Router:
     Parameters
     ----------
     ground
-        Where one can be.
+        The floor, with the places where one can be.
     """
 
     def __init__(self, ground: Ground) -> None:
@@ -50,17 +50,17 @@ class Router:
         self._costs: list[float] = np.pad(costs, 1).ravel().tolist()
 
     def path(self, *stations: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Find the way through points (2,) on free ground.
+        """Find a path through points (2,) on free ground.
 
         Returns
         -------
         NDArray[np.float64]
-            (n, 2), about 5 cm apart, smooth and everywhere free.
+            (n, 2) points of a smooth path, about 5 cm apart and all free.
 
         Raises
         ------
         PlacecatError
-            If there is no way.
+            If no path exists.
         """
         cells = [(int(i), int(j)) for i, j in self.ground.cells(np.array(stations))]
         way = [cells[0]]
@@ -100,7 +100,7 @@ class Router:
                     rest = math.hypot(row - goal_row, column - goal_column)
                     heapq.heappush(queue, (reached + rest, following))
         else:
-            raise PlacecatError("there is no way between two places of the ground")
+            raise PlacecatError("no free path connects two places of the building")
         nodes = [last]
         while nodes[-1] != first:
             nodes.append(before[nodes[-1]])
@@ -118,7 +118,7 @@ class Router:
 
 
 def lengths(path: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Give the length of the way (n,) to each point of a path (n, 2)."""
+    """Return the length of the path (n,) up to each point of a path (n, 2)."""
     return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
 
 

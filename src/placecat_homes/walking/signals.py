@@ -7,7 +7,7 @@ Floats = NDArray[np.float64]
 
 
 def smoothed(values: Floats, width: int) -> Floats:
-    """Average over `width` neighbours, twice; ends are continued by their value."""
+    """Average twice over `width` neighbours; the ends continue with their values."""
     width |= 1
     kernel = np.full(width, 1.0 / width)
     for _ in range(2):
@@ -16,7 +16,7 @@ def smoothed(values: Floats, width: int) -> Floats:
 
 
 def wander(rng: np.random.Generator, count: int, deviation: float, slowness: float) -> Floats:
-    """Draw a smooth random signal of a standard deviation that forgets itself in `slowness` steps."""
+    """Draw a smooth random signal with a standard deviation, correlated over about `slowness` steps."""
     width = max(1, round(slowness)) | 1
     noise = rng.normal(size=count + 2 * (width - 1))
     kernel = np.convolve(np.ones(width), np.ones(width))

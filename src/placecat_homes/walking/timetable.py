@@ -1,4 +1,4 @@
-"""When a walk is where: frames of its sections and seconds of their pieces."""
+"""The timetable of a walk: the frames of its sections and the seconds of their pieces."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,16 +16,16 @@ _SLOW = 0.35
 
 @dataclass(frozen=True)
 class Span:
-    """A piece of a section with its time.
+    """A piece of a section, with its time.
 
     Attributes
     ----------
     begin, end
         Seconds from the start of the walk.
     piece
-        What happens.
+        The part of the path, or the pause.
     section
-        What it belongs to.
+        The section to which the piece belongs.
     """
 
     begin: float
@@ -35,7 +35,7 @@ class Span:
 
     @property
     def seconds(self) -> float:
-        """How long it lasts."""
+        """Duration in seconds."""
         return self.end - self.begin
 
 
@@ -54,27 +54,27 @@ def allot(
     most_transitions: float,
     floors: dict[str, float],
 ) -> list[int] | None:
-    """Give each section its frames, in proportion to the weights.
+    """Allot frames to each section, in proportion to the weights.
 
     Parameters
     ----------
     sections
-        Of a journey.
+        Sections of a journey.
     least
-        Frames that each needs at least.
+        Least number of frames of each section.
     usual
-        Frames of those that are only passed, where there is time.
+        Frames of sections that are only passed, if there is time.
     frames
-        Sum of all.
+        Total number of frames.
     transition_share, most_transitions
-        Share of the frames that transitions should have, and may have if they need more.
+        Share of the frames that transitions should have, and the most they may have if they need more.
     floors
-        Frames that labels have at least.
+        Least number of frames of each label.
 
     Returns
     -------
     list of int or None
-        Frames of each section; None if they are too few.
+        Frames of each section; None if `frames` is too small.
     """
     weights = np.array([section.weight for section in sections])
     needed = np.array(least, dtype=np.float64)
@@ -111,7 +111,7 @@ def allot(
 
 
 def fill(weights: NDArray[np.float64], least: NDArray[np.float64], total: float) -> NDArray[np.float64]:
-    """Share out `total` in proportion to weights, to each at least what it needs."""
+    """Divide `total` in proportion to weights, with at least `least` for each."""
     low, high = 0.0, (total + 1.0) / weights.min()
     for _ in range(60):
         middle = 0.5 * (low + high)
@@ -131,7 +131,7 @@ def spans(
     speed: float,
     top_speed: float,
 ) -> list[Span]:
-    """Give each piece its seconds: walking at a usual speed where there is time, the rest for the pauses."""
+    """Allot seconds to each piece: walking at the usual speed where possible, the rest for pauses."""
     result: list[Span] = []
     frame = 0
     for section, count in zip(sections, counts, strict=True):

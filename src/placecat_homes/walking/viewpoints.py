@@ -25,9 +25,9 @@ class Viewpoint:
     place
         x, y.
     outlook
-        Yaw of the middle of the widest view, in radians.
+        Yaw of the camera at the middle of the widest view, in radians.
     focus
-        x, y, z of what the camera has come close to; None elsewhere.
+        x, y, z of the object that the camera has approached; None if it has approached nothing.
     """
 
     room: int
@@ -37,7 +37,7 @@ class Viewpoint:
 
 
 def sight(ground: Ground, room: int, places: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Measure how far one sees from places (n, 2) to the walls of a room, in 24 directions: (n, 24)."""
+    """Measure the distance from places (n, 2) to the walls of a room in 24 directions: (n, 24)."""
     angles = np.arange(_DIRECTIONS) * (2 * math.pi / _DIRECTIONS)
     steps = np.arange(1, round(_FAR / (2 * ground.cell)) + 1) * 2 * ground.cell
     rays = steps[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)[:, None, :]
@@ -56,20 +56,20 @@ def choose(
     close: bool = False,
     amid: bool = False,
 ) -> Viewpoint:
-    """Choose a place.
+    """Choose a place to look around from.
 
     Parameters
     ----------
     ground
         The building.
     rng
-        Where randomness comes from.
+        Source of randomness.
     room
         Index of the room.
     near
-        Points (2,), e.g. where the room is entered and left.
+        Points (2,) to stay near, such as those where the room is entered and left.
     reach
-        The place is at most so many metres from all of these together, if there is such a place.
+        Largest total distance in metres from all of these points, if some place is that near.
     close
         Go close to a piece of furniture or a wall.
     amid
@@ -99,7 +99,7 @@ def choose(
     if focus is None or amid:
         best = int(np.argmax(liking))
         return Viewpoint(room, _pair(places[best]), _outlook(wide[best]))
-    # From where the furniture is seen as a whole.
+    # Prefer a place from which the furniture is seen as a whole.
     away_ = np.hypot(*(places - focus).T)
     best = int(np.argmax(liking * np.minimum(away_, 3.0)))
     x, y = focus - places[best]
@@ -107,7 +107,7 @@ def choose(
 
 
 def _main(ground: Ground, room: int) -> NDArray[np.float64] | None:
-    # What was put into a room first is what the room is for.
+    # The objects put into a room first are those the room is for.
     items = [(x, y) for index, x, y, _ in ground.items if index == room]
     if not items:
         return None
@@ -157,7 +157,7 @@ def _far(places: NDArray[np.float64], near: list[NDArray[np.float64]]) -> NDArra
 
 
 def _window(depth: NDArray[np.float64]) -> NDArray[np.float64]:
-    # Mean sight over 90 degrees, so that the widest view counts and not the longest ray.
+    # The mean distance over 90 degrees is used, so that the widest view counts and not the longest ray.
     reach = _DIRECTIONS // 8
     return np.mean([np.roll(depth, shift, axis=1) for shift in range(-reach, reach + 1)], axis=0)
 

@@ -28,7 +28,7 @@ _STEPS_A_SECOND = 1.8
 
 @dataclass(frozen=True, eq=False)
 class Walk:
-    """Where the camera is in each frame, and what it is labelled.
+    """The camera's pose and label in each frame.
 
     Attributes
     ----------
@@ -68,22 +68,22 @@ def walk(
     ground
         The building.
     rng
-        Where randomness comes from; another one gives another walk through the same rooms.
+        Source of randomness; a different one gives a different walk through the same rooms.
     statistics
-        The order of rooms and the length of stays.
+        Statistics of the order of rooms and the length of stays.
     carriage
         What carries the camera.
     frames
-        How many.
+        Number of frames.
     fps
-        How many a second.
+        Frames per second.
     rooms
-        Names of the rooms to stay in, each at least once; by default any that there are.
+        Names of the rooms to stay in, each at least once; by default, the walk may stay in any room.
 
     Raises
     ------
     PlacecatError
-        If no walk of so few frames visits what it must.
+        If the frames are too few for a walk that visits all required rooms.
     """
     router = Router(ground)
     for attempt in range(_TRIES):
@@ -95,7 +95,7 @@ def walk(
         counts = _frames(tour, statistics, carriage, steering, frames, fps, share, most)
         if counts is not None:
             return _film(ground, rng, carriage, tour, steering, counts, fps)
-    raise PlacecatError(f"no walk of {frames} frames visits every place; give it more frames")
+    raise PlacecatError(f"no walk of {frames} frames visits every place: set more frames")
 
 
 def _frames(
@@ -175,7 +175,7 @@ def _along(tour: Journey, way: Floats) -> Floats:
 
 
 def _ahead(tour: Journey, way: Floats, places: Floats) -> Floats:
-    """Give the direction of the way half a metre ahead, kept where there is none."""
+    """Return the direction of the path half a metre ahead; it is kept where the camera stands still."""
     offsets = _along(tour, np.minimum(way + _AHEAD, tour.along[-1])) - places
     far = np.hypot(*offsets.T) > 0.15
     if not far.any():
@@ -187,7 +187,7 @@ def _ahead(tour: Journey, way: Floats, places: Floats) -> Floats:
 
 
 def _shaken(rng: np.random.Generator, carriage: Carriage, way: Floats) -> list[Floats]:
-    """Draw what is added to yaw, pitch, roll, and the sway and the rise of steps."""
+    """Draw what is added to yaw, pitch and roll, and the sway and the rise of steps."""
     count = len(way)
     slow = 2.0 / _TICK
     angles = []

@@ -1,4 +1,4 @@
-"""Which room follows which in a walk, and how long one stays."""
+"""Statistics of which room follows which in a walk, and of how long a walk stays there."""
 
 import math
 from collections.abc import Mapping
@@ -24,13 +24,13 @@ class LogNormal:
     sigma: float
 
     def draw(self, rng: np.random.Generator, spread: float) -> float:
-        """Draw a number at most `spread` sigmas from the middle."""
+        """Draw a number at most `spread` sigmas from the mean."""
         return math.exp(self.mean + self.sigma * float(np.clip(rng.normal(), -spread, spread)))
 
 
 @dataclass(frozen=True)
 class Statistics:
-    """The order and the lengths of stays.
+    """Statistics of the order and the lengths of stays.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class Statistics:
     starts
         How often walks start in a kind of room.
     follows
-        How often a stay in the second kind follows one in the first.
+        How often a stay in the second kind of room follows one in the first.
     count
         Number of stays in a walk.
     stays
@@ -47,14 +47,15 @@ class Statistics:
     transitions
         Length of a transition, as a multiple of the mean transition of the walk.
     transition_share
-        Mean, standard deviation, least and most of the share of frames that are transitions; all 0: none.
+        Mean, standard deviation, minimum and maximum of the share of frames that are transitions; all 0 if
+        there are no transitions.
     between
-        Labels of what lies between two stays: `transition` (all of the way) or `rooms` (doorways are
-        transitions, rooms on the way have their own labels).
+        How the frames between two stays are labelled: `transition` (the whole way) or `rooms` (doorways are
+        transitions; rooms on the way have their own labels).
     doorway
-        A transition begins so many metres before a door and ends so many behind it.
+        Distances in metres from a door at which a transition begins before it and ends behind it.
     least_share
-        Share of the frames that each class has at least.
+        Least share of the frames that each class has.
     """
 
     classes: tuple[str, ...]
@@ -75,12 +76,12 @@ class Statistics:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str = "rendering.walk") -> "Statistics":
-        """Make them of settings.
+        """Make the statistics from settings.
 
         Raises
         ------
         PlacecatError
-            A setting that does not exist.
+            If a setting does not exist.
         """
         settings.check(cls, values, where)
         given = dict(values)

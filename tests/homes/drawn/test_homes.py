@@ -1,4 +1,4 @@
-"""Whole homes of a seed: furnished, walked through, without faults; and faults are found."""
+"""Whole homes drawn from a seed are furnished, walked through and free of faults, and faults are found."""
 
 from dataclasses import replace
 from functools import cache
@@ -36,7 +36,7 @@ def home():
     return drawn(NUMBER, SEED)
 
 
-# Hypothesis begins with the least numbers, which are the fixture's home, and draws a second home at random.
+# Hypothesis begins with the smallest numbers, those of the fixture's home, and draws a second home at random.
 @settings(max_examples=2, deadline=None, suppress_health_check=list(HealthCheck))
 @given(number=st.integers(NUMBER, 1000), seed=st.integers(SEED, 2**32 - 1))
 def test_the_walk_meets_nothing_and_sees_every_room(number, seed):
@@ -54,7 +54,7 @@ def test_the_walk_meets_nothing_and_sees_every_room(number, seed):
 
 
 def test_its_file_holds_all_of_it(home):
-    """The building and the walk of a home come again from its YAML alone."""
+    """The YAML alone is enough to build the home and its walk again."""
     content = yaml.safe_load(home.text())
     assert content == home.content
     assert content["plan"]["name"] == name_of(NUMBER, SEED)
@@ -95,9 +95,9 @@ def test_the_view_from_above_shows_rooms_and_the_way(home):
 
 def test_too_few_frames_are_refused_with_the_reason(home, monkeypatch):
     monkeypatch.setattr(homes, "_DRAWS", 1)
-    # The home of that name, which takes seconds to build; and a few of the many attempts to walk through it.
+    # Build the home of that name, which takes seconds, but try only a few of the many walks.
     monkeypatch.setattr(homes, "build", lambda plan, attempt: home.building)
     monkeypatch.setattr(walk, "_TRIES", 5)
-    message = "home 1 of seed 1: all 1 plans have faults; the last one: no walk of 200"
+    message = "home 1 of seed 1: all 1 plans drawn have faults; the last fault: no walk of 200"
     with pytest.raises(PlacecatError, match=message):
         homes.draw(NUMBER, SEED, Source.read(frames=200, fps=20))

@@ -1,4 +1,4 @@
-"""Floor plans of many seeds are possible, and so are their settings."""
+"""Floor plans of many seeds are valid, and invalid settings are refused."""
 
 from itertools import combinations
 
@@ -77,7 +77,7 @@ def test_name_and_number_alone_decide_the_plan(name, number):
 
 
 def test_the_odds_of_arrangements_are_those_of_the_settings():
-    """Odds of 0 leave an arrangement out; the others are drawn alike, though they do not succeed alike."""
+    """Odds of 0 leave out an arrangement; the others are drawn equally often, though some fail more often."""
     ranges = PlanRanges.of(
         CONTENT["plan"] | {"arrangements": {"two_rows": 1, "around_living_room": 1}}, "plan", arrangements.ALL
     )
@@ -92,11 +92,11 @@ def test_the_odds_of_arrangements_are_those_of_the_settings():
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"depth": [4.5, 3.3]}, r"plan depth: \[4.5, 3.3\] must rise, from 2.8 at least to 8 at most"),
+        ({"depth": [4.5, 3.3]}, r"plan depth must be \[least, most\] within 2.8 to 8, not \[4.5, 3.3\]"),
         ({"height": [2.0, 2.5]}, "plan height"),
         ({"height": 2.5}, r"plan height must be \[least, most\], not 2.5"),
         ({"dpeth": [3, 4]}, "no setting 'dpeth'; did you mean 'depth'"),
-        ({"bedrooms": {4: 1}}, "plan bedrooms: give numbers from 0, one of them above 0, to some of 1, 2, 3"),
+        ({"bedrooms": {4: 1}}, "plan bedrooms needs odds for some of 1, 2, 3: numbers from 0, not all 0"),
         ({"bedrooms": {2: 0}}, "plan bedrooms"),
         ({"arrangements": {"tower": 1}}, "plan arrangements"),
         ({"areas": {"kitchen": [8, 14]}}, r"plan areas bedroom must be \[least, most\], not None"),
@@ -137,5 +137,5 @@ def test_sizes_that_leave_no_room_are_named():
         "plan",
         arrangements.ALL,
     )
-    with pytest.raises(ValueError, match="home 1 of seed 1: no plan fits the ranges of sizes; widen them"):
+    with pytest.raises(ValueError, match="home 1 of seed 1: no plan fits the ranges of sizes; widen"):
         plans.draw(name_of(1, 1), 1, narrow)

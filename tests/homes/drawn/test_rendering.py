@@ -1,4 +1,4 @@
-"""Rendering into a folder: killed anywhere and started again, it ends in the same bytes."""
+"""Rendering into a folder gives the same bytes even if it is killed anywhere and started again."""
 
 import os
 import signal
@@ -26,7 +26,7 @@ class Died(BaseException):
 
 @pytest.fixture
 def small(monkeypatch):
-    """Plans and films that take no time. A dictionary says at which home and frame to call a function."""
+    """Replace plans and films by fast ones; a dictionary says at which home and frame to call a function."""
     at = {}
 
     def draw(number, seed, source):
@@ -119,7 +119,7 @@ def test_only_plans(tmp_path, small):
 def test_a_folder_of_other_homes_is_refused(tmp_path, small):
     make(tmp_path, count=1)
     before = content(tmp_path)
-    with pytest.raises(PlacecatError, match=r"has homes of another seed \(1, now 2\): choose another folder"):
+    with pytest.raises(PlacecatError, match=r"has homes with another seed \(1, now 2\): choose another"):
         make(tmp_path, count=1, seed=2)
     with pytest.raises(PlacecatError, match=r"another video.fps \(5, now 10\)"):
         make(tmp_path, count=1, fps=10)
@@ -141,12 +141,12 @@ def test_another_run_in_the_folder_is_refused(tmp_path, small):
         (["--homes", "24"], "--homes needs --seed"),
         (["--homes", "0", "--seed", "1"], "--homes must be from 1 to 1000, not 0"),
         (["--homes", "2", "--seed", "-1"], "--seed must be from 0 to 4294967295, not -1"),
-        (["--homes", "2", "--seed", "1", "--size", "640"], "--size must be WIDTHxHEIGHT, e.g. 640x360"),
+        (["--homes", "2", "--seed", "1", "--size", "640"], "--size must be WIDTHxHEIGHT, such as 640x360"),
         (["--homes", "2", "--seed", "1", "--size", "641x360"], "width and height must be even, not 641x360"),
         (["--homes", "2", "--seed", "1", "--frames", "3"], "frames must be a whole number from 200"),
         (["--seed", "1"], "--seed needs --homes"),
         (["--plans"], "--plans needs --homes"),
-        (["homes/home_1", "--homes", "2", "--seed", "1"], "give either videos of data/ or --homes"),
+        (["homes/home_1", "--homes", "2", "--seed", "1"], "give either names of videos or --homes, not both"),
     ],
 )
 def test_the_command_refuses_what_makes_no_sense(tmp_path, monkeypatch, options, message):

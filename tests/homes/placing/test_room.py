@@ -59,7 +59,7 @@ def test_a_thing_on_a_wall_looks_into_the_room(wall: int) -> None:
     thing = room.against(box(0.6, 0.4, 1.0), wall=wall, at=0.5)
     assert thing is not None
     x0, y0, x1, y1 = thing.box()[:4]
-    # 0.5 m from the left end, as seen when looking at the wall from inside.
+    # 0.5 m from the left end of the wall, as seen from inside.
     middle = ((3.5, 0.22), (3.78, 2.5), (0.5, 2.78), (0.22, 0.5))[wall]
     assert ((x0 + x1) / 2, (y0 + y1) / 2) == pytest.approx(middle, abs=1e-6)
 
@@ -75,7 +75,7 @@ def test_a_place_that_cuts_off_a_door_is_refused() -> None:
     door = {"sill": 0.0, "top": 2.05, "kind": "door", "passage": True}
     room = plain(Opening(1, 0.3, 1.15, **door), Opening(3, 0.3, 1.15, **door))
     assert room.against(box(2.7, 0.4, 0.8), wall=0, at=2.0) is not None
-    # What is left between this and the first would be too narrow.
+    # The gap between this object and the first would be too narrow.
     assert room.against(box(1.0, 2.3, 0.8), wall=2, at=2.0, front=0.0) is None
 
 

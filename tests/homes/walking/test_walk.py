@@ -19,7 +19,8 @@ BODY = 0.25
 
 
 def floor(rooms, doors, items=(), windows=(), cell=0.1):
-    """Rooms {name: (x0, y0, x1, y1)}, doors (room, room, x, y), items (room, x, y, width, depth, height)."""
+    """Make a ground of rooms {name: (x0, y0, x1, y1)}, doors (room, room, x, y) and items
+    (room, x, y, width, depth, height)."""
     rects = np.array(list(rooms.values()))
     low, high = rects[:, :2].min(axis=0) - 0.2, rects[:, 2:].max(axis=0) + 0.2
     shape = tuple(np.ceil((high - low) / cell).astype(int))
@@ -65,7 +66,7 @@ def floor(rooms, doors, items=(), windows=(), cell=0.1):
 
 
 def home(cell=0.1):
-    """Rooms on a corridor, some with doors to each other."""
+    """Rooms along a corridor, some with doors to each other."""
     rooms = {
         "bedroom_1": (0.0, 0.0, 4.0, 3.6),
         "bathroom_1": (4.1, 0.0, 6.3, 3.6),

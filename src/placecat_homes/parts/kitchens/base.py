@@ -31,20 +31,20 @@ def base(
     Parameters
     ----------
     rng
-        Source of details.
+        Random generator for the details.
     style
-        Of the home.
+        Style of the home.
     design
-        Of the kitchen.
+        Design of the kitchen.
     units
         The cabinets.
     cook
-        Put pots on the hob now and then.
+        Sometimes put pots on the hob.
 
     Returns
     -------
     Mesh
-        Its back on y = 0.
+        A row with its back on y = 0.
     """
     parts: list[Mesh] = []
     holes: list[Hole] = []

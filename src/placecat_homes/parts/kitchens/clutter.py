@@ -1,4 +1,4 @@
-"""What stands about on worktops."""
+"""Objects that stand on worktops."""
 
 from collections.abc import Callable
 
@@ -54,25 +54,25 @@ THINGS: tuple[tuple[Maker, float], ...] = (
 def worktop_things(
     rng: np.random.Generator, style: Style, design: Design, units: tuple[Unit, ...], *, oven: bool = True
 ) -> Mesh:
-    """Draw the things on the free stretches of a worktop.
+    """Draw the objects on the free stretches of a worktop.
 
     Parameters
     ----------
     rng
         Source of randomness.
     style
-        Of the home; its clutter says how many things.
+        Style of the home, whose clutter decides how many objects there are.
     design
-        Of the kitchen.
+        Design of the kitchen.
     units
         The cabinets below.
     oven
-        There may be a microwave oven among them.
+        Allow a microwave oven among them.
 
     Returns
     -------
     Mesh
-        In the frame of the row.
+        The objects in the frame of the row of cabinets.
     """
     parts: list[Mesh] = []
     microwave_due = oven and rng.random() < 0.5
@@ -111,7 +111,7 @@ def worktop_things(
 
 
 def stretches(units: tuple[Unit, ...]) -> list[tuple[float, float]]:
-    """Give left and right ends of the worktop that neither sink nor hob takes."""
+    """Return the left and right ends of the stretches of worktop without sink or hob."""
     free: list[tuple[float, float]] = []
     for unit in units:
         if unit.kind == "cooker":

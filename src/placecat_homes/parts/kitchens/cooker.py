@@ -28,23 +28,23 @@ def _plates(width: float, depth: float) -> list[tuple[float, float, float]]:
 
 
 def hob(rng: np.random.Generator, kind: str, width: float, depth: float, *, knobs: bool = True) -> Mesh:
-    """Draw a hob that lies on z = 0, its back on y = 0.
+    """Draw a hob that lies on z = 0 with its back on y = 0.
 
     Parameters
     ----------
     rng
-        Source of details.
+        Random generator for the details.
     kind
         "glass", "gas" or "iron" (plates).
     width, depth
         Metres.
     knobs
-        Whether it has its own knobs at the front.
+        Whether the hob has knobs at the front.
 
     Returns
     -------
     Mesh
-        About 6 cm high.
+        A hob about 6 cm high.
     """
     parts: list[Mesh] = []
     if kind == "glass":
@@ -95,11 +95,11 @@ def oven_front(
     Parameters
     ----------
     rng
-        Source of details.
+        Random generator for the details.
     style
-        Of the home.
+        Style of the home.
     body
-        Steel, black or white.
+        Material of the front: steel, black or white.
     width, height
         Metres.
     knobs
@@ -108,7 +108,7 @@ def oven_front(
     Returns
     -------
     Mesh
-        Its back on y = 0, z from 0.
+        An oven front with its back on y = 0, starting at z = 0.
     """
     controls = 0.11 if height > 0.5 else 0.09
     door = height - controls - 0.006

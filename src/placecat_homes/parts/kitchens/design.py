@@ -1,4 +1,4 @@
-"""What all cabinets of one kitchen have in common."""
+"""The design that all cabinets of one kitchen share."""
 
 from dataclasses import dataclass
 
@@ -17,22 +17,22 @@ SHADOW = Material(colour=(0.06, 0.055, 0.05))
 
 @dataclass(frozen=True)
 class Design:
-    """The looks of a kitchen.
+    """The look of a kitchen.
 
     Attributes
     ----------
     fronts, upper_fronts, side, worktop, splash, plinth, metal, appliance, shelf
-        Materials of doors and drawers, those of the wall cabinets, of the cabinets' sides, and so on.
+        Materials of doors and drawers, of those of the wall cabinets, of the cabinets' sides, and so on.
     door
         ``flat``, ``frame``, ``panel`` or ``boards``.
     handle
         ``bar``, ``knob``, ``cup`` or ``none``.
     height
-        Of the worktop above the floor in metres.
+        Height of the worktop above the floor in metres.
     thickness
-        Of the worktop in metres.
+        Thickness of the worktop in metres.
     depth
-        Of the base cabinets in metres, without the worktop's overhang.
+        Depth of the base cabinets in metres, without the worktop's overhang.
     overhead
         ``cabinets``, ``glass`` (doors), ``shelves`` or ``none``.
     bottom, top
@@ -44,9 +44,9 @@ class Design:
     sink
         ``steel``, ``sunk`` or ``belfast``.
     cooker
-        ``oven`` (built in below the hob), ``range`` (free-standing).
+        ``oven`` (built in below the hob) or ``range`` (free-standing).
     splash_height
-        Of the tiles above the worktop in metres; 0 for none.
+        Height of the tiles above the worktop in metres; 0 for no tiles.
     """
 
     fronts: Material
@@ -81,12 +81,12 @@ class Design:
         rng
             Source of randomness.
         style
-            Of the home.
+            Style of the home.
 
         Returns
         -------
         Design
-            Of one kitchen.
+            The design of one kitchen.
         """
         modern = style.modern
         fronts = style.fronts

@@ -29,7 +29,7 @@ def handle(design: Design, kind: str, length: float, *, upright: bool) -> Mesh:
 
 
 def front(design: Design, width: float, height: float, material: Material, *, glass: bool = False) -> Mesh:
-    """Draw the leaf of a door or the front of a drawer, without handle, its back on y = 0, z from 0."""
+    """Draw a door leaf or drawer front without a handle, standing on z = 0 with its back on y = 0."""
     w, h = width - GAP, height - GAP
     upright = h > w
     kind = "frame" if glass else design.door
@@ -83,7 +83,7 @@ def door(
     upper: bool = False,
     glass: bool = False,
 ) -> Mesh:
-    """Draw a door with its handle on the side away from the hinge (-1 or 1 along x)."""
+    """Draw a door whose handle is on the side away from the hinge (-1 or 1 along x)."""
     leaf = front(design, width, height, design.upper_fronts if upper else design.fronts, glass=glass)
     length = min(0.16, height * 0.4)
     x = -hinge * (width / 2 - 0.045)
@@ -96,7 +96,7 @@ def door(
 def doors(
     design: Design, width: float, height: float, *, hinge: int = 1, upper: bool = False, glass: bool = False
 ) -> Mesh:
-    """Draw one door, or two where the width is more than 0.62 m."""
+    """Draw one door, or two if the width is more than 0.62 m."""
     if width <= 0.62:
         return door(design, width, height, hinge=hinge, upper=upper, glass=glass)
     return join(

@@ -17,7 +17,7 @@ class Unit:
     kind
         ``sink``, ``cooker``, ``dishwasher``, ``doors``, ``drawers``, ``mixed``, ``open`` or ``corner``.
     x
-        Of its middle in metres.
+        Position of the middle in metres.
     width
         Metres.
     """
@@ -55,18 +55,18 @@ def row(
     length
         Metres; x runs from -length / 2 to length / 2.
     fixed
-        Kinds and widths of what there must be; given up from the last where there is no space.
+        Kinds and widths of the required cabinets; if space is short, the last are left out first.
     sink_at
-        Where the sink should come, e.g. before a window.
+        Preferred position of the sink, for example in front of a window.
     corners
-        Ends (-1, 1) that are hidden in a corner behind another row.
+        Ends (-1 or 1) that are hidden in a corner behind another row.
     corner_width
         Metres that are hidden there.
 
     Returns
     -------
     tuple of Unit
-        From small to large x, without gaps.
+        The cabinets from small to large x, without gaps.
     """
     start, end = -length / 2, length / 2
     hidden = []
@@ -109,7 +109,7 @@ def row(
 def _worth(
     units: Sequence[Unit], start: float, end: float, sink_at: float | None, corners: Sequence[float]
 ) -> float:
-    """Value an order: space beside hob and sink, the sink at its place, the dishwasher beside it."""
+    """Rate an order: space beside hob and sink, the sink in its place, the dishwasher next to it."""
     at = {unit.kind: unit for unit in units}
     worth = 0.0
     sink, cooker, washer = at.get("sink"), at.get("cooker"), at.get("dishwasher")
@@ -129,7 +129,7 @@ def _worth(
 
 
 def sink_width(rng: np.random.Generator, length: float) -> float:
-    """Draw the width of the sink's cabinet in metres for a row of this length."""
+    """Draw the width in metres of the sink cabinet for a row of this length."""
     if length < 1.7:
         return 0.5
     return float(rng.choice([0.6, 0.8, 0.9] if length > 2.4 else [0.5, 0.6]))

@@ -32,27 +32,27 @@ def overhead(
     windows: Sequence[Window] = (),
     ceiling: float = 2.5,
 ) -> Mesh:
-    """Draw what hangs on the wall above a row of base cabinets.
+    """Draw everything that hangs on the wall above a row of base cabinets.
 
     Parameters
     ----------
     rng
-        Source of details.
+        Random generator for the details.
     style
-        Of the home.
+        Style of the home.
     design
-        Of the kitchen.
+        Design of the kitchen.
     units
         The cabinets below.
     windows
-        Left and right end and sill height in metres.
+        Left end, right end and sill height of each window in metres.
     ceiling
         Height of the room in metres.
 
     Returns
     -------
     Mesh
-        In the frame of the row of base cabinets, at its height.
+        The upper half in the frame of the row of base cabinets, at its final height.
     """
     left, right = units[0].left, units[-1].right
     top = min(design.top, ceiling - 0.06)
@@ -228,7 +228,7 @@ def _glazed(rng: np.random.Generator, style: Style, design: Design, width: float
 
 
 def _niche(rng: np.random.Generator, style: Style, design: Design, width: float, height: float) -> Mesh:
-    """Leave a compartment open: for a microwave oven, or jars and dishes."""
+    """Draw an open compartment for a microwave oven, or for jars and dishes."""
     space = 0.36
     if height < space + 0.2:
         return _closed(design, width, height, 1)

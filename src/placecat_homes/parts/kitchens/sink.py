@@ -13,7 +13,7 @@ from placecat_homes.style import Style
 
 
 def basin(width: float, depth: float, height: float, radius: float = 0.05) -> Mesh:
-    """Draw the inside of a basin that hangs below z = 0, its middle on the axis."""
+    """Draw the inside of a basin that hangs below z = 0, centred on the axis."""
     rings = [
         ring(rectangle(width, depth, radius), 0.0),
         ring(rectangle(width - 0.015, depth - 0.015, radius), -0.85 * height),
@@ -81,23 +81,23 @@ def tap(rng: np.random.Generator, metal: Material) -> Mesh:
 def sink(
     rng: np.random.Generator, kind: str, metal: Material, width: float, depth: float
 ) -> tuple[Mesh, tuple[float, float, float, float]]:
-    """Draw a sink whose rim lies on z = 0, its back on y = 0.
+    """Draw a sink whose rim lies on z = 0, with its back on y = 0.
 
     Parameters
     ----------
     rng
-        Source of details.
+        Random generator for the details.
     kind
         "steel" (with a draining board where there is space), "sunk" or "belfast".
     metal
-        Of the tap.
+        Material of the tap.
     width, depth
-        Of the space for it in metres; a belfast sink comes out at the front of it.
+        Width and depth of the space for it in metres; a Belfast sink sticks out at the front.
 
     Returns
     -------
     mesh : Mesh
-        With the tap.
+        The sink with its tap.
     hole : tuple of float
         Left, right, back and front of the hole that the worktop needs.
     """
@@ -153,14 +153,14 @@ def sink(
 
 
 def _except_drain(mesh: Mesh, material: Material) -> Mesh:
-    """Give the material to all that has no material of its own yet."""
+    """Give the material to all parts that still have the default material."""
     plain = Material()
     materials = tuple(material if each == plain else each for each in mesh.materials)
     return Mesh(mesh.vertices, mesh.normals, mesh.uv, mesh.triangles, mesh.material, materials, mesh.lamps)
 
 
 def washing_up(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a bottle of washing-up liquid with a sponge and brush."""
+    """Draw a bottle of washing-up liquid with a sponge and a brush."""
     r = 0.03
     colour = Material(palette.colour(rng, 0.95, 0.5, 0.95), gloss=0.05)
     bottle = lathe(
