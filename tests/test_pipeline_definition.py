@@ -229,7 +229,9 @@ def settings_in_code():
         if options and "name" in options:
             estimator = type(estimators.build({"name": options["name"]}, file))
             settings = {key: value for key, value in options.items() if key not in ("name", "defaults")}
-            yield file, settings, estimator, {"n_values", "n_jobs", "base", "codebook", "n_clusters", "seed"}
+            given = {"n_values", "n_jobs", "base", "codebook", "n_clusters", "seed"}
+            # The size of libsvm's cache affects only speed.
+            yield file, settings, estimator, given | {"cache_mb"}
     given = {"n_classes"}
     given |= {f"training_{part}" for part in ("sequences", "frame_rates", "proba", "truth")}
     lists = ("cues", "filtered")

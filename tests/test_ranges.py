@@ -15,10 +15,14 @@ GROUPS = ("codebooks", "cues", "systems", "filters", "splits", "variants", "sche
 MAY_BE_NULL = {
     "codebooks.*.descriptor.y_weight": "as the descriptor has it",
     "codebooks.*.descriptor.max_regions": "all of them",
+    "cues.*.classifier.max_rows": "all rows",
     "cues.*.classifier.reduction.components": "a factor instead",
     "descriptors.holistic.*.width": "the frame's own width",
     "filters.*.share": "a threshold instead",
     "filters.*.threshold": "a share instead",
+    "splits.*.integrator.classifier.max_rows": "all rows",
+    "systems.*.integrator.classifier.max_rows": "all rows",
+    "toy.schemes.*.max_rows": "all rows",
 }
 WRONG = [math.nan, math.inf, -math.inf, -1e9, -(10**9), "abc", [], {}, True, None, 10**400]
 
