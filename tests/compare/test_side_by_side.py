@@ -145,5 +145,5 @@ def test_figures_of_a_revision_are_read_from_the_cache_or_asked_for(tmp_path, mo
 def test_a_folder_is_not_overwritten_by_the_page(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "page").mkdir()
-    with pytest.raises(files.PlacecatError, match="page is a folder: name a file"):
+    with pytest.raises(files.PlacecatError, match="page is a folder: choose the name of a file"):
         write(Path("page"), "", "", [])
