@@ -154,7 +154,7 @@ def test_it_reads_everything_and_writes_the_page(written):
 
 
 def test_a_kept_record_of_times_is_shown(changed):
-    assert "2 min 30 s on 2 cores, on rendered homes" in page(changed)
+    assert "run on rendered homes, which took 2 min 30 s on 2 cores" in page(changed)
     assert '<tr><th scope="row">sequences</th><td>1</td><td>61.0</td></tr>' in page(changed)
 
 
