@@ -218,7 +218,8 @@ def test_the_first_run_has_table_26_and_times_and_nothing_to_compare_with(ran):
     assert {line.split("  ")[1] for line in times[:2]} == {"features", "tables"}
     assert [line.split("  ")[1] for line in times[2:]] == ["2 stages", "DVC and the rest", "all"]
     assert "Tables are not compared: git has no revision 'HEAD'" in result.stdout
-    assert (folder / "data/times.csv").read_text().startswith("stage,seconds\nfeatures,")
+    lines = (folder / "data/times.csv").read_text().splitlines()
+    assert {line.partition(",")[0] for line in lines[:3]} == {"stage", "features", "tables"}
     complete = json.loads((folder / "data/times.json").read_text())
     assert complete["facts"]["stages"] == 2
     assert complete["facts"]["data"] == "made homes"

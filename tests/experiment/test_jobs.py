@@ -177,7 +177,7 @@ def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_pat
     os.waitpid(process, 0)
     assert one.run()
     assert sorted(ran.read_text().split()) == ["0", "1", "2"]
-    assert "3 of 3 experiments are finished" in capfd.readouterr().out
+    assert "3 of 3 experiments in " in capfd.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -171,8 +171,8 @@ def test_impossible_spaces_are_refused(params, arguments, message):
     ("changed", "message"),
     [
         ({"judge": "test_home"}, "judged on training homes only"),
-        ({"test_home": "all"}, "has seen every home"),
-        ({"test_home": ["home_1", "home_2"]}, "has seen every home"),
+        ({"test_home": "all"}, "would use every home"),
+        ({"test_home": ["home_1", "home_2"]}, "would use every home"),
     ],
 )
 def test_searches_that_use_the_test_home_are_refused(changed, message):

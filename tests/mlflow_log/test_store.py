@@ -170,7 +170,7 @@ def test_files_of_a_database_elsewhere_stay_where_they_are(tmp_path, monkeypatch
         ("sqlite:////proc/x/y.db", "MLflow at sqlite:////proc/x/y.db: "),
         (
             "mssql+pyodbc://me:secret@host/db",
-            r"me:\*\*\*@host/db: the driver .* pyodbc is not",
+            r"me:\*\*\*@host/db: the database\'s driver is missing \(pyodbc is not",
         ),
     ],
 )

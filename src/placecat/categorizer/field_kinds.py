@@ -39,7 +39,7 @@ def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.i
 
 
 def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
-    """Accept a whole number from `low` to `high`; if `side` is a letter, the number is that letter's size."""
+    """Accept a whole number from `low` to `high`; a letter `side` is set to this number."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if type(value) is not int or not low <= value <= high:

@@ -69,7 +69,7 @@ def combine(verdicts: Collection[str]) -> str:
 
 
 def judge_shares(worse: Interval, better: Interval, rare: float) -> str:
-    """Judge whether a change both hurts and helps.
+    """Judge whether a change hurts in some cases and helps in others.
 
     `worse` and `better` are intervals for the shares of cases, 0 to 1, that the change makes worse and
     better; `rare` is the largest share that counts as an exception. The verdict is `HOLDS` if both intervals

@@ -74,7 +74,7 @@ def _measure(plan: Plan, cue: Cue, seed: int | None, probabilities: Mapping[str,
 
 
 def _of_home(outcomes: list[tuple[str, int | None, Outcome]]) -> dict[str, Any]:
-    """Average like a table's cell: a home has means only if none of its numbers is missing."""
+    """Average as the tables do: a home has means only if none of its numbers is missing."""
     reasons = [found for _, _, found in outcomes if isinstance(found, str)]
     folds: dict[str, dict[str, Any]] = {}
     for test, seed, found in outcomes:

@@ -84,7 +84,7 @@ class BagRecording:
         self._why = ""
         found = [(one.number - 1, one.received, one.stamp) for one in self._bag.pictures(self.topic)]
         if not found:
-            raise PlacecatError(f"{path}: the topic {self.topic!r} has no message; correct {settings}topic.")
+            raise PlacecatError(f"{path}: the topic {self.topic!r} has no messages; correct {settings}topic.")
         self.positions, self.received, stamps = np.array(found, np.int64).T
         if (stamps == 0).any():
             stamps = self.received

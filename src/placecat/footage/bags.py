@@ -108,7 +108,7 @@ class Bag:
                 f"correct {setting}."
             )
         if not count:
-            raise PlacecatError(f"{self.path}: the topic {topic!r} has no message; correct {setting}.")
+            raise PlacecatError(f"{self.path}: the topic {topic!r} has no messages; correct {setting}.")
 
     def pictures(self, topic: str | None = None) -> Generator[Picture, None, None]:
         """Yield the pictures of one topic or of all topics in order of reception, without decoding pixels.

@@ -38,9 +38,9 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         decisions (lowest first), which favours rare classes. Ties follow the order of `classes_`. The thesis
         says only "strongest".
     training
-        Training samples of a node: ``all``, so that both schemes use the same classifiers (thesis 4.8
-        compares combinations of their outputs), or only samples of the ``remaining`` classes, which exclude
-        those of earlier nodes. The thesis does not give this.
+        Training samples of a node. With ``all``, both schemes use the same classifiers (thesis 4.8 compares
+        ways of combining their outputs); ``remaining`` leaves out the classes of earlier nodes. The thesis
+        does not give this.
     decision
         Rule of `predict`. ``sign`` and ``probability`` pick the first class whose node accepts the sample, or
         else the last class; a node accepts a sample with a positive decision value, or with p(o_k|x) above

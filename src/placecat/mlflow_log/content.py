@@ -210,7 +210,7 @@ def _results(
 
 
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
-    """Map each (group, row) to the quality of its probabilities; both are "" if the table has one result.
+    """Map each (group, row) to the quality of its probabilities; ("", "") if the table has only one result.
 
     The mapping is empty for tables that already show these numbers, and for trials, which lack them.
     """

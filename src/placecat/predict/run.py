@@ -55,7 +55,7 @@ def run(
     truth: NDArray[np.int16] | None = None,
     pace: float = 1.0,
 ) -> tuple[Prediction, Speed, bool]:
-    """Categorize one frame in `every` of the footage, or of its first `limit` seconds.
+    """Categorize every `every`-th frame of the footage, or only of its first `limit` seconds.
 
     The system must not have seen any frames yet; `fit` fits frames to a size that the system accepts. `shown`
     is called after each frame. An annotated video is written to `film_path`, if any, at a `pace` relative to

@@ -35,12 +35,12 @@ _LATEX = str.maketrans(
 
 
 def markdown(text: str) -> str:
-    """Escape a text so that Markdown shows it literally."""
+    """Escape text so that Markdown renders it literally."""
     return text.translate(_MARKDOWN)
 
 
 def latex(text: str) -> str:
-    """Escape a text so that LaTeX prints it literally."""
+    """Escape text so that LaTeX prints it literally."""
     return text.translate(_LATEX)
 
 

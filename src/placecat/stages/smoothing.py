@@ -10,7 +10,7 @@ from placecat.training.saved import smooth_home
 
 
 def main() -> None:
-    """Smooth every system, and every cue and filtered result listed in the settings."""
+    """Smooth the results of all systems, and those of the cues and filters that the settings list."""
     params = settings.load()
     smoothing = settings.get(params, "smoothing")
     tested = settings.get(params, "protocol.test_homes")

@@ -31,9 +31,9 @@ class Side:
     place
         Name of the class whose accuracy counts; None for the mean over the classes present.
     error
-        Whether the error rate, 100 minus the accuracy, counts.
+        Whether to compare error rates (100 minus the accuracy) instead of accuracies.
     plain
-        Whether the share of correct frames counts, regardless of their class.
+        Whether to use the share of correct frames instead of the mean over classes.
     published
         Location of each result's number in the thesis; None if it follows from the result's name.
     """

@@ -114,7 +114,7 @@ def judge_comparison(
 
 
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
-    """Judge, from all cases together, whether something both hurts and helps; return verdict and reason.
+    """Judge whether a change hurts in some cases and helps in others; return a verdict and its reason.
 
     A case is a pair of results in a home (or in all pooled sequences); homes may differ between comparisons.
     It counts as worse or better if the difference is noticeable with every seed; the shares are computed from

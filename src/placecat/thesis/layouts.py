@@ -138,7 +138,7 @@ def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
-    """One row per result: its distributions' quality, averaged over test homes (not in the thesis).
+    """One row per result: the quality of its distributions, averaged over test homes (our addition).
 
     Each of ``table["rows"]`` has `group`, `row` and `result`, a result on the main data set. The columns are
     log-loss (nats), calibration error and stay accuracy (both in percent), see

@@ -181,7 +181,7 @@ def with_seeds(one: Measured, values: NDArray[Any], seeds: Sequence[str]) -> NDA
 
 
 def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
-    """Describe the results left out of each side; for ``last``, only those that follow the one used."""
+    """Describe the results that each side leaves out; for ``last``, only those after the result used."""
     texts = []
     for side, kept in zip(sides, used, strict=True):
         asked = side.results

@@ -52,7 +52,7 @@ def cut(
     Raises
     ------
     PlacecatError
-        If a scale has no level.
+        If a scale has no level, or the border is unknown.
     """
     regions = np.asarray(regions, np.float32)
     unknown = [scale for scale in regions[:, 2].tolist() if scale not in levels]
@@ -61,6 +61,8 @@ def cut(
         raise PlacecatError(
             f"a region has the scale {unknown[0]:g}, but the pyramid has only the levels {known}"
         )
+    if border not in BORDERS:
+        raise PlacecatError(f"border={border} is unknown: use one of {', '.join(BORDERS)}")
     channels = next(iter(levels.values())).shape[:-2]
     patches = np.empty((len(regions), *channels, side, side), np.float32)
     shapes = tuple((scale, *level.shape[-2:]) for scale, level in levels.items())

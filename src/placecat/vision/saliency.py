@@ -39,7 +39,7 @@ class Channel(NamedTuple):
 class Saliency(NamedTuple):
     """A frame's saliency map, (h, w) float32, >= 0: the weighted sum of its channels, listed by name.
 
-    The maps have the size of the pyramid level `scale`: pixel (x, y) lies at (x, y) 2**scale in the frame.
+    The maps are as large as pyramid level `scale`: their pixel (x, y) is the frame's (x, y) * 2**scale.
     """
 
     scale: int
@@ -159,8 +159,8 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     """Find a map's local maxima.
 
     A local maximum is above zero and not below any pixel in the window around it; pixels outside the map
-    count as low. Equal pixels that touch count once, as the first in row order, and only if all of them are
-    local maxima. So a flat area next to a higher pixel has no maximum, nor does a constant map.
+    count as low. Adjacent pixels of equal value count once, at the first of them in row order,
+    and only if all of them are local maxima. So a flat area next to a higher pixel has no maximum, nor does a constant map.
 
     `plane` is (h, w) float32 and finite; `window` is the neighbourhood's side, odd, at least 3 (the thesis
     does not specify it). Returns flat indices in ascending order.

@@ -92,6 +92,8 @@ def test_border_is_a_setting(name: str) -> None:
     assert np.isfinite(module.describe(made, chosen, border="reflect")).all()
     with pytest.raises(PlacecatError, match="border=wrap"):
         check({"local": {name: {"border": "wrap"}}})
+        # A descriptor without a range for this setting refuses it later.
+        module.describe(made, chosen, border="wrap")
 
 
 @EVERY

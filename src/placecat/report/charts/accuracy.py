@@ -67,7 +67,7 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
 class Bar:
     """One bar: the name of its group ("" for none), its name, and numbers in percent.
 
-    `published` is NaN if missing; `points` are the table's numbers that `measured` averages.
+    `published` is NaN if missing; `points` are numbers of the table, and `measured` is their mean.
     """
 
     section: str

@@ -168,7 +168,7 @@ def _name(
     classes: Sequence[str],
     colors: Sequence[str],
 ) -> None:
-    """Write a stretch's place on the bar if there is room."""
+    """Label a stretch of the bar with the name of its place, if there is room."""
     if part.stop - part.start < NAMED * len(truth):
         return
     place = truth[part.start]
