@@ -160,7 +160,8 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
 
     A local maximum is above zero and not below any pixel in the window around it; pixels outside the map
     count as low. Adjacent pixels of equal value count once, at the first of them in row order,
-    and only if all of them are local maxima. So a flat area next to a higher pixel has no maximum, nor does a constant map.
+    and only if all of them are local maxima. So a flat area next to a higher pixel has no maximum, nor does a
+    constant map.
 
     `plane` is (h, w) float32 and finite; `window` is the neighbourhood's side, odd, at least 3 (the thesis
     does not specify it). Returns flat indices in ascending order.
