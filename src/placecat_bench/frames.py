@@ -1,6 +1,7 @@
 """Frames for the pieces of vision code, one from each rendered home."""
 
 from collections.abc import Sequence
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -43,10 +44,15 @@ def jpegs(homes: Path = HOMES) -> list[Image]:
     The frame is one third into the video. Returns each JPEG's bytes. Raises PlacecatError if the folder has
     no videos or a video cannot be read.
     """
-    videos = sorted(homes.glob("*.mp4"))
-    if not videos:
-        raise PlacecatError(f"{homes} has no videos: restore the rendered homes from git")
-    return [encoded(_frame(path)) for path in videos]
+    return [encoded(_frames(path, 1)[0]) for path in _videos(homes)]
+
+
+def consecutive(count: int, homes: Path = HOMES) -> list[Image]:
+    """Decode `count` consecutive frames of the first rendered home, from one third into its video.
+
+    Each is (H, W, 3) uint8 BGR. Raises PlacecatError like `jpegs`.
+    """
+    return _frames(_videos(homes)[0], count)
 
 
 def encoded(frame: Image) -> Image:
@@ -77,10 +83,17 @@ def with_regions(frames: Sequence[Image], count: int = REGIONS) -> list[Describe
     return [(one, find_regions(one, **(own["regions"] | {"max_regions": count}))) for one in maps]
 
 
-def _frame(video: Path) -> Image:
+def _videos(homes: Path) -> list[Path]:
+    videos = sorted(homes.glob("*.mp4"))
+    if not videos:
+        raise PlacecatError(f"{homes} has no videos: restore the rendered homes from git")
+    return videos
+
+
+def _frames(video: Path, count: int) -> list[Image]:
     recording = Recording(video)
-    number = recording.count // 3 + 1
-    for picture in recording.pictures():
-        if picture.number == number:
-            return picture.image()
-    raise PlacecatError(f"{video}: frame {number} cannot be read; restore the file")
+    first = recording.count // 3 + 1
+    frames = [picture.image() for picture in islice(recording.pictures(first), count)]
+    if len(frames) < count:
+        raise PlacecatError(f"{video}: frame {first + len(frames)} cannot be read; restore the file")
+    return frames

@@ -1,0 +1,104 @@
+"""Prediction with the model of the stage `model`: frames that arrive one by one, named on one core.
+
+A decision covers the frame's features, its tracked regions, all cues, their integration and the smoothing.
+"""
+
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import paths
+from placecat.categorizer import Categorizer
+from placecat.errors import PlacecatError
+from placecat.vision.memory import keep_freed_memory
+from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.frames import Image, consecutive, decoded, encoded, size
+from placecat_bench.timing import median_seconds
+
+PIECE = "Prediction"
+PEER = Peer("OpenCV: imdecode", "opencv-python-headless")
+# A camera's frames per second, and the time that each of its frames leaves.
+CAMERA = 30
+PERIOD = 1000 / CAMERA
+PERCENTILES = (50, 95, 99)
+REPEATS = 5
+_FIRST_DECISION = """
+import sys, numpy
+from placecat.categorizer import Categorizer
+categorizer = Categorizer.load(sys.argv[1])
+width, height = categorizer.frame_sizes[0]
+categorizer.update(numpy.zeros((height, width, 3), numpy.uint8))
+"""
+
+
+def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | Limit]:
+    """Yield the ratio to decoding, the frames per second, the latencies, and the time to a first decision.
+
+    `frames` are consecutive; by default, 100 of a rendered home. Frames per second and latencies include the
+    decoding. Raises PlacecatError if there is no model.
+    """
+    if not paths.MODEL.is_file():
+        raise PlacecatError(f"{paths.MODEL} does not exist: run `make repro`")
+    keep_freed_memory()
+    files = [encoded(frame) for frame in (consecutive(100) if frames is None else frames)]
+    pictures = [decoded(file) for file in files]
+    categorizer = Categorizer.load(paths.MODEL, resize=True)
+    text = f"{size(pictures[0])} JPEG"
+
+    def decide() -> list[Any]:
+        categorizer.reset()
+        return [categorizer.update(picture) for picture in pictures]
+
+    @cache
+    def latencies() -> NDArray[np.float64]:
+        return np.concatenate([_latencies(categorizer, files) for _ in range(REPEATS)])
+
+    def decode() -> list[Any]:
+        return [decoded(file) for file in files]
+
+    # Decoding takes a thirteenth of a camera's period.
+    yield Comparison(PIECE, text, PEER, decide, decode, at_most=12, parts={"decisions": decide})
+    yield Limit(
+        PIECE,
+        text,
+        "frames/s on one core, with decoding",
+        lambda: 1000 / latencies().mean(),
+        at_least=CAMERA,
+        parts={"decisions": decide, "decoding": decode},
+    )
+    for percent in PERCENTILES:
+        yield Limit(
+            PIECE,
+            text,
+            f"latency in ms, percentile {percent}",
+            lambda percent=percent: float(np.percentile(latencies(), percent)),  # type: ignore[misc]
+            at_most=round(PERIOD, 1),
+        )
+    yield Limit(
+        PIECE,
+        text,
+        "seconds from the start of Python to the first decision",
+        lambda: median_seconds(first_decision, REPEATS),
+        at_most=2,
+    )
+
+
+def _latencies(categorizer: Categorizer, files: Sequence[Image]) -> NDArray[np.float64]:
+    """Decode and name frames; return each frame's milliseconds."""
+    categorizer.reset()
+    times = [time.perf_counter()]
+    for file in files:
+        categorizer.update(decoded(file))
+        times.append(time.perf_counter())
+    return np.diff(times) * 1000
+
+
+def first_decision() -> None:
+    """Load the model and name a frame, in a new process."""
+    subprocess.run([sys.executable, "-c", _FIRST_DECISION, str(paths.MODEL)], check=True)
