@@ -23,9 +23,8 @@ from placecat_bench.timing import median_seconds
 
 PIECE = "Prediction"
 PEER = Peer("OpenCV: imdecode", "opencv-python-headless")
-# A camera's frames per second, and the time that each of its frames leaves.
+# A camera's frames per second.
 CAMERA = 30
-PERIOD = 1000 / CAMERA
 PERCENTILES = (50, 95, 99)
 REPEATS = 5
 _FIRST_DECISION = """
@@ -68,35 +67,35 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | L
         PIECE,
         text,
         "frames/s on one core, with decoding",
-        lambda: 1000 / latencies().mean(),
+        lambda: 1 / latencies().mean(),
         at_least=CAMERA,
         parts={"decisions": decide, "decoding": decode},
     )
     for percent in PERCENTILES:
         yield Limit(
             PIECE,
-            text,
-            f"latency in ms, percentile {percent}",
+            f"{text}: latency of {percent} % of the frames",
+            "seconds",
             lambda percent=percent: float(np.percentile(latencies(), percent)),  # type: ignore[misc]
-            at_most=round(PERIOD, 1),
+            at_most=round(1 / CAMERA, 3),
         )
     yield Limit(
         PIECE,
-        text,
-        "seconds from the start of Python to the first decision",
+        "from the start of Python to the first decision",
+        "seconds",
         lambda: median_seconds(first_decision, REPEATS),
         at_most=2,
     )
 
 
 def _latencies(categorizer: Categorizer, files: Sequence[Image]) -> NDArray[np.float64]:
-    """Decode and name frames; return each frame's milliseconds."""
+    """Decode and name frames; return each frame's seconds."""
     categorizer.reset()
     times = [time.perf_counter()]
     for file in files:
         categorizer.update(decoded(file))
         times.append(time.perf_counter())
-    return np.diff(times) * 1000
+    return np.diff(times)
 
 
 def first_decision() -> None:

@@ -26,7 +26,7 @@ def test_its_entries_and_targets(tmp_path, monkeypatch):
     assert [entry.target for entry in (whole, rate, *latencies, start)] == [
         "at most 12x its time",
         "at least 30",
-        *["at most 33.3"] * 3,
+        *["at most 0.033"] * 3,
         "at most 2",
     ]
 
