@@ -1,6 +1,5 @@
 """What MLflow stores for a table and for each of its rows: parameters, metrics, a description and files."""
 
-import hashlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -111,7 +110,7 @@ def figures_run(folder: Path) -> TableRun:
         + (entry["title"] if entry["file"] else f"Left out: {entry['reason']}")
         for entry in entries
     ]
-    sums = [hashlib.sha256(path.read_bytes()).hexdigest() for path in drawn]
+    sums = [files.checksum(path) for path in drawn]
     return TableRun(
         name="figures",
         title="Figures of the thesis",

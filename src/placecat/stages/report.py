@@ -8,7 +8,7 @@ from placecat import files, paths, settings
 from placecat.drawing.style import png_of
 from placecat.errors import PlacecatError
 from placecat.provenance import lines, tidy
-from placecat.provenance.cells import Explaining, Table
+from placecat.provenance.cells import Explaining, read_tables
 from placecat.provenance.text import explanations
 from placecat.report.benchmarks import TEXT as BENCHMARK_TEXT
 from placecat.report.benchmarks import shown_speed, speed_chart
@@ -19,25 +19,16 @@ from placecat.runs.lockfile import LOCK, data_version
 from placecat.sequences import listing
 from placecat.stages import run
 from placecat.thesis import in_text, notes
-from placecat.thesis.tables import dataset_of, folder_of, tables_of
 
 # Columns to read as text, even if the text looks like a number, such as section 4.10.
-_TEXT = ("group", "row", "column", "name", "section", "quantity", "home", "note")
+_TEXT = ("name", "section", "quantity", "home", "note")
 
 
 def main() -> None:
     """Write index.html, results.parquet and explanations.json in reports/."""
     params = settings.load()
     dataset = settings.get(params, "dataset")
-    noted = files.read_table(paths.NOTES, notes.COLUMNS)
-    tables = [
-        Table(
-            table,
-            notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
-            dataset_of(table, params),
-        )
-        for name, table in tables_of(params).items()
-    ]
+    tables, noted = read_tables(params), files.read_table(paths.NOTES, notes.COLUMNS)
     texts = notes.with_notes(in_text.NAME, files.read_table(paths.IN_TEXT, _TEXT), noted, in_text.KEY)
     comparisons = files.read_table(paths.COMPARISONS, _TEXT)
     origins = files.read_json(_existing(paths.ORIGINS))

@@ -10,15 +10,13 @@ from placecat import files, paths, settings
 from placecat.mlflow_log.content import figures_run, findings_run, table_run
 from placecat.mlflow_log.store import queued_experiment, queued_in, tracking_uri
 from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, TableRun, log_tables
+from placecat.provenance.cells import read_tables
 from placecat.provenance.made import Made, made
 from placecat.results.collect import read_results
 from placecat.runs.lockfile import data_version, git_commit
 from placecat.stages import run
-from placecat.thesis import notes
 from placecat.thesis.records import trials_of
-from placecat.thesis.tables import dataset_of, folder_of, tables_of
-
-_TEXT = ["group", "row", "column", "note"]
+from placecat.thesis.tables import folder_of
 
 
 def main() -> None:
@@ -30,19 +28,13 @@ def main() -> None:
     def how(result: str) -> Made:
         return made(result, params, trials)
 
-    noted = files.read_table(paths.NOTES, notes.COLUMNS)
     by_split: dict[str, list[TableRun]] = {"": []}
-    for name, table in tables_of(params).items():
-        one = table_run(
-            table,
-            notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
-            results,
-            dataset_of(table, params),
-            settings.flatten(_settings(table, params)),
-            [folder_of(table) / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
-            how,
-        )
-        by_split.setdefault(table.get("split", ""), []).append(one)
+    for one in read_tables(params):
+        table = one.settings
+        written = [folder_of(table) / f"{table['name']}.{ending}" for ending in ("csv", "md", "tex")]
+        shown = settings.flatten(_settings(table, params))
+        logged = table_run(table, one.cells, results, one.dataset, shown, written, how)
+        by_split.setdefault(table.get("split", ""), []).append(logged)
     by_split[""] += [figures_run(paths.FIGURES), findings_run(paths.FINDINGS, paths.COMPARISONS)]
     digests: dict[str, str] = {}
     for split, runs in by_split.items():
