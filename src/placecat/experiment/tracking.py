@@ -39,8 +39,8 @@ def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
     origins = sorted({json.dumps(made_from_of(one.result), sort_keys=True) for one in ran})
     identity = hashlib.sha256(json.dumps([*overrides, *origins]).encode()).hexdigest()
+    client, experiment, where = _open()
     with store.alone(store.tracking_uri()):
-        client, experiment, where = _open()
         earlier = search(client, experiment, f"tags.`{_SWEEP}` = '{identity}'")
         if not any(one.info.status == "FINISHED" for one in earlier):
             for one in earlier:
