@@ -120,7 +120,7 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
     if "settings" in result:
         params |= _params(result["settings"])
     if result["accuracy"] is not None:
-        metrics |= {name: result[name] for name in output.MEASURES if result.get(name) is not None}
+        metrics |= {name: result[name] for name in output.MEASURES}
         for home, of_home in result["homes"].items():
             if of_home["accuracy"] is not None:
                 metrics[store.key("accuracy", home)] = of_home["accuracy"]

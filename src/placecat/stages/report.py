@@ -6,7 +6,6 @@ from typing import Any
 
 from placecat import files, paths, settings
 from placecat.drawing.style import png_of
-from placecat.errors import PlacecatError
 from placecat.provenance import lines, tidy
 from placecat.provenance.cells import Explaining, read_tables
 from placecat.provenance.text import explanations
@@ -31,7 +30,7 @@ def main() -> None:
     tables, noted = read_tables(params), files.read_table(paths.NOTES, notes.COLUMNS)
     texts = notes.with_notes(in_text.NAME, files.read_table(paths.IN_TEXT, _TEXT), noted, in_text.KEY)
     comparisons = files.read_table(paths.COMPARISONS, _TEXT)
-    origins = files.read_json(_existing(paths.ORIGINS))
+    origins = files.read_json(files.existing(paths.ORIGINS))
     cells = list(Explaining(params, tables, texts, origins, comparisons).cells())
     tidy.write(paths.RESULTS, tidy.tidy(cells))
     listing_stages = {stage for cell in cells for stage in cell.stages} & {"sequences", "site_sequences"}
@@ -46,7 +45,9 @@ def main() -> None:
         frames={home: _frames(home, dataset["classes"]) for home in dataset["homes"]},
         data_version=data_version(),
         tables=tables,
-        figures=[_figure(one, params) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
+        figures=[
+            _figure(one, params) for one in files.read_json(files.existing(paths.FIGURES / "figures.json"))
+        ],
         in_text=texts,
         findings=files.read_table(paths.FINDINGS, _TEXT),
         comparisons=comparisons,
@@ -60,12 +61,6 @@ def main() -> None:
     files.write_text(paths.PAGE, page_html(report))
 
 
-def _existing(path: Path) -> Path:
-    if not path.is_file():
-        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
-    return path
-
-
 def _frames(home: str, places: list[str]) -> dict[str, int]:
     labels = listing.read_labels(home)
     counts = {place: int((labels == number).sum()) for number, place in enumerate(places)}
@@ -75,7 +70,7 @@ def _frames(home: str, places: list[str]) -> dict[str, int]:
 def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
     if entry["file"] is None:
         return Figure(entry["number"], entry["title"], None, entry["reason"], entry["name"])
-    file = _existing(paths.FIGURES / entry["file"])
+    file = files.existing(paths.FIGURES / entry["file"])
     own = settings.flatten(params["figures"].get(entry["name"]) or {})
     return Figure(
         entry["number"],
