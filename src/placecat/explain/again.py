@@ -16,11 +16,12 @@ from placecat.results.collect import read_results
 from placecat.results.measured import Measured, Results
 from placecat.results.quality import QUALITY_COLUMNS, from_rows, quality_rows
 from placecat.results.sources import Source, sources
-from placecat.stages import cues, filtering, integration, splits, toy
+from placecat.stages import cues, filtering, integration, smoothing, splits, toy
 from placecat.stages.scores import measure
 from placecat.thesis import in_text, tables
 from placecat.thesis.number import Number, Origin
 from placecat.thesis.records import RECORD, trials_of
+from placecat.training import fold_file
 from placecat.training import plan as plans
 from placecat.training.cue import Cue
 from placecat.training.integration import smoothing_settings
@@ -155,30 +156,19 @@ def _integration(name: str, source: Source, home: str, seed: str, params: Mappin
     return found
 
 
-def _saved(name: str, params: Mapping[str, Any]) -> tuple[Source, str]:
-    """Return the input of a filter or of the smoothing, and the input's protocol."""
-    known = sources(params)
-    result = name.rpartition("/")[2]
-    systems = settings.get(params, "systems")
-    scheme = systems[result]["scheme"] if result in systems else params["cues"][result]["schemes"][0]
-    if "/" in name:
-        return known[f"filtered/{name}"], scheme
-    return known[f"integration/{name}" if result in systems else f"cues/{name}/{scheme}"], scheme
-
-
 def _filtered(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
     name, _, result = rest.partition("/")
-    saved, _ = _saved(result, params)
     homes = settings.get(params, "dataset.homes")
     options = settings.get(params, f"filters.{name}")
     threshold = filtering._threshold(options, [other for other in homes if other != home])
-    return filtering.filter_home(saved.file(home, seed), home, threshold)["test"]
+    saved = fold_file.path_of(filtering._sources(params, options)[result], home, seed)
+    return filtering.filter_home(saved, home, threshold)["test"]
 
 
 def _smoothed(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
-    saved, scheme = _saved(rest, params)
-    plan = _plan(params, scheme, home)
-    return smooth_home(saved.file(home, seed), plan, smoothing_settings(params))[source.name]
+    folder, scheme = smoothing.sources(params)[rest]
+    saved, plan = fold_file.path_of(folder, home, seed), _plan(params, scheme, home)
+    return smooth_home(saved, plan, smoothing_settings(params))[source.name]
 
 
 _STEPS = {
