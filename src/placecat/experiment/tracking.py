@@ -25,7 +25,7 @@ from placecat.search import report
 _KIND = "placecat.kind"
 # Tag that identifies a sweep.
 _SWEEP = "placecat.sweep"
-_FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
+_FILES = (output.SUMMARY, report.SUMMARY)
 
 
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
