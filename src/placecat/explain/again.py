@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
+from placecat.evaluation.trials import AXES
 from placecat.provenance import numbering
-from placecat.provenance.origins import KEY, from_json, measurement
+from placecat.provenance.origins import from_json, measurement
 from placecat.results.collect import read_results
 from placecat.results.measured import Measured, Results
 from placecat.results.quality import QUALITY_COLUMNS, from_rows, quality_rows
@@ -76,7 +77,7 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
     if table == in_text.NAME:
         filled, key = in_text.fill(results, params), in_text.KEY
     else:
-        filled, key = tables.fill(tables.tables_of(params)[table], results, params), [*KEY]
+        filled, key = tables.fill(tables.tables_of(params)[table], results, params), [*AXES]
     ids = numbering.numbers(filled, table)
     rows = filled[[*key, "number"]].itertuples(index=False, name=None)
     return {ids[first, second, third]: ((first, second, third), one) for first, second, third, one in rows}

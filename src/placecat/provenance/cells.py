@@ -8,10 +8,11 @@ from typing import Any
 import pandas as pd
 
 from placecat import files, paths, settings
+from placecat.evaluation.trials import AXES
 from placecat.provenance import numbering
 from placecat.provenance.frames import Trained, trained
 from placecat.provenance.made import Made, all_stages, made
-from placecat.provenance.origins import KEY, Measurement, from_json
+from placecat.provenance.origins import Measurement, from_json
 from placecat.results.measured import MEASURES
 from placecat.thesis import in_text, notes
 from placecat.thesis.comparison import DIFFERENCE
@@ -37,7 +38,7 @@ def read_tables(params: Mapping[str, Any]) -> list[Table]:
     noted = files.read_table(paths.NOTES, notes.COLUMNS)
     found = []
     for name, table in tables_of(params).items():
-        cells = files.read_table(folder_of(table) / f"{name}.csv", [*KEY, "note"])
+        cells = files.read_table(folder_of(table) / f"{name}.csv", [*AXES, "note"])
         found.append(Table(table, notes.with_notes(name, cells, noted), dataset_of(table, params)))
     return found
 
@@ -152,7 +153,7 @@ class Explaining:
     ) -> Explained:
         homes = list(dict.fromkeys(home for origin in one.origins for home in origin.homes))
         results = list(dict.fromkeys(origin.result for origin in one.origins))
-        named.update(zip(("group", "row", "column"), key, strict=True))
+        named.update(zip(AXES, key, strict=True))
         named.update((name, float(row[name])) for name in ("measured", "published", "spread"))
         return Explained(
             **named,
