@@ -7,19 +7,19 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import files, paths, settings
+from placecat import settings
 from placecat.evaluation.trials import AXES
 from placecat.provenance import numbering
 from placecat.provenance.frames import Trained, trained
 from placecat.provenance.made import Made, all_stages, made
 from placecat.provenance.origins import Measurement, from_json
 from placecat.results.measured import MEASURES
-from placecat.thesis import in_text, notes
+from placecat.thesis import in_text
 from placecat.thesis.comparison import DIFFERENCE
 from placecat.thesis.notes import Notes
 from placecat.thesis.number import ALL_FRAMES, Origin
 from placecat.thesis.records import RECORD, trials_of
-from placecat.thesis.tables import dataset_of, folder_of, in_percent, tables_of
+from placecat.thesis.tables import in_percent
 
 ALL_HOMES = "all"
 
@@ -31,16 +31,6 @@ class Table:
     settings: Mapping[str, Any]
     cells: pd.DataFrame
     dataset: Mapping[str, Any]
-
-
-def read_tables(params: Mapping[str, Any]) -> list[Table]:
-    """Read all tables that the stage `tables` has filled, in the report's order."""
-    noted = files.read_table(paths.NOTES, notes.COLUMNS)
-    found = []
-    for name, table in tables_of(params).items():
-        cells = files.read_table(folder_of(table) / f"{name}.csv", [*AXES, "note"])
-        found.append(Table(table, notes.with_notes(name, cells, noted), dataset_of(table, params)))
-    return found
 
 
 @dataclass(frozen=True)

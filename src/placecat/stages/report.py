@@ -7,7 +7,7 @@ from typing import Any
 from placecat import files, paths, settings
 from placecat.drawing.style import png_of
 from placecat.provenance import lines, tidy
-from placecat.provenance.cells import Explaining, read_tables
+from placecat.provenance.cells import Explaining, Table
 from placecat.provenance.text import explanations
 from placecat.report.benchmarks import TEXT as BENCHMARK_TEXT
 from placecat.report.benchmarks import shown_speed, speed_chart
@@ -18,6 +18,7 @@ from placecat.runs.lockfile import LOCK, data_version
 from placecat.sequences import listing
 from placecat.stages import run
 from placecat.thesis import in_text, notes
+from placecat.thesis.tables import read
 
 # Columns to read as text, even if the text looks like a number, such as section 4.10.
 _TEXT = ("name", "section", "quantity", "home", "note")
@@ -27,7 +28,8 @@ def main() -> None:
     """Write index.html, results.parquet and explanations.json in reports/."""
     params = settings.load()
     dataset = settings.get(params, "dataset")
-    tables, noted = read_tables(params), files.read_table(paths.NOTES, notes.COLUMNS)
+    tables = [Table(*one) for one in read(params)]
+    noted = files.read_table(paths.NOTES, notes.COLUMNS)
     texts = notes.with_notes(in_text.NAME, files.read_table(paths.IN_TEXT, _TEXT), noted, in_text.KEY)
     comparisons = files.read_table(paths.COMPARISONS, _TEXT)
     origins = files.read_json(files.existing(paths.ORIGINS))

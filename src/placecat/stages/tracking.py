@@ -10,13 +10,12 @@ from placecat import files, paths, settings
 from placecat.mlflow_log.content import figures_run, findings_run, table_run
 from placecat.mlflow_log.store import queued_experiment, queued_in, tracking_uri
 from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, TableRun, log_tables
-from placecat.provenance.cells import read_tables
 from placecat.provenance.made import Made, made
 from placecat.results.collect import read_results
 from placecat.runs.lockfile import data_version, git_commit
 from placecat.stages import run
 from placecat.thesis.records import trials_of
-from placecat.thesis.tables import folder_of
+from placecat.thesis.tables import folder_of, read
 
 
 def main() -> None:
@@ -29,11 +28,10 @@ def main() -> None:
         return made(result, params, trials)
 
     by_split: dict[str, list[TableRun]] = {"": []}
-    for one in read_tables(params):
-        table = one.settings
+    for table, cells, of_table in read(params):
         written = [folder_of(table) / f"{table['name']}.{ending}" for ending in ("csv", "md", "tex")]
         shown = settings.flatten(_settings(table, params))
-        logged = table_run(table, one.cells, results, one.dataset, shown, written, how)
+        logged = table_run(table, cells, results, of_table, shown, written, how)
         by_split.setdefault(table.get("split", ""), []).append(logged)
     by_split[""] += [figures_run(paths.FIGURES), findings_run(paths.FINDINGS, paths.COMPARISONS)]
     digests: dict[str, str] = {}

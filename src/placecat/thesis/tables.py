@@ -1,6 +1,6 @@
 """The thesis's tables, with measured and published numbers."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,8 @@ from placecat import files, paths, settings
 from placecat.evaluation.trials import AXES
 from placecat.results.measured import Results
 from placecat.thesis import definitions, layouts
-from placecat.thesis.notes import Kind, Note, joined, without_empty
+from placecat.thesis.notes import COLUMNS as COLUMNS_OF_NOTES
+from placecat.thesis.notes import Kind, Note, joined, with_notes, without_empty
 from placecat.thesis.number import Number, nothing
 
 ADDITION = "Addition"
@@ -64,6 +65,14 @@ def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
 def in_percent(table: Mapping[str, Any]) -> bool:
     """Whether a table's numbers are percentages; otherwise its ``caption`` explains them."""
     return "caption" not in table
+
+
+def read(params: Mapping[str, Any]) -> Iterator[tuple[dict[str, Any], pd.DataFrame, dict[str, Any]]]:
+    """Yield each table's definition, its cells and notes as the stage `tables` wrote them, and its data."""
+    noted = files.read_table(paths.NOTES, COLUMNS_OF_NOTES)
+    for name, table in tables_of(params).items():
+        cells = files.read_table(folder_of(table) / f"{name}.csv", [*AXES, "note"])
+        yield table, with_notes(name, cells, noted), dataset_of(table, params)
 
 
 def fill(table: Mapping[str, Any], results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
