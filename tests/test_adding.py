@@ -64,14 +64,14 @@ def project(tmp_path_factory):
         for package, place in packages.values():
             patch.setattr(package, "__path__", [*package.__path__, place])
             patch.setattr(package.__spec__, "submodule_search_locations", package.__path__)
-        lookup.forget()
+        lookup._locations.cache_clear()
         none = ["protocol.extra=null", "region_variants.descriptors=[]", "region_variants.variants={}"]
         less = ["smoothing.cues=[]", "smoothing.filtered=[]", "tracking.descriptors=[]"]
         write_params(["dataset=rooms", *none, *less])
         params = settings.load()
         draw(Path(params["dataset"]["root"]), params["dataset"]["homes"], params["dataset"]["classes"])
         yield params
-    lookup.forget()
+    lookup._locations.cache_clear()
     for name in packages:
         sys.modules.pop(name, None)
 

@@ -23,7 +23,7 @@ def shapes(tmp_path, monkeypatch):
     (package / "helper.py").write_text("def other(): return 4\n")
     (package / "lacking.py").write_text("import no_such_package\ndef describe(): pass\n")
     monkeypatch.syspath_prepend(tmp_path)
-    lookup.forget()
+    lookup._locations.cache_clear()
     yield package
     for name in [name for name in sys.modules if name.startswith("shapes_for_test")]:
         del sys.modules[name]

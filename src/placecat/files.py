@@ -91,6 +91,13 @@ def _remove(path: Path) -> None:
         path.unlink(missing_ok=True)
 
 
+def existing(path: Path) -> Path:
+    """Return the path of a stage's output; PlacecatError if the stage has not run."""
+    if not path.exists():
+        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
+    return path
+
+
 def checksum(path: Path) -> str:
     """Return a file's SHA-256 in hexadecimal digits."""
     with path.open("rb") as file:
@@ -156,10 +163,7 @@ def read_csv(path: Path) -> "pd.DataFrame":
     """Read a CSV file that this project wrote; empty cells of text columns stay empty strings."""
     import pandas as pd
 
-    try:
-        return pd.read_csv(path, keep_default_na=False)
-    except FileNotFoundError:
-        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it") from None
+    return pd.read_csv(existing(path), keep_default_na=False)
 
 
 def read_table(path: Path, text: Collection[str]) -> "pd.DataFrame":

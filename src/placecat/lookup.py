@@ -118,11 +118,6 @@ def keys(package: str, name: str, dictionary: str) -> list[str]:
     return list(_literal(package, name, dictionary))
 
 
-def forget() -> None:
-    """Forget where packages are, so that they are searched for again."""
-    _locations.cache_clear()
-
-
 @lru_cache
 def _locations(package: str) -> list[str]:
     # This imports parent packages, but not the package itself.

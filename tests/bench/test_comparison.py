@@ -1,5 +1,3 @@
-import pytest
-
 from placecat_bench.comparison import Comparison, Limit, Peer
 
 PEER = Peer("NumPy: sort", "numpy")
@@ -23,24 +21,11 @@ def test_at_most_is_our_time_over_the_peers():
     assert one.target == "at most 4.5x its time"
 
 
-@pytest.mark.parametrize("targets", [{}, {"faster": 2, "at_most": 2}])
-def test_a_comparison_has_one_target(targets):
-    with pytest.raises(ValueError, match="Sorting: set one of faster and at_most as target"):
-        comparison(**targets)
-
-
-def test_less_than_five_pairs_are_refused():
-    with pytest.raises(ValueError, match="4 repeats"):
-        comparison(faster=2, repeats=4)
-
-
 def test_a_limit_is_a_bound_on_either_side():
     above = Limit("Sorting", "", "numbers/s", lambda: 1.0, at_least=40)
     below = Limit("Sorting", "", "difference", lambda: 1.0, at_most=0)
     assert (above.is_met(40), above.is_met(39.9), above.target) == (True, False, "at least 40")
     assert (below.is_met(0), below.is_met(1e-9), below.target) == (True, False, "at most 0")
-    with pytest.raises(ValueError, match="at_least and at_most"):
-        Limit("Sorting", "", "difference", lambda: 1.0)
 
 
 def test_not_a_number_reaches_no_target():

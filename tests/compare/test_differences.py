@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 from placecat.compare.differences import (
     NONE,
     Comparison,
-    Grade,
     TableDifference,
     Turned,
     compare,
@@ -50,7 +49,7 @@ def test_the_same_tables_are_equal():
     tables = {"table_12": filled(31.2, None, 20.0)}
     found = compare(tables, tables)
     assert (found.cells, found.differing, found.largest) == (2, 0, None)
-    assert found.grade(0.0) is Grade.EQUAL
+    assert not found.exceeds(0.0)
 
 
 def test_a_moved_number_is_found_where_it_is():
@@ -61,19 +60,12 @@ def test_a_moved_number_is_found_where_it_is():
 
 
 @pytest.mark.parametrize(
-    ("moved", "grade"),
-    [
-        (0.0, Grade.EQUAL),
-        (0.01, Grade.WITHIN),
-        (2.0, Grade.WITHIN),
-        (2.01, Grade.BEYOND),
-        (-2.01, Grade.BEYOND),
-    ],
+    ("moved", "exceeds"), [(0.0, False), (0.01, False), (2.0, False), (2.01, True), (-2.01, True)]
 )
-def test_the_tolerance_is_still_within(moved, grade):
+def test_the_tolerance_is_still_within(moved, exceeds):
     # 0.1 + 2.0 - 0.1 is not 2.0 in floating point.
     now, kept = filled(round(20.1 + moved, 2), 5.0), filled(20.1, 5.0)
-    assert compare({"table_12": now}, {"table_12": kept}).grade(2.0) is grade
+    assert compare({"table_12": now}, {"table_12": kept}).exceeds(2.0) == exceeds
 
 
 @pytest.mark.parametrize(
@@ -97,7 +89,7 @@ def test_numbers_that_come_or_go_are_beyond_any_tolerance(now, kept, appeared, d
         disappeared,
         appeared + disappeared,
     )
-    assert found.grade(100.0) is (Grade.BEYOND if appeared or disappeared else Grade.EQUAL)
+    assert found.exceeds(100.0) == bool(appeared or disappeared)
 
 
 def test_another_spread_makes_a_cell_differ():
@@ -107,14 +99,14 @@ def test_another_spread_makes_a_cell_differ():
 
 def test_tables_without_spreads_can_be_compared():
     table = filled(31.2, None).drop(columns=["spread", "seeds"])
-    assert compare({"table_12": table}, {"table_12": table}).grade(0.0) is Grade.EQUAL
+    assert compare({"table_12": table}, {"table_12": table}).differing == 0
 
 
 def test_tables_with_numbers_and_tables_of_text_compare():
     """Content in memory equals the written file."""
     text = filled(31.2, None, 20.0)
     numbers = text.assign(measured=pd.to_numeric(text["measured"]), spread=pd.to_numeric(text["spread"]))
-    assert compare({"table_12": numbers}, {"table_12": text}).grade(0.0) is Grade.EQUAL
+    assert compare({"table_12": numbers}, {"table_12": text}).differing == 0
 
 
 def test_other_data_are_not_compared():
@@ -127,7 +119,7 @@ def test_other_data_are_not_compared():
     )
     assert found.data == (DATA, "my homes")
     assert (found.cells, found.findings) == (0, 0)
-    assert found.grade(2.0) is Grade.NOT_COMPARED
+    assert not found.exceeds(2.0)
 
 
 def test_cells_of_the_same_data_are_still_compared():
@@ -150,7 +142,7 @@ def test_verdicts_that_turn_are_listed_and_within_any_tolerance():
         Turned("4", NONE, "undecided"),
         Turned("3", "holds", NONE),
     )
-    assert found.grade(0.0) is Grade.WITHIN
+    assert not found.exceeds(0.0)
 
 
 def test_the_numbers_of_the_text_have_other_labels():

@@ -89,20 +89,20 @@ def test_homes_alone_are_averaged_below(tmp_path):
 
 
 def of_values(tmp_path, *results):
-    """A sweep over ``value``: accuracy, log-loss, calibration error; older results have the accuracy only."""
-    for number, (accuracy, *others) in enumerate(results):
-        measures = dict(zip(("log_loss", "calibration_error"), others, strict=False))
-        files.write_json(tmp_path / str(number) / output.RESULT, result("H1", accuracy, **measures))
+    """A sweep over ``value``: accuracy, log-loss, calibration error."""
+    for number, (accuracy, log_loss, error) in enumerate(results):
+        content = result("H1", accuracy, log_loss=log_loss, calibration_error=error)
+        files.write_json(tmp_path / str(number) / output.RESULT, content)
     return summary.read(tmp_path, [{"value": f"v{number}"} for number in range(len(results))])
 
 
 def test_log_loss_and_calibration_error_stand_beside_the_accuracy(tmp_path):
-    ran = of_values(tmp_path, (40.0, 1.23456, 12.345678), (60.0,))
+    ran = of_values(tmp_path, (40.0, 1.23456, 12.345678), (60.0, 0.5, 1.0))
     files.write_csv(tmp_path / output.SUMMARY, summary.as_frame(ran))
     assert (tmp_path / output.SUMMARY).read_text().splitlines() == [
         "number,value,accuracy,spread,log_loss,calibration_error,note",
         "0,v0,40.0,0.0,1.235,12.35,",
-        "1,v1,60.0,0.0,,,",
+        "1,v1,60.0,0.0,0.5,1.0,",
     ]
     lines = [line.split() for line in summary.text(ran).splitlines()]
     assert " ".join(lines[0]) == "Accuracy in percent, log-loss in nats, calibration error in percent"
@@ -110,17 +110,9 @@ def test_log_loss_and_calibration_error_stand_beside_the_accuracy(tmp_path):
         ["accuracy", "log_loss", "calibration_error"],
         ["value"],
         ["v0", "40.00", "1.235", "12.35"],
-        ["v1", "60.00", "-", "-"],
+        ["v1", "60.00", "0.500", "1.00"],
     ]
     assert output.shown(ran[0].result) == "40.00 %, log-loss 1.235 nats, calibration error 12.35 %"
-
-
-def test_older_results_alone_have_empty_cells_and_a_table_of_accuracies(tmp_path):
-    ran = of_values(tmp_path, (40.0,), (60.0,))
-    assert summary.as_frame(ran)[["log_loss", "calibration_error"]].isna().all(axis=None)
-    assert summary.text(ran).startswith("Accuracy in percent\n\n")
-    assert "og-loss" not in summary.text(ran)
-    assert output.shown(ran[0].result) == "40.00 %"
 
 
 @pytest.mark.parametrize("count", [2, 6, 12])

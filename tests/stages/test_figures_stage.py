@@ -48,13 +48,10 @@ def test_missing_data_leave_out_a_figure_with_a_reason(project, tmp_path):
     assert b"CreationDate" not in pdf
 
 
-@pytest.mark.parametrize(
-    ("section", "message"),
-    [("figure_19", r"figures\.figure_19 has no setting 'hose'"), ("figure_91", "has no setting 'figure_91'")],
-)
-def test_a_mistake_in_the_settings_stops_it(project, tmp_path, section, message):
-    project["figures"].setdefault(section, {})["hose"] = 1
+def test_a_mistake_in_the_settings_stops_it(project, tmp_path):
+    project["figures"]["figure_19"]["filter"] = "share"
+    project["filters"]["share"] = {"threshold": None, "share": 0.1, "cues": [], "systems": []}
     save(project)
-    with pytest.raises(PlacecatError, match=message):
+    with pytest.raises(PlacecatError, match="the filter share has no threshold"):
         stage.main()
     assert not (tmp_path / "reports/figures").exists()

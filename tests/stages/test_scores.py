@@ -83,7 +83,6 @@ def test_it_writes_the_same_bytes_again(folder):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"bin": 10}, r"probabilities has no setting 'bin'; did you mean 'bins'"),
         ({"bins": 0, "smallest": 1e-9}, r"probabilities\.bins must be a whole number"),
         ({"bins": 10, "smallest": 0}, r"probabilities\.smallest must be a number in"),
     ],

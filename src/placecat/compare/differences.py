@@ -3,7 +3,6 @@
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from enum import Enum
 
 import pandas as pd
 
@@ -12,15 +11,6 @@ NONE = "none"
 _CONTENT = ("table", "published", "measured", "spread", "seeds", "note", "data")
 # Maximum numbers of tables, verdicts and settings that the report lists.
 _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
-
-
-class Grade(Enum):
-    """The outcome of a comparison."""
-
-    EQUAL = "equal"
-    WITHIN = "within the tolerance"
-    BEYOND = "beyond the tolerance"
-    NOT_COMPARED = "not compared"
 
 
 @dataclass(frozen=True)
@@ -88,17 +78,12 @@ class Comparison:
         worst = max(self.tables, key=lambda table: table.largest, default=None)
         return worst if worst is not None and worst.largest else None
 
-    def grade(self, tolerance: float) -> Grade:
-        """Judge the differences by a tolerance in points.
+    def exceeds(self, tolerance: float) -> bool:
+        """Whether a number differs by more than a tolerance in points, has appeared or has disappeared.
 
-        A number that appeared or disappeared exceeds any tolerance. Changed verdicts do not, since a small
-        change in a number may change a verdict.
+        Verdicts are left out, since a small change in a number may change a verdict.
         """
-        if not self.cells:
-            return Grade.NOT_COMPARED
-        if any(one.appeared or one.disappeared or one.largest > tolerance for one in self.tables):
-            return Grade.BEYOND
-        return Grade.WITHIN if self.differing or self.turned else Grade.EQUAL
+        return any(one.appeared or one.disappeared or one.largest > tolerance for one in self.tables)
 
 
 def compare(
@@ -194,23 +179,22 @@ def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Seq
 
     `kept` describes where the old tables are, e.g. "git HEAD"; `settings` are the names of changed settings.
     """
-    grade = comparison.grade(tolerance)
     lines = []
     if comparison.data:
-        what = "Tables" if grade is Grade.NOT_COMPARED else "Some cells of the tables"
+        what = "Some cells of the tables" if comparison.cells else "Tables"
         lines.append(
             f"{what} are not compared: the old ones ({kept}) were measured on {comparison.data[0]}, "
             f"the new ones on {comparison.data[1]}."
         )
-    elif grade is Grade.NOT_COMPARED:
+    elif not comparison.cells:
         lines.append(f"Tables are not compared: neither the new nor the old ones ({kept}) have a number.")
-    if grade is not Grade.NOT_COMPARED:
+    if comparison.cells:
         lines += _about_tables(comparison, tolerance, kept)
     if comparison.findings:
         lines.append(_about_findings(comparison))
     if settings and (comparison.differing or comparison.turned):
         lines.append(f"Settings differ: {_some(settings, _SETTINGS)}. Expect differences.")
-    elif grade is Grade.BEYOND:
+    elif comparison.exceeds(tolerance):
         lines.append(
             "A different processor does not explain these differences. If you changed code or data on "
             "purpose, commit reports/ with them; otherwise check `git status` and whether the environment "

@@ -64,7 +64,7 @@ def compare(old: str, new: str = "") -> tuple[list[str], bool]:
     comparison = differences.compare(tables_now, tables_kept, now.findings, kept.findings)
     changed = changed_settings(now.settings, kept.settings)
     lines = differences.sentences(comparison, tolerance, name_of(old), list(changed))
-    return lines, bool(changed) or comparison.grade(tolerance) is not differences.Grade.BEYOND
+    return lines, bool(changed) or not comparison.exceeds(tolerance)
 
 
 def _with_data(one: Kept, params: dict[str, Any] | None) -> dict[str, pd.DataFrame]:

@@ -8,6 +8,7 @@ from placecat.evaluation.bootstrap import Interval
 HOLDS = "holds"
 FAILS = "does not hold"
 UNDECIDED = "undecided"
+VERDICTS = (HOLDS, FAILS, UNDECIDED)
 
 
 @dataclass(frozen=True)

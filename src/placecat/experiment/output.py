@@ -10,7 +10,7 @@ SECONDS = "seconds.json"
 TRACEBACK = "traceback.txt"
 SUMMARY = "summary.csv"
 FAILED = "failed"
-# Measures of a result, named as in the tables' runs; results of older versions have only the first.
+# Measures of a result, named as in the tables' runs.
 MEASURES = ("accuracy", "log_loss", "calibration_error")
 # A job's preliminary result, which remains if its process is killed.
 KILLED = "its process was killed, perhaps because memory ran out"
@@ -39,12 +39,9 @@ def shown(result: dict[str, Any]) -> str:
         return f"failed: {result[FAILED]}"
     if result["accuracy"] is None:
         return f"no number: {result['reason']}"
-    return f"{result['accuracy']:.2f} %" + quality(result)
+    return f"{result['accuracy']:.2f} %, {quality(result)}"
 
 
 def quality(result: dict[str, Any]) -> str:
-    """Format log-loss and calibration error as the end of a line, or "" if the result lacks either."""
-    log_loss, error = (result.get(measure) for measure in MEASURES[1:])
-    if log_loss is None or error is None:
-        return ""
-    return f", log-loss {log_loss:.3f} nats, calibration error {error:.2f} %"
+    """Format log-loss and calibration error."""
+    return "log-loss {:.3f} nats, calibration error {:.2f} %".format(*(result[one] for one in MEASURES[1:]))

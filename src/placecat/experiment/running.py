@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from placecat import paths, settings
+from placecat import paths
 from placecat.compute import cluster, parallel
 from placecat.compute.fingerprint import PACKAGES, fingerprint
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
@@ -65,7 +65,7 @@ def _measure(plan: Plan, cue: Cue, seed: int | None, probabilities: Mapping[str,
     if isinstance(proba, str):
         return proba
     confusion = confusion_matrix(truth, proba.argmax(axis=1), len(plan.classes))
-    quality = settings.call(probability_quality, truth, proba, settings=probabilities, where="probabilities")
+    quality = probability_quality(truth, proba, **probabilities)
     return {
         "accuracy": home_accuracy(confusion),
         "confusion": confusion.tolist(),

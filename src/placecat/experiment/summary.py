@@ -169,19 +169,12 @@ def text(ran: Sequence[Ran]) -> str:
 
 
 def _tables(ran: Sequence[Ran]) -> str:
-    """Format tables of the available measures, side by side or, if that is too wide, one below the other."""
-    found = {
-        measure: grid(ran, measure)
-        for measure in output.MEASURES
-        if measure == "accuracy" or not all(np.isnan(_value(one, measure)) for one in ran)
-    }
-    if len(found) > 1:
-        is_grid = next(iter(found.values())).columns.name is not None
-        beside = pd.concat(list(found.values()), axis=1, keys=list(found) if is_grid else None)
-        lines = beside.to_string()
-        if max(map(len, lines.splitlines())) <= _WIDTH:
-            units = ", ".join(_UNITS[measure] for measure in found)
-            return f"{units.capitalize()}\n\n{lines}"
+    """Format a table per measure, side by side or, if that is too wide, one below the other."""
+    found = {measure: grid(ran, measure) for measure in output.MEASURES}
+    is_grid = found["accuracy"].columns.name is not None
+    lines = pd.concat(list(found.values()), axis=1, keys=list(found) if is_grid else None).to_string()
+    if max(map(len, lines.splitlines())) <= _WIDTH:
+        return f"{', '.join(_UNITS.values()).capitalize()}\n\n{lines}"
     return "\n\n".join(
         f"{_UNITS[measure]}\n\n{table.to_string(line_width=_WIDTH)}" for measure, table in found.items()
     )
@@ -215,8 +208,7 @@ def text_of_one(result: dict[str, Any]) -> str:
         lines.append(f"{home}: {of_home['accuracy']:.2f} % ({', '.join(parts)})")
     if len(lines) > 1:
         lines.append(f"{AVERAGE}: {result['accuracy']:.2f} %")
-    if quality := output.quality(result):
-        lines.append(quality.removeprefix(", ").capitalize())
+    lines.append(output.quality(result).capitalize())
     table = confusion(result)
     shares = 100 * table / np.maximum(table.sum(axis=1, keepdims=True), 1)
     frame = pd.DataFrame(shares, index=result["classes"], columns=result["classes"])

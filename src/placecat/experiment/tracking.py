@@ -7,9 +7,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-import pandas as pd
-
 from placecat import files, settings
 from placecat.errors import PlacecatError
 from placecat.experiment import output, summary
@@ -20,6 +17,7 @@ from placecat.mlflow_log.params import params_of_cue
 from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, delete, search
 from placecat.paths import NO_SEED
 from placecat.report.charts.matrices import draw_matrices
+from placecat.results.confusion import ALL_HOMES, pooled_rows
 from placecat.results.measured import Measured
 from placecat.runs.lockfile import data_version, git_commit
 from placecat.search import report
@@ -27,7 +25,7 @@ from placecat.search import report
 _KIND = "placecat.kind"
 # Tag that identifies a sweep.
 _SWEEP = "placecat.sweep"
-_FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
+_FILES = (output.SUMMARY, report.SUMMARY)
 
 
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
@@ -41,8 +39,8 @@ def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
     origins = sorted({json.dumps(made_from_of(one.result), sort_keys=True) for one in ran})
     identity = hashlib.sha256(json.dumps([*overrides, *origins]).encode()).hexdigest()
+    client, experiment, where = _open()
     with store.alone(store.tracking_uri()):
-        client, experiment, where = _open()
         earlier = search(client, experiment, f"tags.`{_SWEEP}` = '{identity}'")
         if not any(one.info.status == "FINISHED" for one in earlier):
             for one in earlier:
@@ -122,7 +120,7 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
     if "settings" in result:
         params |= _params(result["settings"])
     if result["accuracy"] is not None:
-        metrics |= {name: result[name] for name in output.MEASURES if result.get(name) is not None}
+        metrics |= {name: result[name] for name in output.MEASURES}
         for home, of_home in result["homes"].items():
             if of_home["accuracy"] is not None:
                 metrics[store.key("accuracy", home)] = of_home["accuracy"]
@@ -153,10 +151,8 @@ def _params(used: dict[str, Any]) -> dict[str, str]:
 
 
 def _write_confusion(folder: Path, name: str, result: dict[str, Any]) -> list[Path]:
-    classes, counts = result["classes"], np.array(summary.confusion(result), np.int64)
-    pooled = Measured(("all",), (NO_SEED,), tuple(classes), counts[None, None])
+    counts = summary.confusion(result)[None, None]
+    pooled = Measured((ALL_HOMES,), (NO_SEED,), tuple(result["classes"]), counts)
     draw_matrices(folder / "confusion.png", name, {"": pooled})
-    table = pd.DataFrame(counts, columns=classes)
-    table.insert(0, "truth", classes)
-    files.write_csv(folder / "counts.csv", table)
+    files.write_csv(folder / "counts.csv", pooled_rows(pooled))
     return [folder / "confusion.png", folder / "counts.csv"]

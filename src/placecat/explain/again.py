@@ -8,21 +8,23 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from placecat import cues, files, paths, settings
+from placecat import files, paths, settings
 from placecat.errors import PlacecatError
+from placecat.evaluation.trials import AXES
 from placecat.provenance import numbering
-from placecat.provenance.origins import KEY, from_json, measurement
+from placecat.provenance.origins import from_json, measurement
 from placecat.results.collect import read_results
 from placecat.results.measured import Measured, Results
 from placecat.results.quality import QUALITY_COLUMNS, from_rows, quality_rows
 from placecat.results.sources import Source, sources
-from placecat.stages import filtering, integration, splits, toy
+from placecat.stages import cues, filtering, integration, smoothing, splits, toy
 from placecat.stages.scores import measure
 from placecat.thesis import in_text, tables
 from placecat.thesis.number import Number, Origin
 from placecat.thesis.records import RECORD, trials_of
+from placecat.training import fold_file
 from placecat.training import plan as plans
-from placecat.training.cue import Cue, fit, read_frames
+from placecat.training.cue import Cue
 from placecat.training.integration import smoothing_settings
 from placecat.training.saved import smooth_home
 from placecat.training.trial import judge, of_settings
@@ -75,7 +77,7 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
     if table == in_text.NAME:
         filled, key = in_text.fill(results, params), in_text.KEY
     else:
-        filled, key = tables.fill(tables.tables_of(params)[table], results, params), [*KEY]
+        filled, key = tables.fill(tables.tables_of(params)[table], results, params), [*AXES]
     ids = numbering.numbers(filled, table)
     rows = filled[[*key, "number"]].itertuples(index=False, name=None)
     return {ids[first, second, third]: ((first, second, third), one) for first, second, third, one in rows}
@@ -141,19 +143,11 @@ def _seed(name: str) -> int | None:
 
 
 def _cue(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
-    from placecat.fusion.temperature import temper
-
     name, scheme = source.folder.parent.name, source.folder.name
-    plan, cue, number = _plan(params, scheme, home), Cue.of(params, name), _seed(seed)
-    codebook = None
-    if number is not None:
-        clusters = paths.codebook(settings.get(params, f"cues.{name}.codebook"), plan.training_set, number)
-        codebook = cues.Codebook.from_arrays(files.read_arrays(clusters))
-    is_tempered = source.name == "tempered"
-    frames = read_frames(plan.cues, cue.descriptor)
-    trained = fit(frames, cue, plan.classes, codebook, cross_validate=is_tempered)
-    proba = trained.predict(home)
-    return temper(proba, trained.temperature) if is_tempered else proba
+    plan, cue, clusters, _ = cues.tasks(name, params)[scheme, home, seed]
+    alone = replace(plan, integration=(), extra=())
+    found: Array = cues.apply(alone, cue, clusters, cross_validate=source.name == "tempered")[source.name]
+    return found
 
 
 def _integration(name: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
@@ -163,30 +157,19 @@ def _integration(name: str, source: Source, home: str, seed: str, params: Mappin
     return found
 
 
-def _saved(name: str, params: Mapping[str, Any]) -> tuple[Source, str]:
-    """Return the input of a filter or of the smoothing, and the input's protocol."""
-    known = sources(params)
-    result = name.rpartition("/")[2]
-    systems = settings.get(params, "systems")
-    scheme = systems[result]["scheme"] if result in systems else params["cues"][result]["schemes"][0]
-    if "/" in name:
-        return known[f"filtered/{name}"], scheme
-    return known[f"integration/{name}" if result in systems else f"cues/{name}/{scheme}"], scheme
-
-
 def _filtered(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
     name, _, result = rest.partition("/")
-    saved, _ = _saved(result, params)
     homes = settings.get(params, "dataset.homes")
     options = settings.get(params, f"filters.{name}")
     threshold = filtering._threshold(options, [other for other in homes if other != home])
-    return filtering.filter_home(saved.file(home, seed), home, threshold)["test"]
+    saved = fold_file.path_of(filtering._sources(params, options)[result], home, seed)
+    return filtering.filter_home(saved, home, threshold)["test"]
 
 
 def _smoothed(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
-    saved, scheme = _saved(rest, params)
-    plan = _plan(params, scheme, home)
-    return smooth_home(saved.file(home, seed), plan, smoothing_settings(params))[source.name]
+    folder, scheme = smoothing.sources(params)[rest]
+    saved, plan = fold_file.path_of(folder, home, seed), _plan(params, scheme, home)
+    return smooth_home(saved, plan, smoothing_settings(params))[source.name]
 
 
 _STEPS = {
@@ -232,9 +215,8 @@ def _trial(name: str, homes: Sequence[str], one: Measured, params: Mapping[str, 
 def _toy(name: str, homes: Sequence[str], one: Measured, params: Mapping[str, Any]) -> Counts:
     options = settings.get(params, "toy")
     label = name.removeprefix("toy/")
-    is_last = label.startswith("last/")
     schemes, points = options["schemes"], options["points"]
-    if not is_last and label not in schemes:
+    if label.removeprefix("last/") not in schemes:
         radius = float(label.partition("/")[0])
         points = points | {"radius": radius}
         # This function is private, so that no stage comes to depend on it.
@@ -242,9 +224,6 @@ def _toy(name: str, homes: Sequence[str], one: Measured, params: Mapping[str, An
     found = {}
     for seed in one.seeds:
         number = int(seed.removeprefix("seed-"))
-        counts, last = toy.compare(schemes, points, options["training"], options["testing"], number)
-        of_label = counts[label.removeprefix("last/")]
-        if is_last:
-            of_label = of_label * (np.arange(len(of_label)) == last)[:, None]
-        found[one.homes[0], seed] = of_label
+        counts = toy.compare(schemes, points, options["training"], options["testing"], number)
+        found[one.homes[0], seed] = counts[label]
     return found

@@ -1,6 +1,5 @@
 """What MLflow stores for a table and for each of its rows: parameters, metrics, a description and files."""
 
-import hashlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ import pandas as pd
 from placecat import files
 from placecat.drawing.style import house_style, save
 from placecat.evaluation.trials import AXES, HOMES, trial_name
+from placecat.evaluation.verdict import VERDICTS
 from placecat.mlflow_log.params import params_of_results
 from placecat.mlflow_log.store import key
 from placecat.mlflow_log.tables import RUN_ID, RowRun, TableRun
@@ -18,7 +18,7 @@ from placecat.provenance.made import Made
 from placecat.report.charts.accuracy import accuracy_chart
 from placecat.report.charts.matrices import draw_matrices, draw_sheet
 from placecat.report.formats import table_markdown
-from placecat.report.summary import VERDICTS, readings_of
+from placecat.report.summary import readings_of
 from placecat.results.confusion import confusion_rows, pooled_rows
 from placecat.results.measured import Measured, Results, score_rows
 from placecat.thesis.decisions import decisions_of
@@ -111,7 +111,7 @@ def figures_run(folder: Path) -> TableRun:
         + (entry["title"] if entry["file"] else f"Left out: {entry['reason']}")
         for entry in entries
     ]
-    sums = [hashlib.sha256(path.read_bytes()).hexdigest() for path in drawn]
+    sums = [files.checksum(path) for path in drawn]
     return TableRun(
         name="figures",
         title="Figures of the thesis",

@@ -10,7 +10,7 @@ import shutil
 import sqlite3
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import closing, contextmanager, nullcontext
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlparse
@@ -20,8 +20,6 @@ from placecat.errors import PlacecatError
 
 # Functions import MLflow only when they need it, since the import takes 5 s.
 if TYPE_CHECKING:
-    from contextlib import AbstractContextManager
-
     from mlflow import MlflowClient
 
 # Tags that MLflow's user interface recognizes.
@@ -75,7 +73,7 @@ def connect(uri: str) -> MlflowClient:
     for talkative in ("mlflow.store.db.utils", "alembic"):
         logging.getLogger(talkative).setLevel(logging.WARNING)
     try:
-        with _told_plainly(uri), _lock(uri), _quick_if_new(uri):
+        with _told_plainly(uri), alone(uri), _quick_if_new(uri):
             client = MlflowClient(uri)
             client.search_experiments(max_results=1)
     except PlacecatError:
@@ -203,23 +201,28 @@ def key(*parts: str) -> str:
 
 @contextmanager
 def writing(client: MlflowClient) -> Iterator[None]:
-    """Lock a SQLite database, so that one process writes while others wait; blocks may be nested.
+    """Write :func:`alone`; raises PlacecatError if MLflow or its database fails in the block.
 
-    Every function of this module that writes takes the lock. Raises PlacecatError if MLflow or its database
-    fails in the block.
+    Every function of this module that writes uses this.
     """
-    with _told_plainly(client.tracking_uri), _lock(client.tracking_uri):
+    with _told_plainly(client.tracking_uri), alone(client.tracking_uri):
         yield
 
 
 @contextmanager
 def alone(uri: str) -> Iterator[None]:
-    """Lock a tracking URI, so that this user's other processes on this machine wait."""
+    """Lock a SQLite database, or a server for this user's processes on this machine; blocks may be nested."""
     from filelock import FileLock
 
-    user = os.getuid() if hasattr(os, "getuid") else ""
-    name = f"placecat-{user}-{hashlib.sha256(uri.encode()).hexdigest()[:16]}.lock"
-    with FileLock(Path(tempfile.gettempdir()) / name, is_singleton=True):
+    database, user = _database(uri), os.getuid() if hasattr(os, "getuid") else ""
+    if database is None:
+        name = f"placecat-{user}-{hashlib.sha256(uri.encode()).hexdigest()[:16]}.lock"
+        path = Path(tempfile.gettempdir()) / name
+    else:
+        path = database.with_name(f"{database.name}.lock")
+        path.parent.mkdir(parents=True, exist_ok=True)
+    # One object per path, so that a process may take the lock twice.
+    with FileLock(path, is_singleton=True):
         yield
 
 
@@ -266,18 +269,6 @@ def _quick_if_new(uri: str) -> Iterator[None]:
         yield
     finally:
         event.remove(Engine, "connect", opened)
-
-
-def _lock(uri: str) -> AbstractContextManager[object]:
-    """Return a lock that all users of this SQLite database share; it does nothing for other URIs."""
-    path = _database(uri)
-    if path is None:
-        return nullcontext()
-    from filelock import FileLock
-
-    path.parent.mkdir(parents=True, exist_ok=True)
-    # One object per path, so that a thread may acquire the lock twice.
-    return FileLock(path.with_name(f"{path.name}.lock"), is_singleton=True)
 
 
 def _database(uri: str) -> Path | None:

@@ -124,8 +124,8 @@ def log_tables(
     dvc_experiment
         Name of the queued DVC experiment that calls this, or ""; only its own earlier runs are superseded.
     """
+    client = store.connect(uri)
     with store.alone(uri):
-        client = store.connect(uri)
         number = store.experiment_id(client, uri, experiment, artifacts=artifacts, description=description)
         common = {
             "data": data,

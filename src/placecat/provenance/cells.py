@@ -8,6 +8,7 @@ from typing import Any
 import pandas as pd
 
 from placecat import settings
+from placecat.evaluation.trials import AXES
 from placecat.provenance import numbering
 from placecat.provenance.frames import Trained, trained
 from placecat.provenance.made import Made, all_stages, made
@@ -142,7 +143,7 @@ class Explaining:
     ) -> Explained:
         homes = list(dict.fromkeys(home for origin in one.origins for home in origin.homes))
         results = list(dict.fromkeys(origin.result for origin in one.origins))
-        named.update(zip(("group", "row", "column"), key, strict=True))
+        named.update(zip(AXES, key, strict=True))
         named.update((name, float(row[name])) for name in ("measured", "published", "spread"))
         return Explained(
             **named,

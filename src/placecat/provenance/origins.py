@@ -6,11 +6,10 @@ from typing import Any
 
 import pandas as pd
 
+from placecat.evaluation.trials import AXES
 from placecat.paths import NO_SEED
 from placecat.results.measured import Results
 from placecat.thesis.number import Number, Origin
-
-KEY = ("group", "row", "column")
 
 
 @dataclass(frozen=True)
@@ -43,7 +42,7 @@ def measurement(number: Number, results: Results) -> Measurement:
     return Measurement(values, next(seeds, fixed), number.origins)
 
 
-def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = KEY) -> list[dict[str, Any]]:
+def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = AXES) -> list[dict[str, Any]]:
     """Convert the column `number` of a filled table for JSON; the three columns `key` identify each cell."""
     rows = []
     for *labels, number in cells[[*key, "number"]].itertuples(index=False, name=None):

@@ -1,5 +1,4 @@
 """Plan and run a replication of the findings on more homes.
 
-Before a run, the package computes how many homes decide each finding, and how often the rule errs. No stage
-uses the package.
+Before a run, the package computes how many homes decide each finding. No stage uses the package.
 """

@@ -10,7 +10,7 @@ import yaml
 from placecat import files, paths, settings
 from placecat.config import compose
 from placecat.errors import PlacecatError
-from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED
+from placecat.evaluation.verdict import VERDICTS
 from placecat.replication import group_results, groups, needed, options, pooling
 from placecat.results.collect import read_results
 from placecat.thesis import definitions
@@ -61,7 +61,7 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
     power = needed.power_table(details, total, chosen, needed.Run(total, chosen.level))
     rows = _with_others(rows, paths.FINDINGS, "number")
     details = _with_others(details, paths.COMPARISONS, "finding")
-    counts = {verdict: int((rows["verdict"] == verdict).sum()) for verdict in (HOLDS, FAILS, UNDECIDED)}
+    counts = {verdict: int((rows["verdict"] == verdict).sum()) for verdict in VERDICTS}
     facts = {
         "title": str(params["dataset"]["title"]),
         "homes": total,

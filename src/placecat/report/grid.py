@@ -7,6 +7,7 @@ from typing import Any
 
 import pandas as pd
 
+from placecat.evaluation.trials import AXES
 from placecat.provenance.numbering import layout
 from placecat.thesis.notes import Kind, Notes
 from placecat.thesis.number import home_label
@@ -151,7 +152,7 @@ def seeds_sentence(table: pd.DataFrame) -> str:
     if random.empty:
         return ""
     one = random.nlargest(1, "spread").iloc[0]
-    where = ", ".join(str(one[name]) for name in ("group", "row", "column") if one.get(name))
+    where = ", ".join(str(one[name]) for name in AXES if one.get(name))
     all_random = len(random) == table["measured"].notna().sum()
     subject = "Numbers are means" if all_random else "Numbers that depend on chance are means"
     seeds = " or ".join(str(int(count)) for count in sorted(set(random["seeds"])))

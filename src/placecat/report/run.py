@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -97,7 +96,7 @@ class Run:
             if not seeds:
                 raise PlacecatError(f"{result} was not computed: run `dvc repro` to make it")
             seed = seeds[0]
-        self._need(source.file(home, seed))
+        files.existing(source.file(home, seed))
         return np.asarray(source.array(home, seed), np.float64)
 
     def labels(self, home: str) -> NDArray[np.int16]:
@@ -119,7 +118,7 @@ class Run:
         count from 0, in any order. Yields each index once, ascending, with its frame, (H, W, 3) uint8 BGR.
         """
         rows = sorted({int(index) for index in indices})
-        self._need(paths.sequences(home) / "frames.csv")
+        files.existing(paths.sequences(home) / "frames.csv")
         table = listing.read_frames(home)
         if rows and not 0 <= rows[0] <= rows[-1] < len(table):
             raise PlacecatError(f"{home} has the frames 0 to {len(table) - 1}, not {rows[0]} to {rows[-1]}")
@@ -166,8 +165,7 @@ class Run:
     def codebook(self, name: str, training_set: str) -> Codebook:
         """Return a codebook of seed 0 from a training set such as ``without-home_1``."""
         path = paths.codebook(name, training_set, 0)
-        self._need(path)
-        return Codebook.from_arrays(files.read_arrays(path))
+        return Codebook.from_arrays(files.read_arrays(files.existing(path)))
 
     def fold(self, home: str) -> protocol.Fold:
         """Return the training plan 5-5-1 for one of `homes` as the test home."""
@@ -215,14 +213,7 @@ class Run:
         return home, best[home][1]
 
     def _feature(self, home: str, name: str) -> NDArray[Any]:
-        path = paths.features(home) / f"{name}.npy"
-        self._need(path)
-        return files.read_array(path)
-
-    @staticmethod
-    def _need(path: Path) -> None:
-        if not path.exists():
-            raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
+        return files.read_array(files.existing(paths.features(home) / f"{name}.npy"))
 
 
 def home_of(run: Run, number: int) -> str:

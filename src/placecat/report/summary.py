@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
+from placecat.evaluation.verdict import VERDICTS
 from placecat.report.grid import NUMBERS, Cell, make_cell
 from placecat.thesis.number import AVERAGE
 
 INTEGRATION, SMOOTHED = "Integration", "HMM"
-VERDICTS = ("holds", "does not hold", "undecided")
 
 # Accuracies of Wu et al. on the VPC-2009 home database in percent, as cited in the thesis: holistic Centrist
 # on single frames (4.2), filtered over time (4.2), and SIFT instead (2.3).

@@ -123,7 +123,7 @@ def _check_classifier(options: Mapping[str, Any], where: str) -> None:
 
 def _check_figures(figures: Mapping[str, Any]) -> None:
     # Figures 12 to 14 share their settings; `placecat.schema` checks those of the example.
-    drawn = lookup.entries(FIGURES, "FIGURES") | {"clusters": ("clusters", "_draw")}
+    drawn = lookup.entries(FIGURES, "FIGURES") | {"clusters": ("clusters", "draw_cluster")}
     for name, own in figures.items():
         if name == "example":
             continue

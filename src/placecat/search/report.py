@@ -3,16 +3,12 @@
 import shlex
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
-
-import yaml
 
 from placecat import files
-from placecat.search.space import Space, values
+from placecat.search.space import Space
 from placecat.search.study import Tried, best
 from placecat.templates import environment
 
-RESULTS = "optimization_results.yaml"
 SUMMARY = "search.md"
 _PROGRAM = ("placecat", "experiment")
 # Settings that differ between search and test, or that keep their default.
@@ -20,7 +16,7 @@ _REPLACED = ("search", "judge", "test_home", "track", "data=main")
 
 
 def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, str], home: str) -> str:
-    """Write the results and a summary to the sweep's folder; return the summary as Markdown.
+    """Write a summary to the sweep's folder; return it as Markdown.
 
     `tried` lists the settings that were tried, beginning with the starts. `base` maps ``descriptor``,
     ``classifier`` and ``data`` to their chosen options. `home` is the test home, which the search did not
@@ -28,19 +24,6 @@ def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, st
     """
     starts, found = dict(zip(space.starts, tried, strict=False)), best(tried)
     without = [one for one in tried if one.accuracy is None]
-    content = {
-        "name": "optuna",
-        "best_params": _values(found),
-        "best_value": found.accuracy,
-        "best_experiment": found.number,
-        "starts": {
-            name: {"params": _values(one), "value": one.accuracy, "experiment": one.number}
-            for name, one in starts.items()
-        },
-        "experiments": len(tried),
-        "without_number": len(without),
-    }
-    files.write_text(folder / RESULTS, yaml.safe_dump(content, sort_keys=False))
     own = [one for one in space.fixed if one.lstrip("+").split("=", 1)[0] not in base]
     common = [
         one
@@ -67,8 +50,3 @@ def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, st
     )
     files.write_text(folder / SUMMARY, text)
     return text
-
-
-def _values(one: Tried) -> dict[str, Any]:
-    """Map keys to values, parsed as YAML."""
-    return {key: yaml.safe_load(value) for key, value in values(one.overrides).items()}

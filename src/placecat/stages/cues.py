@@ -39,13 +39,12 @@ def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, An
         yield from store.files_of(home, descriptor)
 
 
-def plan(name: str, params: Mapping[str, Any]) -> items.Work:
-    """Plan one cue's training in every fold of its schemes, and name its result files."""
+def tasks(name: str, params: Mapping[str, Any]) -> dict[tuple[str, str, str], tuple[Any, ...]]:
+    """Map each scheme, test home and seed name of a cue to the arguments of :func:`apply`."""
     own, cue = settings.get(params, f"cues.{name}"), Cue.of(params, name)
     tested = settings.get(params, "protocol.test_homes")
     seeds = settings.get(params, "protocol.seeds") if cue.codebook is not None else [None]
-    tasks: list[tuple[Any, ...]] = []
-    places: list[tuple[str, str, str]] = []
+    found: dict[tuple[str, str, str], tuple[Any, ...]] = {}
     for scheme in own["schemes"]:
         extra = own["extra"] and scheme == "5-5-1"
         for fold in plans.of_homes(params, scheme, tested, extra=extra):
@@ -53,15 +52,21 @@ def plan(name: str, params: Mapping[str, Any]) -> items.Work:
                 clusters = None
                 if seed is not None:
                     clusters = paths.codebook(own["codebook"], fold.training_set, seed)
-                tasks.append((fold, cue, clusters, own["cross_validate"]))
-                places.append((scheme, fold.test, paths.seed_name(seed)))
+                place = scheme, fold.test, paths.seed_name(seed)
+                found[place] = fold, cue, clusters, own["cross_validate"]
+    return found
+
+
+def plan(name: str, params: Mapping[str, Any]) -> items.Work:
+    """Plan one cue's training in every fold of its schemes, and name its result files."""
+    of_cue = tasks(name, params)
 
     def write(folder: Path, results: list[dict[str, Any]]) -> None:
-        for (scheme, test, seed_name), result in zip(places, results, strict=True):
+        for (scheme, test, seed_name), result in zip(of_cue, results, strict=True):
             facts = result.pop("facts")
             fold_file.write(fold_file.path_of(folder / scheme, test, seed_name), result, facts)
 
-    return tasks, write
+    return list(of_cue.values()), write
 
 
 def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: bool) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from placecat.footage.frames import read_frames
 from placecat.runs import items
 from placecat.sequences import listing
 from placecat.stages import run
-from placecat.vision.frame import check, describe_frame
+from placecat.vision.frame import describe_frame
 from placecat.vision.memory import keep_freed_memory
 
 
@@ -41,9 +41,7 @@ def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -
     `descriptors` maps ``local`` and ``holistic`` to the descriptors to compute and their settings.
     """
     sections = ("attention", "regions", "information")
-    options = {name: settings.get(params, name) for name in sections} | dict(descriptors)
-    check(options)
-    return options
+    return {name: settings.get(params, name) for name in sections} | dict(descriptors)
 
 
 def plan(
@@ -62,7 +60,6 @@ def plan(
             name: variant | {"descriptors": variants["descriptors"]}
             for name, variant in variants["variants"].items()
         }
-        check({**options, "variants": also})
         rows = np.arange(variants["frames"]["offset"], len(frames), variants["frames"]["step"])
     # Reaching a part of a video requires decoding all frames before it, so use few parts.
     is_video = bool((frames["position"] >= 0).any())

@@ -6,7 +6,6 @@ from typing import Any
 
 from placecat import files, paths, settings
 from placecat.drawing.style import png_of
-from placecat.errors import PlacecatError
 from placecat.provenance import lines, tidy
 from placecat.provenance.cells import Explaining, Table
 from placecat.provenance.text import explanations
@@ -19,28 +18,21 @@ from placecat.runs.lockfile import LOCK, data_version
 from placecat.sequences import listing
 from placecat.stages import run
 from placecat.thesis import in_text, notes
-from placecat.thesis.tables import dataset_of, folder_of, tables_of
+from placecat.thesis.tables import read
 
 # Columns to read as text, even if the text looks like a number, such as section 4.10.
-_TEXT = ("group", "row", "column", "name", "section", "quantity", "home", "note")
+_TEXT = ("name", "section", "quantity", "home", "note")
 
 
 def main() -> None:
     """Write index.html, results.parquet and explanations.json in reports/."""
     params = settings.load()
     dataset = settings.get(params, "dataset")
+    tables = [Table(*one) for one in read(params)]
     noted = files.read_table(paths.NOTES, notes.COLUMNS)
-    tables = [
-        Table(
-            table,
-            notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
-            dataset_of(table, params),
-        )
-        for name, table in tables_of(params).items()
-    ]
     texts = notes.with_notes(in_text.NAME, files.read_table(paths.IN_TEXT, _TEXT), noted, in_text.KEY)
     comparisons = files.read_table(paths.COMPARISONS, _TEXT)
-    origins = files.read_json(_existing(paths.ORIGINS))
+    origins = files.read_json(files.existing(paths.ORIGINS))
     cells = list(Explaining(params, tables, texts, origins, comparisons).cells())
     tidy.write(paths.RESULTS, tidy.tidy(cells))
     listing_stages = {stage for cell in cells for stage in cell.stages} & {"sequences", "site_sequences"}
@@ -55,7 +47,9 @@ def main() -> None:
         frames={home: _frames(home, dataset["classes"]) for home in dataset["homes"]},
         data_version=data_version(),
         tables=tables,
-        figures=[_figure(one, params) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
+        figures=[
+            _figure(one, params) for one in files.read_json(files.existing(paths.FIGURES / "figures.json"))
+        ],
         in_text=texts,
         findings=files.read_table(paths.FINDINGS, _TEXT),
         comparisons=comparisons,
@@ -69,12 +63,6 @@ def main() -> None:
     files.write_text(paths.PAGE, page_html(report))
 
 
-def _existing(path: Path) -> Path:
-    if not path.is_file():
-        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
-    return path
-
-
 def _frames(home: str, places: list[str]) -> dict[str, int]:
     labels = listing.read_labels(home)
     counts = {place: int((labels == number).sum()) for number, place in enumerate(places)}
@@ -84,7 +72,7 @@ def _frames(home: str, places: list[str]) -> dict[str, int]:
 def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
     if entry["file"] is None:
         return Figure(entry["number"], entry["title"], None, entry["reason"], entry["name"])
-    file = _existing(paths.FIGURES / entry["file"])
+    file = files.existing(paths.FIGURES / entry["file"])
     own = settings.flatten(params["figures"].get(entry["name"]) or {})
     return Figure(
         entry["number"],

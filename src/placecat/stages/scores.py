@@ -60,8 +60,7 @@ def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quali
         for home in source.homes:
             proba, own = source.array(home, seed), labels[home]
             counts.append(confusion_matrix(own, proba.argmax(axis=1), len(source.classes)))
-            given = own, proba, parts[home]
-            numbers.append(settings.call(home_quality, *given, settings=options, where="probabilities"))
+            numbers.append(home_quality(own, proba, parts[home], **options))
         confusion.append(counts)
         quality.append(numbers)
     counted = Measured(source.homes, source.seeds(), source.classes, np.array(confusion))

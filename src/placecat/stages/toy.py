@@ -31,13 +31,10 @@ def main() -> None:
         tasks += [(own, points, *numbers, seed) for seed in toy["sensitivity"]["seeds"]]
     found: dict[str, dict[str, np.ndarray]] = {}
     done = parallel.in_parallel(compare, tasks, "toy problem")
-    for (schemes, *_, number), (confusions, last) in zip(tasks, done, strict=True):
-        seed = paths.seed_name(number)
+    for (schemes, *_, number), confusions in zip(tasks, done, strict=True):
         for name, counts in confusions.items():
-            found.setdefault(f"toy/{name}", {})[seed] = counts
-            if schemes is toy["schemes"]:
-                of_last = counts * (np.arange(len(NAMES)) == last)[:, None]
-                found.setdefault(f"toy/last/{name}", {})[seed] = of_last
+            if schemes is toy["schemes"] or not name.startswith("last/"):
+                found.setdefault(f"toy/{name}", {})[paths.seed_name(number)] = counts
     rows = []
     for name, of_seeds in found.items():
         counts = np.array(list(of_seeds.values()))[:, None]
@@ -56,8 +53,11 @@ def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -
 
 def compare(
     schemes: Mapping[str, Any], points: Mapping[str, float], training: int, testing: int, seed: int
-) -> tuple[dict[str, np.ndarray], int]:
-    """Return each scheme's confusion matrix on a seed's test points, and a sequential scheme's last class."""
+) -> dict[str, np.ndarray]:
+    """Return each scheme's confusion matrix on a seed's test points.
+
+    ``last/SCHEME`` counts only points of the class that the sequential scheme decides last.
+    """
     X, y = toy_circles(training, seeds.derive("toy", "training", seed), **points)
     X_test, y_test = toy_circles(testing, seeds.derive("toy", "testing", seed), **points)
     found, last = {}, -1
@@ -67,7 +67,9 @@ def compare(
         found[name] = confusion_matrix(y_test, model.predict(X_test), len(NAMES))
         if hasattr(model, "order_"):
             last = int(model.order_[-1])
-    return found, last
+    of_last = (np.arange(len(NAMES)) == last)[:, None]
+    both = ({name: counts, f"last/{name}": counts * of_last} for name, counts in found.items())
+    return {name: counts for pair in both for name, counts in pair.items()}
 
 
 if __name__ == "__main__":

@@ -14,11 +14,8 @@ from placecat.provenance.made import Made, made
 from placecat.results.collect import read_results
 from placecat.runs.lockfile import data_version, git_commit
 from placecat.stages import run
-from placecat.thesis import notes
 from placecat.thesis.records import trials_of
-from placecat.thesis.tables import dataset_of, folder_of, tables_of
-
-_TEXT = ["group", "row", "column", "note"]
+from placecat.thesis.tables import folder_of, read
 
 
 def main() -> None:
@@ -30,19 +27,12 @@ def main() -> None:
     def how(result: str) -> Made:
         return made(result, params, trials)
 
-    noted = files.read_table(paths.NOTES, notes.COLUMNS)
     by_split: dict[str, list[TableRun]] = {"": []}
-    for name, table in tables_of(params).items():
-        one = table_run(
-            table,
-            notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
-            results,
-            dataset_of(table, params),
-            settings.flatten(_settings(table, params)),
-            [folder_of(table) / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
-            how,
-        )
-        by_split.setdefault(table.get("split", ""), []).append(one)
+    for table, cells, of_table in read(params):
+        written = [folder_of(table) / f"{table['name']}.{ending}" for ending in ("csv", "md", "tex")]
+        shown = settings.flatten(_settings(table, params))
+        logged = table_run(table, cells, results, of_table, shown, written, how)
+        by_split.setdefault(table.get("split", ""), []).append(logged)
     by_split[""] += [figures_run(paths.FIGURES), findings_run(paths.FINDINGS, paths.COMPARISONS)]
     digests: dict[str, str] = {}
     for split, runs in by_split.items():

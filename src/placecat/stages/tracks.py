@@ -12,7 +12,7 @@ from placecat.footage.frames import read_frames
 from placecat.runs import items
 from placecat.sequences import listing
 from placecat.stages import run
-from placecat.vision.frame import check, describe_frame
+from placecat.vision.frame import describe_frame
 from placecat.vision.memory import keep_freed_memory
 from placecat.vision.tracking import RegionTracker
 
@@ -38,8 +38,6 @@ def plan(home: str, params: Mapping[str, Any]) -> items.Work:
         "regions": {"max_regions": settings.get(params, "tracking.max_regions")},
         "local": wanted,
     }
-    check(options)
-    settings.check(RegionTracker, tracking, "tracking")
     root, size = Path(settings.get(params, "dataset.root")), listing.frame_size(home)
     frames, regions = listing.read_frames(home), _found_regions(home, tracking["max_regions"])
     tasks = [

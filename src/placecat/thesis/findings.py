@@ -8,14 +8,13 @@ import pandas as pd
 
 from placecat import settings
 from placecat.evaluation.bootstrap import Interval
-from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, combine, corrected_level
+from placecat.evaluation.verdict import VERDICTS, combine, corrected_level
 from placecat.results.measured import Results
 from placecat.thesis.claims import Comparison, Finding, read_finding
 from placecat.thesis.judging import Judged, judge_cases, judge_comparison, percent
 from placecat.thesis.published import Published
 from placecat.thesis.rules import Rules
 
-_VERDICTS = (HOLDS, FAILS, UNDECIDED)
 _NOTHING = Interval(float("nan"), float("nan"), float("nan"))
 
 
@@ -78,7 +77,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
     candidates = judged if about_cases else [one for one in judged if one.verdict == verdict]
     shown = min(candidates, key=_margin, default=judged[0])
     if len(judged) > 1:
-        counts = {kind: sum(one.verdict == kind for one in judged) for kind in _VERDICTS}
+        counts = {kind: sum(one.verdict == kind for one in judged) for kind in VERDICTS}
         listed = ", ".join(f"{kind} {count}" for kind, count in counts.items() if count)
         if not about_cases:
             level = percent(corrected_level(rules.level, len(judged)))

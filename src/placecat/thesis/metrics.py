@@ -7,12 +7,12 @@ import numpy as np
 import pandas as pd
 
 from placecat.errors import PlacecatError
+from placecat.evaluation.trials import AXES
 from placecat.results.measured import Measured, Results
 from placecat.settings import refuse_unknown
 
 CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
 ACCURACY, LOG_LOSS = "accuracy", "log_loss"
-_AXES = ("group", "row", "column")
 # Stands for a row or group without a name if other rows or groups of the table have names.
 _NAMELESS = "-"
 
@@ -28,7 +28,7 @@ def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
 
 
 def _nest(table: pd.DataFrame) -> dict[str, Any]:
-    levels = [axis for axis in _AXES if (table[axis] != "").any()]
+    levels = [axis for axis in AXES if (table[axis] != "").any()]
     nested: dict[str, Any] = {}
     for *labels, measured in table[[*levels, "measured"]].itertuples(index=False, name=None):
         if not np.isfinite(measured):

@@ -6,8 +6,9 @@ from typing import NamedTuple
 
 import pandas as pd
 
+from placecat.evaluation.trials import AXES
+
 COLUMNS = ["table", "group", "row", "column", "kind", "text"]
-_KEY = ["group", "row", "column"]
 
 
 class Kind(StrEnum):
@@ -55,7 +56,7 @@ def without_empty(notes: Iterable[Note]) -> Notes:
     return tuple(dict.fromkeys(note for note in notes if note.text))
 
 
-def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
+def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = AXES) -> pd.DataFrame:
     """Turn a table's column `notes` into rows (`COLUMNS`), since a CSV cell cannot hold it.
 
     The three columns in `key` identify each row's cell.
@@ -68,7 +69,7 @@ def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.Dat
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
-def with_notes(name: str, cells: pd.DataFrame, rows: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
+def with_notes(name: str, cells: pd.DataFrame, rows: pd.DataFrame, key: Iterable[str] = AXES) -> pd.DataFrame:
     """Restore a table's column `notes` from the rows of :func:`to_rows`, which may cover several tables."""
     by_cell: dict[tuple[str, ...], Notes] = {}
     for _, *labels, kind, text in rows[rows["table"] == name][COLUMNS].itertuples(index=False, name=None):

@@ -10,9 +10,9 @@ import pandas as pd
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
+from placecat.evaluation.trials import AXES
 from placecat.thesis.number import AVERAGE
 
-_AXES = ("group", "row", "column")
 _TRIAL = re.compile(r"trials/table_(\d+)/(.*)\|(.*)\|(.*)")
 
 
@@ -43,8 +43,8 @@ class Published:
             rows = self._of_text.get(reference["text"], [])
             found = [value for own, value in rows if all(own[axis] == label for axis, label in asked.items())]
         else:
-            settings.refuse_unknown(reference, ["table", *_AXES], "a published cell")
-            labels = tuple(str(reference.get(axis, "")) for axis in _AXES)
+            settings.refuse_unknown(reference, ["table", *AXES], "a published cell")
+            labels = tuple(str(reference.get(axis, "")) for axis in AXES)
             cells = self._cells.get(int(reference["table"]), [])
             found = [value for own, value in cells if own == labels]
         return self._only(found, reference)
@@ -74,7 +74,7 @@ class Published:
     def _cells(self) -> dict[int, list[tuple[tuple[str, ...], float]]]:
         """The labels and value of each cell, by table number."""
         cells: dict[int, list[tuple[tuple[str, ...], float]]] = {}
-        columns = self.tables[["table", *_AXES, "value"]]
+        columns = self.tables[["table", *AXES, "value"]]
         for table, *labels, value in columns.itertuples(index=False, name=None):
             cells.setdefault(int(table), []).append((tuple(labels), float(value)))
         return cells
@@ -98,6 +98,6 @@ class Published:
 def read_published() -> Published:
     """Read all numbers in the thesis from data/thesis; raises PlacecatError if a file is damaged."""
     return Published(
-        files.read_table(paths.PUBLISHED, ["group", "row", "column"]),
+        files.read_table(paths.PUBLISHED, AXES),
         files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"]),
     )

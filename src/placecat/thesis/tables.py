@@ -1,6 +1,6 @@
 """The thesis's tables, with measured and published numbers."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -8,14 +8,15 @@ import numpy as np
 import pandas as pd
 
 from placecat import files, paths, settings
+from placecat.evaluation.trials import AXES
 from placecat.results.measured import Results
 from placecat.thesis import definitions, layouts
-from placecat.thesis.notes import Kind, Note, joined, without_empty
+from placecat.thesis.notes import COLUMNS as COLUMNS_OF_NOTES
+from placecat.thesis.notes import Kind, Note, joined, with_notes, without_empty
 from placecat.thesis.number import Number, nothing
 
 ADDITION = "Addition"
 COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
-_KEY = ["group", "row", "column"]
 
 # A published cell's table, group, row and column.
 PublishedKey = tuple[int, str, str, str]
@@ -57,7 +58,7 @@ def label(table: Mapping[str, Any]) -> str:
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
     """Map cells to the notes of data/thesis/contradictions.csv, on contradictions within the thesis."""
-    rows = notes[["table", *_KEY, "note"]].itertuples(index=False, name=None)
+    rows = notes[["table", *AXES, "note"]].itertuples(index=False, name=None)
     return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
 
@@ -66,13 +67,21 @@ def in_percent(table: Mapping[str, Any]) -> bool:
     return "caption" not in table
 
 
+def read(params: Mapping[str, Any]) -> Iterator[tuple[dict[str, Any], pd.DataFrame, dict[str, Any]]]:
+    """Yield each table's definition, its cells and notes as the stage `tables` wrote them, and its data."""
+    noted = files.read_table(paths.NOTES, COLUMNS_OF_NOTES)
+    for name, table in tables_of(params).items():
+        cells = files.read_table(folder_of(table) / f"{name}.csv", [*AXES, "note"])
+        yield table, with_notes(name, cells, noted), dataset_of(table, params)
+
+
 def fill(table: Mapping[str, Any], results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
     """Fill one table of :func:`tables_of` by :func:`fill_table`, with the files in data/thesis.
 
     Raises PlacecatError if one of these files is damaged.
     """
-    contradictions = contradictions_of(files.read_table(paths.CONTRADICTIONS, [*_KEY, "note"]))
-    published = files.read_table(paths.PUBLISHED, _KEY)
+    contradictions = contradictions_of(files.read_table(paths.CONTRADICTIONS, [*AXES, "note"]))
+    published = files.read_table(paths.PUBLISHED, AXES)
     return fill_table(table, results, published, dataset_of(table, params), contradictions)
 
 
@@ -100,7 +109,7 @@ def fill_table(
     """
     number = table["number"]
     known = published[published["table"] == number]
-    order = [tuple(key) for key in known[_KEY].itertuples(index=False)]
+    order = [tuple(key) for key in known[[*AXES]].itertuples(index=False)]
     value = dict(zip(order, known["value"], strict=True))
     cells = layouts.LAYOUTS[table["layout"]](table, results)
     rows = []

@@ -7,9 +7,8 @@ import pandas as pd
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.evaluation.trials import expand
 from placecat.sequences import listing
-from placecat.thesis import definitions
+from placecat.thesis.records import trials_of
 from placecat.training import protocol
 
 # Stages whose work is proportional to the number of tested homes.
@@ -49,12 +48,7 @@ def times_as_often(stage: str, params: Mapping[str, Any]) -> float:
         return len(homes) / len(tested)
     if stage != "trials":
         return 1.0
-    of_trials = [
-        trial.homes
-        for tables in definitions.studies(params).values()
-        for name, table in tables.items()
-        for trial in expand(name, table, homes)
-    ]
+    of_trials = [trial.homes for trial in trials_of(params).values()]
     now = sum(home in tested for own in of_trials for home in own)
     if not now:
         raise PlacecatError(f"no study tests on any of {', '.join(tested)}: choose other test_homes")

@@ -127,12 +127,6 @@ def test_no_text_is_smaller_than_seven_points(number):
     assert written and min(text.get_fontsize() for text in written) >= 7
 
 
-@pytest.mark.parametrize("number", [11, 15, 16, 17, 20, "reliability"])
-def test_an_unknown_setting_of_a_figure_is_refused(number):
-    with pytest.raises(PlacecatError, match=rf"figures\.figure_{number} has no setting 'hose'"):
-        figures.draw(f"figure_{number}", Run(**{f"figure_{number}": {"hose": 3}}))
-
-
 @pytest.mark.parametrize(("homes", "expected"), [(HOMES, "barn"), (HOMES[:2], "house"), (HOMES[:1], "flat")])
 def test_figures_show_home_3_or_the_last_where_there_are_fewer(homes, expected):
     run = Run(homes)

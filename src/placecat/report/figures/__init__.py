@@ -45,11 +45,10 @@ def draw(name: str, run: Run) -> Figure:
     """
     if name not in _all():
         raise PlacecatError(f"there is no figure {name!r}: choose one of {', '.join(names())}")
-    options, where = run.options(name), f"figures.{name}"
+    options = run.options(name)
     if "panels" in options and not options["panels"]:
-        raise SettingError(f"{where}.panels is empty: name at least one result")
-    figure: Figure = settings.call(_all()[name][1], run, settings=options, where=where)
-    return figure
+        raise SettingError(f"figures.{name}.panels is empty: name at least one result")
+    return _all()[name][1](run, **options)
 
 
 def render(name: str, run: Run, target: Path) -> None:

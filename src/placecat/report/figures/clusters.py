@@ -45,20 +45,14 @@ class Cluster:
         return np.array([cv2.cvtColor(patch, cv2.COLOR_BGR2GRAY).std() for patch in self.patches])
 
 
-def draw_cluster(run: Run, rank: int, *, by_contrast: bool) -> Figure:
+def draw_cluster(
+    run: Run, rank: int, by_contrast: bool, *, cue: str, home: Count, patches: Count, apart: Index
+) -> Figure:
     """Draw patches of the cluster with a rank from 1 (largest) to `SHOWN`; settings in ``figures.clusters``.
 
     With `by_contrast`, random samples come from the third of the patches with the most contrast and the third
     with the least; otherwise, from all patches.
     """
-    return settings.call(
-        _draw, run, rank, by_contrast, settings=run.options("clusters"), where="figures.clusters"
-    )
-
-
-def _draw(
-    run: Run, rank: int, by_contrast: bool, *, cue: str, home: Count, patches: Count, apart: Index
-) -> Figure:
     test = home_of(run, home)
     largest = _largest(run, cue, test)
     if len(largest) < rank:
@@ -183,20 +177,20 @@ FIGURES = {
         "all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) and (c) "
         "random samples of the third of the patches with the most and with the least contrast (standard "
         "deviation of the grey levels).",
-        lambda run: draw_cluster(run, 1, by_contrast=True),
+        lambda run: draw_cluster(run, 1, True, **run.options("clusters")),
     ),
     "figure_13": (
         "Salient regions in the second largest cluster of the localized HOG descriptor, from the training "
         "frames of one fold. The colour of a patch's edge is that of its frame's place. The bar shows the "
         "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",
-        lambda run: draw_cluster(run, 2, by_contrast=False),
+        lambda run: draw_cluster(run, 2, False, **run.options("clusters")),
     ),
     "figure_14": (
         "Salient regions in the third largest cluster of the localized HOG descriptor, from the training "
         "frames of one fold. The colour of a patch's edge is that of its frame's place. The bar shows the "
         "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",
-        lambda run: draw_cluster(run, 3, by_contrast=False),
+        lambda run: draw_cluster(run, 3, False, **run.options("clusters")),
     ),
 }
