@@ -18,6 +18,7 @@ from placecat.results.collect import read_results
 from placecat.results.measured import Results
 from placecat.results.sources import Source, sources
 from placecat.sequences import listing
+from placecat.training import plan as plans
 from placecat.training import protocol, store
 from placecat.vision.attention import compute_maps
 from placecat.vision.discovery import settings_of
@@ -169,9 +170,9 @@ class Run:
         self._need(path)
         return Codebook.from_arrays(files.read_arrays(path))
 
-    def fold(self, home: str) -> protocol.Fold:
+    def fold(self, home: str) -> plans.Plan:
         """Return the training plan 5-5-1 for one of `homes` as the test home."""
-        return protocol.fold_without(self.homes, "5-5-1", [home])
+        return plans.of_release(self.params, "5-5-1", [home])
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
         """Return the indices of a home's frames that train cues and codebooks (thesis 4.2)."""
@@ -179,7 +180,7 @@ class Run:
 
     def training_regions(self, codebook: str, test_home: str) -> TrainingRegions:
         """Return the regions on which a codebook such as ``hog_y`` is trained in a test home's 5-5-1 fold."""
-        homes = self.fold(test_home).cue_homes
+        homes = tuple(part.home for part in self.fold(test_home).cues)
         parts = []
         for position, home in enumerate(homes):
             rows = self.training_frames(home)

@@ -65,7 +65,9 @@ class Plan:
     @property
     def training_set(self) -> str:
         """Name of the cues' training set; codebook seeds are derived from it and `dataset`."""
-        return self.dataset if self.left_out is None else protocol.training_set(self.left_out)
+        if self.left_out is None:
+            return self.dataset
+        return "without-" + "-".join(self.left_out) if self.left_out else "all"
 
     @property
     def test(self) -> str:
@@ -100,10 +102,11 @@ def of_release(
     """Plan a system for other footage: test the homes in `without`, and train on all others.
 
     `params` holds all settings; `scheme`, `without` and the errors are as in
-    :func:`placecat.training.protocol.fold_without`. `extra` adds the sequences of ``protocol.extra``.
+    :func:`placecat.training.protocol.training_homes`. `extra` adds the sequences of ``protocol.extra``.
     """
-    fold = protocol.fold_without(settings.get(params, "dataset.homes"), scheme, without)
-    plan = _of_main(params, fold.cue_homes, fold.integration_homes, fold.without, fold.left_out)
+    cues, integration = protocol.training_homes(settings.get(params, "dataset.homes"), scheme, without)
+    kept = [home for home in integration if home not in cues]
+    plan = _of_main(params, cues, integration, without, (*without, *kept))
     if not extra:
         return plan
     split, sequences = (settings.get(params, f"protocol.extra.{name}") for name in ("split", "sequences"))
