@@ -18,7 +18,6 @@ from placecat.results.collect import read_results
 from placecat.results.measured import Results
 from placecat.results.sources import Source, sources
 from placecat.sequences import listing
-from placecat.training import plan as plans
 from placecat.training import protocol, store
 from placecat.vision.attention import compute_maps
 from placecat.vision.discovery import settings_of
@@ -164,15 +163,11 @@ class Run:
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
-    def codebook(self, name: str, training_set: str) -> Codebook:
-        """Return a codebook of seed 0 from a training set such as ``without-home_1``."""
-        path = paths.codebook(name, training_set, 0)
+    def codebook(self, name: str, test_home: str) -> Codebook:
+        """Return a codebook of seed 0 from a test home's 5-5-1 fold."""
+        path = paths.codebook(name, protocol.training_set([test_home]), 0)
         self._need(path)
         return Codebook.from_arrays(files.read_arrays(path))
-
-    def fold(self, home: str) -> plans.Plan:
-        """Return the training plan 5-5-1 for one of `homes` as the test home."""
-        return plans.of_release(self.params, "5-5-1", [home])
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
         """Return the indices of a home's frames that train cues and codebooks (thesis 4.2)."""
@@ -180,7 +175,7 @@ class Run:
 
     def training_regions(self, codebook: str, test_home: str) -> TrainingRegions:
         """Return the regions on which a codebook such as ``hog_y`` is trained in a test home's 5-5-1 fold."""
-        homes = tuple(part.home for part in self.fold(test_home).cues)
+        homes, _ = protocol.training_homes(self.homes, "5-5-1", [test_home])
         parts = []
         for position, home in enumerate(homes):
             rows = self.training_frames(home)

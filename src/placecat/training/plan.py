@@ -65,9 +65,7 @@ class Plan:
     @property
     def training_set(self) -> str:
         """Name of the cues' training set; codebook seeds are derived from it and `dataset`."""
-        if self.left_out is None:
-            return self.dataset
-        return "without-" + "-".join(self.left_out) if self.left_out else "all"
+        return self.dataset if self.left_out is None else protocol.training_set(self.left_out)
 
     @property
     def test(self) -> str:

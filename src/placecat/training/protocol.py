@@ -13,6 +13,11 @@ ALL = "all"
 NOT_TESTED = "not among protocol.test_homes"
 
 
+def training_set(left_out: Sequence[str]) -> str:
+    """Name a training set after the homes that it leaves out."""
+    return "without-" + "-".join(left_out) if left_out else "all"
+
+
 def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tuple[str, ...]:
     """Return the homes to test on, in the order of `homes`; training sets do not depend on the choice.
 
