@@ -55,7 +55,7 @@ def build(folder, params):
         _write_features(home, images, params)
         _write_cues(home)
     for home in HOMES:
-        _write_codebook(protocol.fold_without(HOMES, "5-5-1", [home]), params)
+        _write_codebook(home, params)
 
 
 def _write_sequence(folder, home, images):
@@ -114,10 +114,12 @@ def _write_cues(home):
         fold_file.write(fold_file.path_of(paths.CUES / cue / "5-5-1", home, seed), {"test": proba(home, cue)})
 
 
-def _write_codebook(fold, params):
+def _write_codebook(test, params):
     own = params["codebooks"]["hog_y"]
     rows = protocol.select_frames(LABELS, **params["protocol"]["cue_frames"])
-    train = store.read_training(own["descriptor"], dict.fromkeys(fold.cue_homes, rows))
+    train = store.read_training(
+        own["descriptor"], dict.fromkeys((home for home in HOMES if home != test), rows)
+    )
     codebook = Codebook.fit(train, cells=1, seed=0, tree=own["tree"])
-    path = paths.codebook("hog_y", fold.training_set, 0)
+    path = paths.codebook("hog_y", f"without-{test}", 0)
     files.write_arrays(path, codebook.to_arrays())

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from placecat.sequences import list_homes, open_home, read_frames
+from placecat.sequences import open_home, read_frames
 from sketch import ROOMS, WALL_HEIGHT, WALL_WIDTH, draw_homes, draw_room
 
 SMALL = {"homes": 4, "frames_per_room": 4, "width": 96, "height": 54}
@@ -24,8 +24,7 @@ def drawn(tmp_path_factory):
 
 
 def test_the_reader_reads_them(drawn):
-    assert list_homes("vpc2009", drawn) == ["Home1", "Home2", "Home3", "Home4"]
-    for name in list_homes("vpc2009", drawn):
+    for name in ("Home1", "Home2", "Home3", "Home4"):
         home = open_home("vpc2009", drawn, name, fps=5.0)
         labels = home.frames["label"]
         assert set(labels) == {*CLASSES, "corridor", "transition"}

@@ -58,10 +58,10 @@ def test_wrong_overrides_are_refused_in_one_line(composed, override, message):
 
 @pytest.mark.parametrize("path", sorted((CONF / "dataset").glob("*.yaml")), ids=lambda path: path.stem)
 def test_every_data_set_composes_and_names_a_reader(composed, path):
-    from placecat import lookup, sequences
+    from placecat import lookup
 
     found = composed(f"dataset={path.stem}", "dataset.root=x", "dataset.homes=[a,b,c]")["dataset"]
-    assert found["layout"] in lookup.names("placecat.sequences", *sequences.READER)
+    assert found["layout"] in lookup.names("placecat.sequences", "read_home")
 
 
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)

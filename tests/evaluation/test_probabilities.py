@@ -3,7 +3,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from placecat.errors import PlacecatError
 from placecat.evaluation.probabilities import (
     balanced_weights,
     calibration_error,
@@ -167,15 +166,3 @@ def test_nothing_labelled_has_no_numbers():
     assert np.isnan(log_loss([-1], proba, smallest=SMALLEST))
     diagram = reliability([-1], proba, bins=3)
     assert diagram.weight.tolist() == [0, 0, 0] and np.isnan(calibration_error(diagram))
-
-
-@pytest.mark.parametrize("bins", [0, -1, 2.5, True, "10"])
-def test_impossible_bins_are_refused(bins):
-    with pytest.raises(PlacecatError, match=r"probabilities\.bins must be a whole number of at least 1, not"):
-        reliability([0], np.array([[1.0]]), bins=bins)
-
-
-@pytest.mark.parametrize("smallest", [0.0, -1.0, 1.0, float("nan"), "1e-15"])
-def test_impossible_smallest_probabilities_are_refused(smallest):
-    with pytest.raises(PlacecatError, match=r"probabilities\.smallest must be a number in \(0, 1\)"):
-        log_loss([0], np.array([[1.0]]), smallest=smallest)

@@ -14,7 +14,7 @@ from helpers_sequences import coded, decoded
 
 from placecat.errors import PlacecatError
 from placecat.footage import pictures
-from placecat.footage.pictures import has_pictures, in_order, list_frames, read_image
+from placecat.footage.pictures import in_order, list_frames, read_image
 
 PHOTO = cv2.resize(np.random.default_rng(0).integers(0, 256, (30, 40, 3), np.uint8), (320, 240))
 
@@ -106,11 +106,6 @@ def test_other_files_and_hidden_ones_are_no_frames(tmp_path):
     assert list_frames(tmp_path) == ["1.JPG", "2.jpg"]
     # Words alone are no number, and neither is a number that all names share.
     assert list_frames(filled(tmp_path, "bath.jpg", "hall.jpg")) == ["1.JPG", "2.jpg", "bath.jpg", "hall.jpg"]
-
-
-def test_a_folder_of_pictures_that_are_not_read_is_no_empty_folder(tmp_path):
-    assert not has_pictures(filled(tmp_path, "notes.txt"))
-    assert has_pictures(filled(tmp_path, "1.webp"))
 
 
 @pytest.mark.parametrize(

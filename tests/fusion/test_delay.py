@@ -4,7 +4,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
 
 taus = st.floats(0.01, 100.0)
@@ -90,12 +89,6 @@ def test_no_time_no_change():
     follower = Delay(1.0)
     first = follower.step(np.array([1.0, 0.0]), 0.2)
     np.testing.assert_array_equal(follower.step(np.array([0.0, 1.0]), 0.0), first)
-
-
-@pytest.mark.parametrize("seconds", [-0.5, float("nan"), float("inf"), "1", None, True, [1.0]])
-def test_impossible_time_constants_are_refused(seconds):
-    with pytest.raises(PlacecatError, match=r"smoothing\.delay_seconds must be a number of seconds"):
-        Delay(seconds)
 
 
 def test_no_frames():

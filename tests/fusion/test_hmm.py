@@ -7,7 +7,6 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from number_of_examples import examples
-from placecat.errors import PlacecatError
 from placecat.fusion.hmm import (
     ForwardFilter,
     emission_matrix,
@@ -117,12 +116,6 @@ def test_likelihoods_of_decision_and_of_distribution():
     np.testing.assert_allclose(likelihoods(proba, emission, evidence="soft"), [[0.66, 0.38]])
 
 
-@pytest.mark.parametrize("function", [lambda: likelihoods(np.eye(2), np.eye(2), evidence="x")])
-def test_unknown_evidence_is_refused(function):
-    with pytest.raises(PlacecatError, match=r"smoothing\.evidence must be 'hard' or 'soft'"):
-        function()
-
-
 def rarely_left(rng, n):
     """An embeddable transition matrix: exp of a matrix of rates."""
     rates = rng.random((n, n)) * 0.05 * (1 - np.eye(n))
@@ -166,11 +159,3 @@ def test_a_very_heavy_frame_leaves_a_distribution():
     likelihood = np.array([1e-3, 2e-3, 1e-4])
     result = ForwardFilter(np.eye(3)).step(likelihood, weight=1e4)
     np.testing.assert_allclose(result, [0, 1, 0], atol=1e-12)
-
-
-@pytest.mark.parametrize("value", [0, -1.0, float("nan"), float("inf"), "1", None, True])
-def test_impossible_counts_are_refused(value):
-    with pytest.raises(PlacecatError, match=r"smoothing\.transition_counts must be a finite number above 0"):
-        transition_matrix([], 2, smoothing=value)
-    with pytest.raises(PlacecatError, match=r"smoothing\.emission_counts must be a finite number above 0"):
-        emission_matrix(np.zeros(0, np.int16), np.zeros((0, 2)), 2, smoothing=value)

@@ -71,11 +71,6 @@ def test_without_a_threshold_nothing_changes():
     np.testing.assert_array_equal(hold(proba, np.zeros(9), threshold=0.0, sequences=[slice(0, 9)]), proba)
 
 
-def test_another_number_of_measures_is_refused():
-    with pytest.raises(PlacecatError, match="5 distributions, but 4 information measures"):
-        hold(np.eye(5), np.zeros(4), threshold=0.1, sequences=[slice(0, 5)])
-
-
 @given(hnp.arrays(np.float32, st.integers(1, 60), elements=st.floats(0, 1, width=32)), st.floats(0.01, 0.99))
 def test_a_share_of_the_frames_lies_below_its_threshold(information, share):
     threshold = threshold_of(share, information)

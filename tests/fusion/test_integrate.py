@@ -1,7 +1,6 @@
 import numpy as np
 import pytest
 
-from placecat.errors import PlacecatError
 from placecat.fusion.integrate import fit
 from placecat.fusion.votes import vote_distribution
 
@@ -41,13 +40,6 @@ def test_das_learns_what_a_cue_means_and_a_vote_does_not(data):
     vote = fit(train, truth, CLASSES, method="vote_distribution").integrator.predict_proba(test)
     assert (vote.argmax(axis=1) == expected).mean() < 0.1
     np.testing.assert_array_equal(vote, vote_distribution(test))
-
-
-def test_unknown_methods_and_a_missing_classifier_are_refused(data):
-    with pytest.raises(PlacecatError, match=r"integrator\.method 'mean' does not exist: use one of das"):
-        fit(*data[:2], CLASSES, method="mean")
-    with pytest.raises(PlacecatError, match=r"integrator\.classifier is missing"):
-        fit(*data[:2], CLASSES, method="das")
 
 
 def test_temperatures_sharpen_before_a_vote(data):

@@ -213,8 +213,3 @@ def test_homes_of_one_rate_are_counted_unchanged():
         )
     fitted = fit(walks, np.eye(2), np.array([0, 1]), training_frame_rates=[5.0, 30.0], **SETTINGS)
     assert fitted.frame_rate == 30.0
-
-
-def test_an_impossible_delay_is_refused_before_anything_is_counted():
-    with pytest.raises(PlacecatError, match=r"smoothing\.delay_seconds"):
-        fit([], None, None, training_frame_rates=[], **(SETTINGS | {"delay_seconds": -1.0}))

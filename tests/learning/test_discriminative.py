@@ -1,10 +1,8 @@
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from placecat.errors import PlacecatError
 from placecat.learning.discriminative import discriminative_codewords
 
 
@@ -41,9 +39,3 @@ def test_a_codeword_of_one_class_is_kept_and_one_of_all_is_not():
     everywhere, never, of_one = np.ones(60), np.zeros(60), y == 2
     active = np.column_stack([everywhere, never, of_one]).astype(np.uint8)
     assert discriminative_codewords(active, y, 1 / 3).tolist() == [False, False, True]
-
-
-@pytest.mark.parametrize("keep", [0.0, -0.5, 1.01])
-def test_an_impossible_share_is_refused(keep):
-    with pytest.raises(PlacecatError, match="keep is"):
-        discriminative_codewords(np.eye(3, dtype=np.uint8), [0, 1, 2], keep)

@@ -287,12 +287,6 @@ def test_saved_and_loaded():
         np.testing.assert_array_equal(loaded.assign(X, n_clusters), tree.assign(X, n_clusters))
     with pytest.raises(PlacecatError, match="use assign"):
         loaded.labels(16)
-    arrays = tree.to_arrays()
-    with pytest.raises(PlacecatError, match="sizes of the codebook's arrays disagree"):
-        HierarchicalKMeans.from_arrays({**arrays, "split_nodes": arrays["split_nodes"][1:]})
-    del arrays["node_sse"]
-    with pytest.raises(PlacecatError, match="lacks the array 'node_sse'"):
-        HierarchicalKMeans.from_arrays(arrays)
 
 
 def test_centers_are_a_copy():

@@ -245,8 +245,6 @@ def test_wrong_data():
     model = ModifiedKNN(16).fit(X, y)
     with pytest.raises(PlacecatError, match="X has 3 features, but ModifiedKNN is expecting 4"):
         model.predict(X[:, :3])
-    with pytest.raises(PlacecatError, match=r"counts\[1\]=3"):
-        model.predict_proba_sets(X[:4].reshape(2, 2, 4), [1, 3])
     with pytest.raises(PlacecatError, match=r"y has shape \(2,\) for 300 samples"):
         ModifiedKNN(16).fit(X, y[:2])
     assert model.predict_proba_sets(np.zeros((2, 0, 4)), [0, 0]).tolist() == [[1 / 3] * 3] * 2

@@ -8,7 +8,7 @@ from helpers_sequences import coded, decoded
 from made_bags import CAMERA, START, compressed, picture, string, walk, write_bag
 
 from placecat.errors import PlacecatError
-from placecat.sequences import list_homes, open_home, read_frames
+from placecat.sequences import open_home, read_frames
 from placecat.stages.sequences import list_homes as stage
 from project import ROOT
 
@@ -44,7 +44,6 @@ def root(tmp_path):
 
 
 def test_a_home_has_a_sequence_a_bag(root):
-    assert list_homes("bags", root) == ["Home1"]
     home = open_home("bags", root, "Home1", topic=CAMERA)
     frames = home.frames
     assert frames["sequence"].tolist() == ["1"] * 40 + ["2"] * 20
@@ -128,8 +127,6 @@ def test_mistakes_on_disk(root, tmp_path):
     (root / "Home4").mkdir()
     with pytest.raises(PlacecatError, match=r"Home4 contains no bag; correct dataset\.homes"):
         open_home("bags", root, "Home4")
-    with pytest.raises(PlacecatError, match="contains no home; expected folders of bags"):
-        list_homes("bags", root / "Home4")
 
 
 def test_the_stage_lists_bags_with_the_settings_of_conf(root, tmp_path):

@@ -6,7 +6,7 @@ from helpers_sequences import decoded, write_image
 
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
-from placecat.sequences import cold, list_homes, open_home
+from placecat.sequences import cold, open_home
 
 NAMES = [
     "t1152000000.900000_x0.2_y0.1_a-1.5.jpeg",
@@ -75,7 +75,6 @@ def test_a_sequence(tmp_path: Path) -> None:
 def test_a_site_is_all_its_sequences(tmp_path: Path) -> None:
     for number in (10, 2):
         write_sequence(tmp_path, f"town/seq{number}", ["CR", "CR", "KT"], first=number)
-    assert cold.list_homes(tmp_path) == ["town-seq2", "town-seq10"]
     home = cold.read_home(tmp_path, "town")
     assert home.frames["sequence"].tolist() == ["seq2"] * 3 + ["seq10"] * 3
     assert home.frames["number"].tolist() == [1, 2, 3, 1, 2, 3]
@@ -143,8 +142,6 @@ def test_a_folder_that_may_not_be_read_is_not_passed_over(
         return before(path)
 
     monkeypatch.setattr(Path, "iterdir", refuse)
-    with pytest.raises(PlacecatError, match=r"town: cannot be read \(Permission denied\)"):
-        list_homes("cold", tmp_path)
     with pytest.raises(PlacecatError, match=r"town: cannot be read \(Permission denied\)"):
         open_home("cold", tmp_path, "town")
 

@@ -39,17 +39,8 @@ def test_without_labels(tmp_path: Path) -> None:
     assert (home.label_files, home.label_lines.tolist()) == ({}, [0] * 4)
 
 
-def test_list_homes(tmp_path: Path) -> None:
-    for name in ("flat10", "flat9"):
-        write_image(tmp_path / name / "1.jpg", 1)
-    (tmp_path / "empty").mkdir()
-    (tmp_path / "flat9.csv").write_text(CSV)
-    assert folder.list_homes(tmp_path) == ["flat9", "flat10"]
-
-
-def test_a_folder_of_other_pictures_is_listed_and_refused(tmp_path: Path) -> None:
+def test_a_folder_of_other_pictures_is_refused(tmp_path: Path) -> None:
     write_image(tmp_path / "flat/1.webp", 1)
-    assert folder.list_homes(tmp_path) == ["flat"]
     with pytest.raises(PlacecatError, match=r"1\.webp: this kind of picture is not supported"):
         folder.read_home(tmp_path, "flat", fps=2.0)
 

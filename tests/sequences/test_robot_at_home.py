@@ -12,7 +12,7 @@ from made_robot_at_home import HOMES, PAUSE, STEP, Seen, change, make
 
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
-from placecat.sequences import list_homes, open_home
+from placecat.sequences import open_home
 from placecat.sequences.robot_at_home import read_home
 
 # The top is white, so a turn shows; the columns below are the number.
@@ -46,10 +46,6 @@ def copied(made: tuple[Path, list[Seen]], tmp_path: Path) -> Path:
 
 def expected(seen: list[Seen], home: str, camera: str) -> list[Seen]:
     return [one for one in seen if (one.home, one.camera) == (home, camera)]
-
-
-def test_the_homes(made: tuple[Path, list[Seen]]) -> None:
-    assert list_homes("robot_at_home", made[0]) == list(HOMES)
 
 
 @pytest.mark.parametrize("home", HOMES)
@@ -112,11 +108,6 @@ def test_pictures_are_turned_clockwise(made: tuple[Path, list[Seen]], turn: int)
 def test_the_places_of_both_are_settings(made: tuple[Path, list[Seen]], copied: Path) -> None:
     (copied / "rh.db").rename(copied / "other.db")
     (copied / "files").rename(copied / "pictures")
-    assert list_homes("robot_at_home", copied, database="other.db", camera="RGBD_2") == list(HOMES)
-    with pytest.raises(PlacecatError, match=r"contains no home; expected rh\.db of Robot@Home2"):
-        list_homes("robot_at_home", copied)
-    with pytest.raises(PlacecatError, match=r"dataset\.data: the layout 'robot_at_home' has no such setting"):
-        list_homes("robot_at_home", copied, data="other.db")
     home = read_home(copied, "anto", database="other.db", pictures="pictures/rgbd")
     assert home.frames["label"].tolist() == read_home(made[0], "anto").frames["label"].tolist()
     for setting in ("database", "pictures"):
@@ -194,8 +185,6 @@ def test_files_that_are_no_database(copied: Path) -> None:
     file.unlink()
     with pytest.raises(PlacecatError, match=r"rh\.db: the database is missing; .*dataset\.root"):
         open_home("robot_at_home", copied, "alma")
-    with pytest.raises(PlacecatError, match=r"contains no home; expected rh\.db"):
-        list_homes("robot_at_home", copied)
 
 
 def test_missing_pictures(copied: Path) -> None:

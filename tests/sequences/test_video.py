@@ -55,16 +55,6 @@ def test_without_labels(tmp_path: Path) -> None:
     assert home.frames["seconds"].tolist() == [0.0, 0.2, 0.4]
 
 
-def test_list_homes(tmp_path: Path) -> None:
-    for name in ("b10.MP4", "b2.avi", ".b1.avi", "notes.csv"):
-        (tmp_path / name).write_bytes(b"")
-    (tmp_path / "folder.avi").mkdir()
-    assert video.list_homes(tmp_path) == ["b2", "b10"]
-    (tmp_path / "b2.mkv").write_bytes(b"")
-    with pytest.raises(PlacecatError, match=r"b2\.mkv and b2\.avi have the same name; rename or remove one"):
-        video.list_homes(tmp_path)
-
-
 def test_a_video_in_a_subfolder(tmp_path: Path) -> None:
     write_video(tmp_path / "town/flat.avi", 3)
     (tmp_path / "town/flat.csv").write_text("start_seconds,end_seconds,label\n0,0.12,kitchen\n")

@@ -79,13 +79,6 @@ def test_images_are_read_in_numeric_order(tmp_path: Path) -> None:
     assert [decoded(image) for image in read_frames(tmp_path, home.frames)] == list(range(1, 12))
 
 
-def test_homes_in_natural_order(tmp_path: Path) -> None:
-    for number in (10, 2, 1):
-        write_home(tmp_path, TRAPS, {}, f"Home{number}")
-    (tmp_path / "no home").mkdir()
-    assert vpc2009.list_homes(tmp_path) == ["Home1", "Home2", "Home10"]
-
-
 @given(
     st.lists(
         st.lists(

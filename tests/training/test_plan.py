@@ -6,7 +6,7 @@ from made_features import HOMES, PARAMS, make
 
 from placecat.sequences import listing
 from placecat.training import plan as plans
-from placecat.training.protocol import fold_without
+from placecat.training.protocol import training_homes
 
 
 def names(parts):
@@ -15,11 +15,13 @@ def names(parts):
 
 @pytest.mark.parametrize("scheme", ["5-5-1", "4-5-1"])
 def test_a_plan_of_homes_is_the_fold(scheme):
-    for plan, home in zip(plans.of_homes(PARAMS, scheme), HOMES, strict=True):
-        fold = fold_without(HOMES, scheme, [home])
-        assert (plan.test, plan.training_set, plan.dataset) == (home, fold.training_set, "made")
-        assert names(plan.cues) == list(fold.cue_homes)
-        assert names(plan.integration) == list(fold.integration_homes)
+    found = plans.of_homes(PARAMS, scheme)
+    for number, (plan, home) in enumerate(zip(found, HOMES, strict=True)):
+        cues, integration = training_homes(HOMES, scheme, [home])
+        kept = f"-{HOMES[(number + 1) % len(HOMES)]}" if scheme == "4-5-1" else ""
+        assert (plan.test, plan.training_set, plan.dataset) == (home, f"without-{home}{kept}", "made")
+        assert names(plan.cues) == list(cues)
+        assert names(plan.integration) == list(integration)
         assert {(part.offset, part.step) for part in plan.cues} == {(0, 3)}
         assert {(part.offset, part.step) for part in plan.integration} == {(1, 3)}
         assert plan.extra == ()

@@ -5,42 +5,29 @@ from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
 from placecat.training import protocol
-from placecat.training.protocol import fold_without, select_frames
+from placecat.training.protocol import select_frames, training_homes
 
 HOMES = ["A", "B", "C", "D", "E", "F"]
 
 
 def folds(homes, scheme):
-    return [fold_without(homes, scheme, [home]) for home in homes]
+    return [training_homes(homes, scheme, [home]) for home in homes]
 
 
 def test_551_trains_cues_and_integration_on_the_same_five_homes():
-    fold = folds(HOMES, "5-5-1")[2]
-    assert fold.without == ("C",)
-    assert fold.cue_homes == fold.integration_homes == ("A", "B", "D", "E", "F")
-    assert fold.training_set == "without-C"
+    assert folds(HOMES, "5-5-1")[2] == (("A", "B", "D", "E", "F"),) * 2
 
 
 def test_451_keeps_one_home_from_the_cues_and_rotates_it():
-    found = folds(HOMES, "4-5-1")
-    kept = [set(fold.integration_homes) - set(fold.cue_homes) for fold in found]
+    kept = [set(integration) - set(cues) for cues, integration in folds(HOMES, "4-5-1")]
     assert kept == [{"B"}, {"C"}, {"D"}, {"E"}, {"F"}, {"A"}]
-    assert found[5].training_set == "without-F-A"
 
 
 @given(st.integers(4, 9), st.sampled_from(["5-5-1", "4-5-1"]))
 def test_no_training_sees_the_test_home(count, scheme):
     names = [f"h{number}" for number in range(count)]
-    found = folds(names, scheme)
-    assert [fold.without for fold in found] == [(name,) for name in names]
-    for fold in found:
-        assert not {*fold.without} & {*fold.cue_homes, *fold.integration_homes}
-    assert len({fold.training_set for fold in found}) == count
-
-
-def test_training_sets_of_both_schemes_differ_in_name():
-    names = {fold.training_set for scheme in ("5-5-1", "4-5-1") for fold in folds(HOMES, scheme)}
-    assert len(names) == 12
+    for name, (cues, integration) in zip(names, folds(names, scheme), strict=True):
+        assert name not in {*cues, *integration}
 
 
 @pytest.mark.parametrize(("tested", "numbers"), [("C", [2]), (["F", "A"], [0, 5]), ("all", range(6))])
@@ -69,19 +56,17 @@ def test_impossible_protocols_are_refused(homes, scheme, message):
 
 @pytest.mark.parametrize("scheme", ["5-5-1", "4-5-1"])
 def test_homes_that_are_left_out_train_nothing(scheme):
-    fold = fold_without(HOMES, scheme, ["F", "A"])
-    kept = ("B",) if scheme == "4-5-1" else ()
-    assert fold.integration_homes == ("B", "C", "D", "E")
-    assert set(fold.integration_homes) - set(fold.cue_homes) == set(kept)
-    assert fold.left_out == ("F", "A", *kept)
-    assert fold_without(HOMES, scheme).integration_homes == tuple(HOMES)
+    cues, integration = training_homes(HOMES, scheme, ["F", "A"])
+    assert integration == ("B", "C", "D", "E")
+    assert set(integration) - set(cues) == ({"B"} if scheme == "4-5-1" else set())
+    assert training_homes(HOMES, scheme)[1] == tuple(HOMES)
 
 
 def test_too_few_homes_are_left():
     with pytest.raises(PlacecatError, match="at least 7 homes to leave 5 out"):
-        fold_without(HOMES, "5-5-1", HOMES[:5])
+        training_homes(HOMES, "5-5-1", HOMES[:5])
     with pytest.raises(PlacecatError, match="no home 'G' to leave out: use one of A, B, C, D, E, F"):
-        fold_without(HOMES, "5-5-1", ["G"])
+        training_homes(HOMES, "5-5-1", ["G"])
 
 
 def test_every_third_frame_counts_all_frames_and_takes_labelled_ones():

@@ -90,8 +90,6 @@ def test_given_regions_are_described() -> None:
     np.testing.assert_array_equal(found["regions"][:6], tracked)
     assert found["local_sift"][:6].any(axis=1).all()
     assert not found["local_sift"][6:].any()
-    with pytest.raises(PlacecatError, match="6 regions were passed, but max_regions is 5"):
-        describe_frame(picture, {"regions": {"max_regions": 5}}, regions=tracked)
 
 
 def test_a_variant_has_another_name_and_the_numbers_of_its_module() -> None:

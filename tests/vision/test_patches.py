@@ -3,7 +3,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from placecat.errors import PlacecatError
 from placecat.vision.patches import cut, region_side, to_bytes
 
 
@@ -67,13 +66,6 @@ def test_order_of_regions_is_kept() -> None:
 
 def test_no_regions() -> None:
     assert cut({0: LEVEL}, np.zeros((0, 4), np.float32), 3).shape == (0, 3, 3)
-
-
-def test_refusals() -> None:
-    with pytest.raises(PlacecatError, match=r"scale 7, but the pyramid has only the levels 0"):
-        cut({0: LEVEL}, region(1, 1, 7), 3)
-    with pytest.raises(PlacecatError, match=r"scale 0\.5"):
-        cut({0: LEVEL}, region(1, 1, 0.5), 3)
 
 
 def test_to_bytes_rounds_and_clips() -> None:

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from threadpoolctl import ThreadpoolController
 
 from placecat.categorizer import model_file
 from placecat.categorizer.checks import check_distribution
@@ -22,6 +21,7 @@ from placecat.cues import cue_input
 from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
 from placecat.fusion.smoothing import Smoother, check_elapsed
+from placecat.learning.single_thread import single_blas_thread
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.tracking import RegionTracker
 
@@ -111,7 +111,6 @@ class Categorizer:
         self._modules = {
             name: settings.get("descriptor", name) for name, settings in system.vision["local"].items()
         }
-        self._blas = ThreadpoolController()
         self.reset()
 
     @classmethod
@@ -224,7 +223,7 @@ class Categorizer:
         self.reset()
 
     def _decide(self, frame: NDArray[np.uint8], elapsed: float | None, now: float) -> Decision:
-        with self._blas.limit(limits=1, user_api="blas"):
+        with single_blas_thread():
             arrays, followed = self._describe(frame)
             cues = {}
             for cue in self._system.cues:

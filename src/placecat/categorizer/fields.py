@@ -6,29 +6,18 @@ such as an added classifier, is accepted unchecked, since `Categorizer.load` tri
 
 from collections.abc import Callable, Mapping
 from functools import cache
-from typing import Any, get_type_hints
+from typing import Annotated, Any, Literal, get_type_hints
 
 import numpy as np
-from pydantic import TypeAdapter
+from annotated_types import MinLen
+from pydantic import AfterValidator, PlainValidator, TypeAdapter
 from sklearn.base import BaseEstimator
 
 from placecat import schema
-from placecat.categorizer.field_kinds import (
-    Field,
-    Sizes,
-    array,
-    by_number,
-    having,
-    mapping,
-    number,
-    one_of,
-    optional,
-    several,
-    truth,
-    whole,
-)
+from placecat.categorizer.field_types import array, having, side
 from placecat.errors import PlacecatError
 from placecat.fusion.integrate import METHODS
+from placecat.ranges import Count, NonNegative, OneOf, Positive, Share, Two
 
 
 def check(kind: type, state: Mapping[str, Any]) -> None:
@@ -37,140 +26,148 @@ def check(kind: type, state: Mapping[str, Any]) -> None:
     The PlacecatError names the class and, if possible, the attribute.
     """
     class_name = kind.__name__
-    fields = FIELDS.get(class_name)
-    if fields is None:
+    if class_name not in FIELDS:
         return
-    parameters = _parameters(kind)
-    different = sorted({*fields, *parameters} ^ set(state))
+    types = _types(kind)
+    different = sorted(set(types) ^ set(state))
     if different:
         raise PlacecatError(f"a {class_name} has wrong attributes ({', '.join(different)})")
     sizes: Sizes = {}
-    for name, field in fields.items():
-        try:
-            field(state[name], sizes)
-        except ValueError as error:
-            raise PlacecatError(f"{name} of a {class_name} {error}") from None
-    for name, adapter in parameters.items():
-        schema.check_value(state[name], adapter, f"{name} of a {class_name}")
+    for name, own in types.items():
+        schema.check_value(state[name], own, f"{name} of a {class_name}", sizes)
     relation = RELATIONS.get(class_name)
     if relation is not None and not relation(state, sizes):
         raise PlacecatError(f"the attributes of a {class_name} do not match")
 
 
 @cache
-def _parameters(kind: type) -> dict[str, TypeAdapter[Any]]:
-    """Return the checks of those stored parameters of an estimator that are not in `FIELDS`."""
-    if not issubclass(kind, BaseEstimator):
-        return {}
-    hints = get_type_hints(kind.__init__, include_extras=True)  # type: ignore[misc]
-    others = {"return", *FIELDS[kind.__name__], *getattr(kind, "TRAINING_ONLY", ())}
-    return {name: schema.of_type(hint) for name, hint in hints.items() if name not in others}
+def _types(kind: type) -> dict[str, TypeAdapter[Any]]:
+    """Return the checks of a class's fields: those in `FIELDS`, and an estimator's stored parameters."""
+    types = dict(FIELDS[kind.__name__])
+    if issubclass(kind, BaseEstimator):
+        hints = get_type_hints(kind.__init__, include_extras=True)  # type: ignore[misc]
+        others = {"return", *types, *getattr(kind, "TRAINING_ONLY", ())}
+        types |= {name: hint for name, hint in hints.items() if name not in others}
+    return {
+        name: schema.of_type(Annotated[Any, own] if isinstance(own, PlainValidator) else own)
+        for name, own in types.items()
+    }
 
 
+# Maps letters to sizes; see `placecat.categorizer.field_types`.
+Sizes = dict[str, int]
 _CUE = having("predict_proba")
 
 
-def _probabilities(*sides: str) -> Field:
+def _probabilities(*sides: str) -> PlainValidator:
     return array("f", *sides, low=0.0, high=1.0)
 
 
-def _classes(value: Any, sizes: Sizes) -> None:
+def _in_order(numbers: np.ndarray) -> np.ndarray:
     """Require the class numbers 0, 1, ..., K - 1, since they index columns of probabilities."""
-    array("iu", "K")(value, sizes)
-    if not np.array_equal(value, np.arange(len(value))):
-        raise ValueError("are not the numbers 0, 1, 2, ...")
+    if not np.array_equal(numbers, np.arange(len(numbers))):
+        raise ValueError("it must hold the numbers 0, 1, 2, ...")
+    return numbers
 
 
-_MULTI_CLASS: dict[str, Field] = {
-    "classes_": _classes,
-    "n_features_in_": whole(1),
+_CLASSES = Annotated[Any, array("iu", "K"), AfterValidator(_in_order)]
+_WIDTH = Annotated[Count, side("D")]
+_MULTI_CLASS: dict[str, Any] = {
+    "classes_": _CLASSES,
+    "n_features_in_": Count,
     "scorer_": having("decisions"),
     "sigmoid_": array("f", "M", 2),
     "machine_class_": array("i", "M", low=0, below="K"),
     "flat_": array("i", "K", low=0),
     "nu_": array("f", "K", low=0, nan=True),
-    "fold_nu_": several(array("f", None, low=0, nan=True), side="K"),
+    "fold_nu_": Annotated[list[Annotated[Any, array("f", None, low=0, nan=True)]], side("K")],
 }
-_BAYES: dict[str, Field] = {
-    "n_features_in_": whole(1, side="V"),
-    "n_values_": whole(2, side="Q"),
-    "classes_": _classes,
+_BAYES: dict[str, Any] = {
+    "n_features_in_": Annotated[Count, side("V")],
+    "n_values_": Annotated[Two, side("Q")],
+    "classes_": _CLASSES,
     "class_count_": array("i", "K", low=0),
     "class_log_prior_": array("f", "K", high=0),
 }
 
-FIELDS: dict[str, dict[str, Field]] = {
+FIELDS: dict[str, dict[str, Any]] = {
     "SmoothingModel": {
         "transition": _probabilities("K", "K"),
         "emission": _probabilities("K", "K"),
-        "evidence": one_of("hard", "soft"),
-        "evidence_seconds": number(above=0),
-        "delay_seconds": number(0),
-        "frame_rate": number(above=0),
+        "evidence": Literal["hard", "soft"],
+        "evidence_seconds": Positive,
+        "delay_seconds": NonNegative,
+        "frame_rate": Positive,
     },
     "Integrator": {
-        "method": one_of(*METHODS),
-        "model": optional(_CUE),
-        "temperatures": optional(array("f", "C", low=1e-6)),
-        "weights": optional(array("f", "C", low=0)),
-        "smallest": optional(number(0, 1)),
+        "method": Annotated[str, OneOf(METHODS)],
+        "model": Annotated[Any, _CUE] | None,
+        "temperatures": Annotated[Any, array("f", "C", low=1e-6)] | None,
+        "weights": Annotated[Any, array("f", "C", low=0)] | None,
+        "smallest": Share | None,
     },
     "JointProbabilityCue": {
         "codebook": having("words"),
-        "clusters": whole(2),
+        "clusters": Two,
         "estimator": _CUE,
-        "facts": mapping,
+        "facts": dict[Any, Any],
     },
-    "NearestNeighboursCue": {"estimator": having("predict_proba", "predict_proba_sets"), "facts": mapping},
+    "NearestNeighboursCue": {
+        "estimator": having("predict_proba", "predict_proba_sets"),
+        "facts": dict[Any, Any],
+    },
     "OneAgainstAllCue": {
-        "steps": several(having("transform"), least=1),
+        "steps": Annotated[list[Annotated[Any, having("transform")]], MinLen(1)],
         "scheme": _CUE,
-        "facts": mapping,
+        "facts": dict[Any, Any],
     },
     "DiscriminativeRegionsCue": {
         "codebook": having("words"),
         "kept": array("b", "N"),
         "cue": _CUE,
-        "facts": mapping,
+        "facts": dict[Any, Any],
     },
-    "Codebook": {"trees": several(having("assign", "centers"), least=1), "of_sets": truth},
+    "Codebook": {
+        "trees": Annotated[list[Annotated[Any, having("assign", "centers")]], MinLen(1)],
+        "of_sets": bool,
+    },
     "HierarchicalKMeans": {
-        "n_features_in_": whole(1, side="D"),
+        "n_features_in_": _WIDTH,
         "node_centers_": array("f", "N", "D"),
         "node_sizes_": array("i", "N", low=0),
         "node_sse_": array("f", "N", low=0),
         "split_nodes_": array("i", "S", low=0, below="N"),
-        "max_clusters_": whole(1),
+        "max_clusters_": Count,
     },
     "FlatKMeans": {
-        "n_features_in_": whole(1, side="D"),
-        "n_points_": whole(1),
-        "centers_": by_number(lambda value, sizes: array("f", len(value), "D")(value, sizes)),
+        "n_features_in_": _WIDTH,
+        "n_points_": Count,
+        "centers_": dict[int, Annotated[Any, array("f", None, "D")]],
     },
     "NaiveBayes": _BAYES | {"feature_log_prob_": array("f", "K", "V", "Q", high=0)},
     "DependencyTree": _BAYES
     | {
         "parents_": array("i", "K", "V", low=-1, below="V"),
         "_log_parents": array("f", "K", "V", "Q"),
-        "_is_dense": truth,
-        "_pair_keys": several(array("iu", None, low=0)),
-        "_pair_logs": several(array("f", None), side="K"),
+        "_is_dense": bool,
+        "_pair_keys": list[Annotated[Any, array("iu", None, low=0)]],
+        "_pair_logs": Annotated[list[Annotated[Any, array("f", None)]], side("K")],
     },
     "ModifiedKNN": {
-        "n_clusters": whole(1, side="N"),
-        "classes_": _classes,
+        "n_clusters": Annotated[Count, side("N")],
+        "classes_": _CLASSES,
         "frequencies_": array("i", "N", "K", low=0),
         "centers_": array("f", "N", "D"),
-        "n_features_in_": whole(1, side="D"),
+        "n_features_in_": _WIDTH,
     },
     "KernelScaling": {
-        "n_features_in_": whole(1, side="D"),
+        "n_features_in_": _WIDTH,
         "offset_": array("f", "D"),
         "factor_": array("f", "D", low=0),
     },
     "SpatialPCA": {
-        "cells": whole(1, side="C"),
-        "n_features_in_": whole(1),
+        "cells": Annotated[Count, side("C")],
+        "n_features_in_": Count,
         "mean_": array("f", "C", "W"),
         "components_": array("f", "C", "P", "W"),
         "explained_variance_": array("f", "C", "P", low=0),
@@ -194,10 +191,10 @@ FIELDS: dict[str, dict[str, Field]] = {
         "support_vectors": array("f", "S", "D"),
         "coef": array("f", "S", "M"),
         "intercept": array("f", "M"),
-        "gamma": number(above=0),
+        "gamma": Positive,
     },
     "StumpEnsembles": {
-        "width": whole(1, side="D"),
+        "width": _WIDTH,
         "feature": array("i", "M", "T", low=0, below="D"),
         "threshold": array("f", "M", "T"),
         "low": array("f", "M", "T"),

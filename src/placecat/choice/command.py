@@ -3,11 +3,12 @@
 import itertools
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import pandas as pd
+from annotated_types import Interval, MinLen
 
-from placecat import files, paths, settings
+from placecat import files, paths, schema, settings
 from placecat.choice.candidates import COLUMNS, NUMBERS, choose, combinations, label
 from placecat.choice.judging import (
     Judgement,
@@ -20,6 +21,8 @@ from placecat.choice.judging import (
 from placecat.compute import parallel
 from placecat.config import conf_file
 from placecat.errors import PlacecatError
+from placecat.ranges import PartShare
+from placecat.schema.base import Keys, Section
 from placecat.training import fold_file
 from placecat.training import plan as plans
 from placecat.training.cue import Cue
@@ -31,18 +34,27 @@ KINDS = ("cues", "systems", "smoothing")
 _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 4}
 
 
+class _Candidates(Section):
+    """The cues or systems to choose for, and the grids of settings to try."""
+
+    names: Keys
+    grids: list[dict[str, Annotated[list[Any], MinLen(1)]]]
+
+
+class _Choice(Section):
+    """conf/choice.yaml; `margin` is in points of accuracy."""
+
+    margin: Annotated[float, Interval(ge=0, lt=100)]
+    smallest: PartShare
+    cues: _Candidates
+    systems: _Candidates
+    smoothing: _Candidates
+
+
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
     """Read conf/choice.yaml; raises PlacecatError if a setting is unknown, missing or invalid."""
-    content = conf_file.read(path, ("margin", "smallest", *KINDS))
-    margin = content["margin"]
-    if isinstance(margin, bool) or not isinstance(margin, int | float) or not 0 <= margin < 100:
-        raise PlacecatError(f"{path}: margin is {margin!r}; give points of accuracy, from 0 to below 100")
-    for kind in KINDS:
-        settings.refuse_unknown(content[kind], ["names", "grids"], f"{path}: {kind}")
-        for grid in settings.get(content[kind], "grids"):
-            for name, values in grid.items():
-                if not isinstance(values, list) or not values:
-                    raise PlacecatError(f"{path}: {kind} needs a list of one or more values for {name}")
+    content = conf_file.read(path, list(_Choice.model_fields))
+    schema.check(content, _Choice)
     return content
 
 
@@ -111,6 +123,7 @@ def _system_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> Task
         system = settings.get(params, f"systems.{name}")
         for overrides in combinations(options["systems"]["grids"]):
             own = settings.changed(system, overrides, _TRIES, f"the system {name}")
+            schema.check({"systems": {name: own}})
             tasks += [
                 (name, label(overrides), (own | {"scheme": scheme}, plan, seed, float(options["smallest"])))
                 for scheme in ("4-5-1", "5-5-1")
@@ -134,6 +147,7 @@ def _smoothing_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> T
             unseen[first][second], unseen[second][first] = proba[second], proba[first]
         for overrides in combinations(options["smoothing"]["grids"]):
             candidate = settings.changed(model, overrides, _TRIES, "the smoothing")
+            schema.check({"smoothing": settings.get(params, "smoothing") | candidate})
             for plan in plans.of_homes(params, scheme):
                 source = fold_file.seeded(paths.CUES / name / scheme, plan.test, None)
                 task = candidate, source, plan, unseen[plan.test], smallest

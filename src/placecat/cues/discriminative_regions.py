@@ -58,14 +58,13 @@ def fit(
     """
     from placecat import cues
 
-    if codebook is None or train.counts is None:
+    if codebook is None or not train.is_set:
         raise PlacecatError(
             "classifier.model 'discriminative_regions' needs a codebook of salient regions: set the cue's "
             "codebook and input"
         )
     words = codebook.words(train, clusters)
-    active = activations(words, clusters, counts=train.counts)
-    kept = discriminative_codewords(active, labels, keep)
+    kept = discriminative_codewords(activations(words, clusters), labels, keep)
     regions, own = only(train, words, kept), {**cue, "clusters": clusters}
     inner = cues.fit(regions, labels, homes, classifier=own, classes=classes, codebook=codebook)
     return DiscriminativeRegionsCue(codebook, kept, inner)

@@ -27,9 +27,7 @@ class JointProbabilityCue:
     def codes(self, frames: Descriptors) -> NDArray[Any]:
         """Return the (n, variables) values of the random variables c_1 .. c_N in equation (10)."""
         words = self.codebook.words(frames, self.clusters)
-        if frames.counts is None:
-            return words
-        return activations(words, self.clusters, counts=frames.counts)
+        return activations(words, self.clusters) if frames.is_set else words
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
         """Return (n, n_classes) distributions over places."""

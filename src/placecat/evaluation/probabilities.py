@@ -6,8 +6,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from placecat.errors import PlacecatError
-
 
 class Reliability(NamedTuple):
     """Points of a reliability diagram, which shows how often decisions of similar confidence are right.
@@ -41,11 +39,9 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
 
     `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
     Uniform distributions over k places score ln k. The result is NaN if no frame is scored. Probabilities
-    below `smallest` are raised to it, so a frame costs at most -ln `smallest`, and a single 0 cannot make the
-    mean infinite. Raises PlacecatError unless `smallest` is in (0, 1).
+    below `smallest`, in (0, 1), are raised to it, so a frame costs at most -ln `smallest`, and a single 0
+    cannot make the mean infinite.
     """
-    if not isinstance(smallest, int | float) or not 0.0 < smallest < 1.0:
-        raise PlacecatError(f"probabilities.smallest must be a number in (0, 1), not {smallest!r}")
     truth = np.asarray(truth, dtype=np.int64)
     weights = balanced_weights(truth)
     scored = np.flatnonzero(truth >= 0)
@@ -60,16 +56,13 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
     `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
     The decision is the most probable class (the first in a tie), and its probability is the confidence.
-    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin. Raises PlacecatError unless `bins` is an
-    integer of at least 1.
+    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin.
 
     References
     ----------
     C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017.
     They weigh all frames the same.
     """
-    if isinstance(bins, bool) or not isinstance(bins, int) or bins < 1:
-        raise PlacecatError(f"probabilities.bins must be a whole number of at least 1, not {bins!r}")
     truth, proba = np.asarray(truth, dtype=np.int64), np.asarray(proba, dtype=np.float64)
     confidence, right = proba.max(axis=1), proba.argmax(axis=1) == truth
     edges = np.linspace(0.0, 1.0, bins + 1)

@@ -50,8 +50,8 @@ def home_quality(
     """Measure the distributions in a home.
 
     `truth` is (frames,) class indices in temporal order, -1 for unlabelled frames; `proba` is
-    (frames, n_classes) distributions; `sequences` are uncut stretches that together cover all frames. `bins`,
-    `smallest` and their errors are as in `reliability` and `log_loss` of `placecat.evaluation.probabilities`.
+    (frames, n_classes) distributions; `sequences` are uncut stretches that together cover all frames. `bins`
+    and `smallest` are as in `reliability` and `log_loss` of `placecat.evaluation.probabilities`.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])
     stays, right = (int(count) for count in counts.sum(axis=0))

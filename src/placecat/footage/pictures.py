@@ -41,11 +41,6 @@ _PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG = b"\xff\xd8\xff"
 
 
-def has_pictures(folder: Path) -> bool:
-    """Return whether a folder has frames, or pictures that :func:`list_frames` refuses."""
-    return any(path.suffix.lower() in SUFFIXES + OTHERS for path in _visible(folder))
-
-
 def list_frames(folder: Path) -> list[str]:
     """List a folder's frames in order.
 

@@ -5,8 +5,6 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
-
 
 class Delay:
     """Let the output follow the set point with a lag: p(t+1) = p(t) + h (p*(t) - p(t)), equation (16).
@@ -17,16 +15,10 @@ class Delay:
     new set point, at any frame rate.
 
     The output for frame t is p(t+1), which uses p*(t): it depends on frame t but on no later frame. The first
-    output is the first set point. tau is `seconds`; 0 leaves the input unchanged, and a value that is
-    negative or not finite raises PlacecatError.
+    output is the first set point. tau is `seconds`, 0 or more; 0 leaves the input unchanged.
     """
 
     def __init__(self, seconds: float) -> None:
-        is_number = isinstance(seconds, int | float) and not isinstance(seconds, bool)
-        if not is_number or not math.isfinite(seconds) or seconds < 0:
-            raise PlacecatError(
-                f"smoothing.delay_seconds must be a number of seconds, 0 or more, but is {seconds!r}"
-            )
         self._tau = float(seconds)
         self._state: NDArray[np.float64] | None = None
 

@@ -1,12 +1,10 @@
 """The hidden Markov model that smooths a sequence of decisions (thesis 3.4, equation 13)."""
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
 from placecat.fusion.transition_power import TransitionPower
 from placecat.learning.products import sum_products
 
@@ -29,11 +27,10 @@ def transition_matrix(
 
     `sequences` holds (frames,) class indices in temporal order, -1 for unlabelled frames. `frame_rates` are
     in frames per second, above 0; None if they are all equal. `smoothing` (not given in the thesis) is added
-    to every count; without it, a transition never seen in training could never happen. Raises PlacecatError
-    unless it is finite and above 0. Returns (n_classes, n_classes): row q', column q is p(l_t = q | l_{t-1} =
-    q'). Rows sum to 1.
+    to every count; without it, a transition never seen in training could never happen. Returns (n_classes,
+    n_classes): row q', column q is p(l_t = q | l_{t-1} = q'). Rows sum to 1.
     """
-    counts = np.full((n_classes, n_classes), above_zero("smoothing.transition_counts", smoothing))
+    counts = np.full((n_classes, n_classes), float(smoothing))
     rates = [1.0] * len(sequences) if frame_rates is None else frame_rates
     for labels, rate in zip(sequences, rates, strict=True):
         labelled = labels[labels >= 0].astype(np.int64)
@@ -57,17 +54,15 @@ def emission_matrix(
 
     `truth` holds the (n,) class indices of training frames. `proba` holds the integrator's (n, n_classes)
     distributions, each from a model that saw neither the frame nor its home. `reliability` "hard" counts the
-    decisions (arg-max), "soft" adds up the distributions; `smoothing`, finite and above 0, is added to every
-    count. Other values raise PlacecatError. The thesis gives neither setting. Returns (n_classes, n_classes):
-    row q, column o is p(o | l = q). Rows sum to 1.
+    decisions (arg-max), "soft" adds up the distributions; `smoothing`, above 0, is added to every count. The
+    thesis gives neither setting. Returns (n_classes, n_classes): row q, column o is p(o | l = q). Rows sum to
+    1.
     """
     if reliability == "hard":
         answers = np.eye(n_classes)[np.argmax(proba, axis=1)]
-    elif reliability == "soft":
-        answers = np.asarray(proba, dtype=np.float64)
     else:
-        raise PlacecatError(f"smoothing.reliability must be 'hard' or 'soft', not {reliability!r}")
-    counts = np.full((n_classes, n_classes), above_zero("smoothing.emission_counts", smoothing))
+        answers = np.asarray(proba, dtype=np.float64)
+    counts = np.full((n_classes, n_classes), float(smoothing))
     np.add.at(counts, truth.astype(np.int64), answers)
     return counts / counts.sum(axis=1, keepdims=True)
 
@@ -83,9 +78,7 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
     """
     if evidence == "hard":
         return emission.T[np.argmax(proba, axis=1)]
-    if evidence == "soft":
-        return sum_products(np.asarray(proba, dtype=np.float64), emission)
-    raise PlacecatError(f"smoothing.evidence must be 'hard' or 'soft', not {evidence!r}")
+    return sum_products(np.asarray(proba, dtype=np.float64), emission)
 
 
 class ForwardFilter:
@@ -118,11 +111,3 @@ class ForwardFilter:
         filtered: Float = joint / joint.sum()
         self._filtered = filtered
         return filtered
-
-
-def above_zero(name: str, value: float) -> float:
-    """Return a setting if it is a finite number above 0; otherwise raise a PlacecatError that names it."""
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    if not is_number or not math.isfinite(value) or value <= 0:
-        raise PlacecatError(f"{name} must be a finite number above 0, but is {value!r}")
-    return float(value)

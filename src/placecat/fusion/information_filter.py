@@ -5,8 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
-
 
 def threshold_of(share: float, information: NDArray[np.float32]) -> float:
     """Return the threshold below which a share of the training frames lies.
@@ -45,14 +43,9 @@ def hold(
     frame keep their distributions (not given in the thesis). Frame t uses only frames up to t.
 
     `proba` holds (frames, classes) distributions; the result has the same shape. `information` holds the
-    (frames,) measures from `placecat.vision.information.information`; a different length raises
-    PlacecatError. `sequences` are uncut stretches that together cover all frames; the filter restarts at
-    each.
+    (frames,) measures from `placecat.vision.information.information`. `sequences` are uncut stretches that
+    together cover all frames; the filter restarts at each.
     """
-    if len(information) != len(proba):
-        raise PlacecatError(
-            f"{len(proba)} distributions, but {len(information)} information measures: pass one per frame"
-        )
     said_by = np.arange(len(proba))
     for part in sequences:
         own = said_by[part]

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from placecat import cues
 from placecat.cues import CueModel
-from placecat.errors import PlacecatError
 from placecat.fusion import log_pool, votes
 from placecat.fusion.temperature import temper
 
@@ -99,8 +98,6 @@ def fit(
         Whether to predict each home's frames with an integration trained on the other homes; the logarithmic
         opinion pool always does.
     """
-    if method not in METHODS:
-        raise PlacecatError(f"integrator.method {method!r} does not exist: use one of {', '.join(METHODS)}")
     together = np.concatenate(list(train.values()))
     labels = np.concatenate([truth[home] for home in train])
     own = None if temperatures is None else np.asarray(temperatures, dtype=np.float64)
@@ -112,8 +109,7 @@ def fit(
         # A vote is not trained, so its statistics need no cross-validation.
         vote = Integrator(method, None, own)
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
-    if classifier is None:
-        raise PlacecatError("integrator.classifier is missing: set the classifier of SVM-DAS, such as nu_svm")
+    assert classifier is not None
     frames = _joined(tempered)
     model = cues.fit(frames, labels, homes, classifier=classifier, classes=classes)
     held_out = None

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
-from placecat.fusion.hmm import ForwardFilter, above_zero, emission_matrix, likelihoods, transition_matrix
+from placecat.fusion.hmm import ForwardFilter, emission_matrix, likelihoods, transition_matrix
 
 # Frame times are rounded, so a step this close to 1 counts as 1.
 _ROUNDING = 1e-6
@@ -88,7 +88,7 @@ def fit(
     transition_counts: float,
     emission_counts: float,
 ) -> SmoothingModel:
-    """Estimate the training homes' statistics; raise PlacecatError for an invalid setting.
+    """Estimate the training homes' statistics.
 
     The transitions use `training_sequences`, the labels of the training homes in temporal order (-1 for
     unlabelled), and `training_frame_rates`, their frames per second; the model uses the highest rate, see
@@ -97,8 +97,6 @@ def fit(
     in :class:`placecat.fusion.delay.Delay`; `evidence_seconds`, finite and above 0, is as in
     :class:`Smoother`; the other settings are as in `placecat.fusion.hmm`.
     """
-    Delay(delay_seconds)
-    above_zero("smoothing.evidence_seconds", evidence_seconds)
     transition = transition_matrix(
         training_sequences, n_classes, frame_rates=training_frame_rates, smoothing=transition_counts
     )

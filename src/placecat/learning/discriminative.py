@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from placecat.errors import PlacecatError
 from placecat.learning.contingency import value_counts
 
 
@@ -18,8 +17,8 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     y
         (frames,) classes.
     keep
-        Share of codewords to mark; raises PlacecatError outside (0, 1]. At least one codeword is marked. In a
-        tie, lower codewords are marked.
+        Share of codewords to mark, in (0, 1]. At least one codeword is marked. In a tie, lower codewords are
+        marked.
 
     Returns
     -------
@@ -32,8 +31,6 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     >>> discriminative_codewords(active, [0, 0, 1, 1], keep=0.34).tolist()
     [False, True, False]
     """
-    if not 0.0 < keep <= 1.0:
-        raise PlacecatError(f"keep is {keep}: give the share of codewords to keep, above 0 and at most 1")
     classes, labels = np.unique(np.asarray(y), return_inverse=True)
     joint = value_counts(active, labels, len(classes), 2) / len(labels)
     independent = joint.sum(axis=0) * joint.sum(axis=2, keepdims=True)

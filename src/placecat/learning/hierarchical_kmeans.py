@@ -246,23 +246,13 @@ class HierarchicalKMeans(BaseEstimator):
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """Rebuild a tree from the arrays that `to_arrays` or ``numpy.load`` returns.
-
-        Raises PlacecatError if an array is missing or the arrays' sizes disagree.
-        """
+        """Rebuild a tree from the arrays that `to_arrays` or ``numpy.load`` returns."""
         names = ("branching", "max_clusters", "max_iter", "seed")
-        arrays_needed = (*names, "node_centers", "node_sizes", "node_sse", "split_nodes")
-        missing = [name for name in arrays_needed if name not in arrays]
-        if missing:
-            raise PlacecatError(f"the codebook lacks the array {missing[0]!r}; compute the codebook again")
         tree = cls(**{name: int(arrays[name]) for name in names})
         tree.node_centers_ = np.asarray(arrays["node_centers"], np.float32)
         tree.node_sizes_ = np.asarray(arrays["node_sizes"], np.int64)
         tree.node_sse_ = np.asarray(arrays["node_sse"], np.float64)
         tree.split_nodes_ = np.asarray(arrays["split_nodes"], np.int32)
-        n_nodes = 1 + tree.branching * len(tree.split_nodes_)
-        if not len(tree.node_centers_) == len(tree.node_sizes_) == len(tree.node_sse_) == n_nodes:
-            raise PlacecatError("the sizes of the codebook's arrays disagree; compute the codebook again")
         tree.max_clusters_ = 1 + (tree.branching - 1) * len(tree.split_nodes_)
         tree.training_nodes_ = None
         tree.n_features_in_ = tree.node_centers_.shape[1]

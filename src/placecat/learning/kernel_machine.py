@@ -74,4 +74,9 @@ class KernelMachine(TwoClass):
     @staticmethod
     def collect(machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> KernelExpansion:
         """Combine machines fitted on the same samples `X` (n, D) for prediction."""
-        return KernelExpansion.union(machines, X)
+        support = np.unique(np.concatenate([machine.support_ for machine in machines])).astype(np.intp)
+        coef = np.zeros((len(support), len(machines)))
+        for k, machine in enumerate(machines):
+            coef[np.searchsorted(support, machine.support_), k] = machine.dual_coef_
+        intercept = np.array([machine.intercept_ for machine in machines], dtype=np.float64)
+        return KernelExpansion(X[support], coef, intercept, float(machines[0].gamma))

@@ -1,9 +1,8 @@
 """Compute the RBF kernel in cache-sized blocks, and kernel expansions that several classifiers share."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 from joblib import Parallel, delayed
@@ -117,16 +116,6 @@ class KernelExpansion:
 
     #: Attributes that prediction does not need; stored systems omit them.
     TRAINING_ONLY = ("_prepared",)
-
-    @classmethod
-    def union(cls, machines: Sequence[Any], X: NDArray[np.float32]) -> Self:
-        """Combine `KernelMachine`s fitted on rows of the same `X` (n, D) into one expansion."""
-        support = np.unique(np.concatenate([machine.support_ for machine in machines])).astype(np.intp)
-        coef = np.zeros((len(support), len(machines)))
-        for k, machine in enumerate(machines):
-            coef[np.searchsorted(support, machine.support_), k] = machine.dual_coef_
-        intercept = np.array([machine.intercept_ for machine in machines], dtype=np.float64)
-        return cls(X[support], coef, intercept, float(machines[0].gamma))
 
     @cached_property
     def _prepared(self) -> tuple[NDArray[np.float32], list[tuple[RowProducts, RowProducts]]]:

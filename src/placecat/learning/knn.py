@@ -9,7 +9,6 @@ from sklearn.base import BaseEstimator, ClassifierMixin
 from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import PlacecatError
-from placecat.learning.activations import check_regions, frame_blocks
 from placecat.learning.checks import check_labels, check_samples, check_width
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 from placecat.learning.nearest import nearest_centers
@@ -129,19 +128,15 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         """Return p(class | x_1, ..., x_n) for each frame's set of descriptors.
 
         `X` holds (frames, max_regions, D) descriptors; rows beyond a frame's number of regions in `counts`,
-        (frames,) integers, are ignored. Raises PlacecatError if the counts do not fit X. Returns
-        (frames, n_classes) float64; rows sum to 1, and are uniform for a frame without regions (the thesis
-        assumes uniform priors).
+        (frames,) integers, are ignored. Returns (frames, n_classes) float64; rows sum to 1, and are uniform
+        for a frame without regions (the thesis assumes uniform priors).
         """
         check_is_fitted(self)
-        mask = check_regions(X, counts)
-        logs = np.zeros((len(mask), len(self.classes_)))
-        for part in frame_blocks(X):
-            in_part = mask[part]
-            regions = np.zeros((*in_part.shape, len(self.classes_)))
-            regions[in_part] = self._log_frequencies(self._read_points(X[part][in_part]))
-            logs[part] = regions.sum(axis=1)
-        return self._normalize(logs, mask.sum(axis=1))
+        numbers = np.asarray(counts)
+        is_region = np.arange(X.shape[1]) < numbers[:, None]
+        logs = np.zeros((*is_region.shape, len(self.classes_)))
+        logs[is_region] = self._log_frequencies(self._read_points(X[is_region]))
+        return self._normalize(logs.sum(axis=1), numbers)
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Return the most probable class (n,) of each descriptor."""

@@ -5,8 +5,6 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
-
 # Class names, in the order of the labels.
 NAMES = ("circle_1", "circle_2", "circle_3", "circle_4", "around")
 # The circles' centres in half sides of the square, in the order of the classes.
@@ -36,7 +34,7 @@ def toy_circles(
     -------
     X, y
         (n, 2) float64, and (n,) int16: 0 to 3 for the circles (lower left, upper left, lower right, upper
-        right), 4 for the area around them. Raises PlacecatError if `radius` or `inside` is out of range.
+        right), 4 for the area around them.
 
     Examples
     --------
@@ -44,10 +42,6 @@ def toy_circles(
     >>> X.shape, np.bincount(y).tolist()
     ((800, 2), [103, 98, 90, 101, 408])
     """
-    if not radius > 0:
-        raise PlacecatError(f"the toy problem's `radius` is {radius}, but must be above 0")
-    if not 0 < inside < math.pi / 4:
-        raise PlacecatError(f"the toy problem's `inside` is {inside}, but must be above 0 and below pi / 4")
     half = radius * math.sqrt(math.pi / inside)
     X = np.random.default_rng(seed).uniform(-half, half, (n, 2))
     y = np.full(n, len(_MIDDLES), np.int16)

@@ -162,14 +162,10 @@ class Run:
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
-    def codebook(self, name: str, training_set: str) -> Codebook:
-        """Return a codebook of seed 0 from a training set such as ``without-home_1``."""
-        path = paths.codebook(name, training_set, 0)
+    def codebook(self, name: str, test_home: str) -> Codebook:
+        """Return a codebook of seed 0 from a test home's 5-5-1 fold."""
+        path = paths.codebook(name, protocol.training_set([test_home]), 0)
         return Codebook.from_arrays(files.read_arrays(files.existing(path)))
-
-    def fold(self, home: str) -> protocol.Fold:
-        """Return the training plan 5-5-1 for one of `homes` as the test home."""
-        return protocol.fold_without(self.homes, "5-5-1", [home])
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
         """Return the indices of a home's frames that train cues and codebooks (thesis 4.2)."""
@@ -177,7 +173,7 @@ class Run:
 
     def training_regions(self, codebook: str, test_home: str) -> TrainingRegions:
         """Return the regions on which a codebook such as ``hog_y`` is trained in a test home's 5-5-1 fold."""
-        homes = self.fold(test_home).cue_homes
+        homes, _ = protocol.training_homes(self.homes, "5-5-1", [test_home])
         parts = []
         for position, home in enumerate(homes):
             rows = self.training_frames(home)

@@ -27,10 +27,13 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
         raise SettingError(_told(content, error)) from None
 
 
-def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
-    """Refuse a value of the wrong type or range; `adapter` is from :func:`of_type`, `where` a dotted name."""
+def check_value(value: Any, adapter: TypeAdapter[Any], where: str, context: Any = None) -> None:
+    """Refuse a value of the wrong type or range.
+
+    `adapter` is from :func:`of_type`, `where` is a dotted name, and `context` is for the type's validators.
+    """
     try:
-        adapter.validate_python(value)
+        adapter.validate_python(value, context=context)
     except ValidationError as error:
         raise SettingError(_told({where: value}, error, (where,))) from None
 

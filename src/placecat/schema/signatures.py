@@ -15,7 +15,7 @@ from placecat.schema.base import Section
 from placecat.schema.sections import Attention, Dataset, Information, Regions, Tracking
 from placecat.settings import refuse_unknown
 
-SEQUENCES, READER = "placecat.sequences", ("list_homes", "read_home")
+SEQUENCES = "placecat.sequences"
 CUES, LEARNING = "placecat.cues", "placecat.learning"
 FIGURES = "placecat.report.figures"
 VISION: dict[str, type[Section]] = {
@@ -53,7 +53,7 @@ def check_part(content: Any, where: str) -> None:
     if not isinstance(content, Mapping):
         return
     if "layout" in content:
-        layout = lookup.require(SEQUENCES, content["layout"], f"{where}.layout", *READER)
+        layout = lookup.require(SEQUENCES, content["layout"], f"{where}.layout", "read_home")
         # `placecat.schema` checks the settings that all layouts share.
         own = {name: value for name, value in content.items() if name not in Dataset.model_fields}
         _check(own, _taken(SEQUENCES, layout, "read_home"), where)

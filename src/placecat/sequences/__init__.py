@@ -1,13 +1,11 @@
 """Read homes and their labels; each module of this package reads one layout on disk.
 
-A layout is a module that defines ``list_homes(root)`` and ``read_home(root, name, *, fps, camera)``, as
-documented by `list_homes` and `open_home` here. Settings refer to it by its file name. To add a layout, add a
-file.
+A layout is a module that defines ``read_home(root, name, *, fps, camera)``, as documented by `open_home`.
+Settings refer to it by its file name. To add a layout, add a file.
 """
 
 from collections.abc import Mapping
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 from placecat import lookup
@@ -18,7 +16,6 @@ from placecat.sequences.places import place_labels, require_classes
 
 __all__ = [
     "Home",
-    "list_homes",
     "open_home",
     "open_home_of",
     "place_labels",
@@ -26,28 +23,12 @@ __all__ = [
     "require_classes",
 ]
 
-# Functions that each layout module defines.
-READER = ("list_homes", "read_home")
-
-
-def list_homes(layout: str, root: Path | str, **settings: Any) -> list[str]:
-    """List the homes in a folder in natural order (Home2 before Home10).
-
-    The parameters are the same as for :func:`open_home`; settings that only `open_home` needs are ignored.
-    Raises PlacecatError if the layout or a setting is unknown, or if the folder is missing, unreadable, or
-    contains no home of this layout.
-    """
-    reader = _reader(layout, settings)
-    taken = lookup.parameters(__name__, layout, "list_homes")
-    with reading(Path(root)):
-        return reader.list_homes(Path(root), **{name: settings[name] for name in taken if name in settings})
-
 
 def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home:
     """List the frames of a home, without decoding them (see `read_frames`), and read their labels.
 
-    Raises PlacecatError if the layout or a setting is unknown, the home cannot be read, or its labels do not
-    match its frames; the message names the file and, if possible, the line.
+    Raises PlacecatError if the layout is unknown, the home cannot be read, or its labels do not match its
+    frames; the message names the file and, if possible, the line.
 
     Parameters
     ----------
@@ -56,12 +37,12 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
     root
         The folder that holds the homes.
     name
-        One of ``list_homes(layout, root)``.
+        A home in `root`.
     **settings
         Keyword parameters of the layout's ``read_home``: ``fps`` (frames per second, or None to take the rate
         from the files), ``camera`` (its name) and others.
     """
-    reader = _reader(layout, settings)
+    reader = lookup.module(__name__, layout, "dataset.layout", "read_home")
     with reading(Path(root) / name):
         return reader.read_home(Path(root), name, **settings)
 
@@ -82,15 +63,3 @@ def open_home_of(dataset: Mapping[str, Any], name: str, **changed: Any) -> Home:
     taken = lookup.parameters(__name__, layout, "read_home")
     given = {setting: dataset[setting] for setting in taken if setting in dataset}
     return open_home(layout, dataset["root"], name, **given | {"camera": camera} | changed)
-
-
-def _reader(layout: str, settings: Mapping[str, Any]) -> ModuleType:
-    """Import a layout, and refuse settings that it does not have."""
-    reader = lookup.module(__name__, layout, "dataset.layout", *READER)
-    known = lookup.parameters(__name__, layout, "read_home")
-    for setting in settings:
-        if setting not in known:
-            raise PlacecatError(
-                f"dataset.{setting}: the layout {layout!r} has no such setting; it takes {', '.join(known)}."
-            )
-    return reader

@@ -13,15 +13,9 @@ from placecat.errors import PlacecatError
 from placecat.footage.bag_recording import BagRecording
 from placecat.footage.bags import STRING, Bag, is_bag
 from placecat.sequences.base import Home
-from placecat.sequences.folders import by_name, data_folder, frame_rate, home_folder, some_homes
+from placecat.sequences.folders import by_name, frame_rate, home_folder
 from placecat.sequences.labels import Labels, find_labels, label_csv
 from placecat.sequences.recorded import Part, home_of
-
-
-def list_homes(root: Path) -> list[str]:
-    """List the folders that contain bags; see `placecat.sequences.list_homes`."""
-    homes = [path.name for path in data_folder(root).iterdir() if path.is_dir() and _bags(path)]
-    return some_homes(homes, root, "folders of bags (.bag, .mcap, or folders of ROS 2 bags)")
 
 
 def read_home(

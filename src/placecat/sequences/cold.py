@@ -23,26 +23,16 @@ from placecat.errors import PlacecatError
 from placecat.sequences.base import Home, frame_table, home_of_pictures
 from placecat.sequences.folders import (
     check_listed,
-    data_folder,
     frame_rate,
     home_folder,
     natural,
     relative,
-    some_homes,
 )
 from placecat.sequences.labels import read_text, shown
 
 LABEL_FILE = "localization/places.lst"
 _IMAGE = re.compile(r"t([0-9]{1,12})\.([0-9]{6})[-+._0-9A-Za-z]{0,200}\.jpe?g")
 _LABEL = re.compile(r"([0-9]*[A-Z]+)[0-9]*(-[AB])?")
-
-
-def list_homes(root: Path) -> list[str]:
-    """List sequences with a ``places.lst`` as ``<site>-<sequence>``; see `placecat.sequences.list_homes`."""
-    sites = [site for site in data_folder(root).iterdir() if site.is_dir()]
-    folders = [folder for site in sites for folder in _sequences(site)]
-    homes = [f"{folder.parent.name}-{folder.name}" for folder in folders]
-    return some_homes(homes, root, f"<site>/<sequence>/{LABEL_FILE}")
 
 
 def read_home(

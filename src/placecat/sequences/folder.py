@@ -7,17 +7,11 @@ unlabelled.
 from pathlib import Path
 
 from placecat.errors import PlacecatError
-from placecat.footage.pictures import SUFFIXES, has_pictures, list_frames
+from placecat.footage.pictures import SUFFIXES, list_frames
 from placecat.footage.timing import even
 from placecat.sequences.base import Home, frame_table, home_of_pictures
-from placecat.sequences.folders import data_folder, frame_rate, home_folder, some_homes
+from placecat.sequences.folders import frame_rate, home_folder
 from placecat.sequences.labels import find_labels
-
-
-def list_homes(root: Path) -> list[str]:
-    """List the folders that contain images; see `placecat.sequences.list_homes`."""
-    homes = [path.name for path in data_folder(root).iterdir() if path.is_dir() and has_pictures(path)]
-    return some_homes(homes, root, f"folders of images ({', '.join(SUFFIXES)})")
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:

@@ -1,7 +1,7 @@
 """Checks shared by all layouts: folders, names within them, and the frame rate."""
 
 import os
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -62,15 +62,6 @@ def by_name(paths: Iterable[Path]) -> dict[str, Path]:
         if first != path:
             raise PlacecatError(f"{path} and {first.name} have the same name; rename or remove one of them.")
     return named
-
-
-def some_homes(homes: Collection[str], root: Path, expected: str) -> list[str]:
-    """Sort home names in natural order; without any, raise a PlacecatError that says what is `expected`."""
-    if not homes:
-        raise PlacecatError(
-            f"{root} contains no home; expected {expected}. Correct dataset.root or dataset.layout."
-        )
-    return sorted(homes, key=natural)
 
 
 def frame_rate(fps: float | None, home: str, known: float | None = None) -> float:

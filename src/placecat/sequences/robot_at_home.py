@@ -22,7 +22,7 @@ from placecat.errors import PlacecatError, did_you_mean
 from placecat.footage.names import natural, relative
 from placecat.ranges import OneOf, Positive
 from placecat.sequences.base import Home, frame_table, home_of_pictures
-from placecat.sequences.folders import check_listed, data_folder, frame_rate, some_homes
+from placecat.sequences.folders import check_listed, data_folder, frame_rate
 from placecat.sequences.labels import shown
 from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
@@ -60,16 +60,6 @@ class _Observation(NamedTuple):
     number: int
     room: str
     picture: str
-
-
-def list_homes(root: Path, *, database: str = DATABASE) -> list[str]:
-    """List the homes of the database below `root`; see `placecat.sequences.list_homes`."""
-    file = data_folder(root) / relative(database, "dataset.database")
-    homes: list[str] = []
-    if file.exists():
-        with opened(file, _TABLES) as data:
-            homes = [name for _, name in data.rows("rh_homes")]
-    return some_homes(homes, root, f"{database} of Robot@Home2")
 
 
 def read_home(

@@ -10,18 +10,12 @@ from placecat.errors import PlacecatError
 from placecat.footage.names import relative
 from placecat.footage.recording import Recording
 from placecat.sequences.base import Home
-from placecat.sequences.folders import by_name, data_folder, frame_rate, some_homes
+from placecat.sequences.folders import by_name, data_folder, frame_rate
 from placecat.sequences.labels import find_labels
 from placecat.sequences.recorded import home_of
 
 SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
 """Suffixes of video files, in upper or lower case."""
-
-
-def list_homes(root: Path) -> list[str]:
-    """List the videos' names without suffixes; see `placecat.sequences.list_homes`. Refuse duplicates."""
-    videos = by_name(_videos(data_folder(root)))
-    return some_homes(videos, root, f"videos ({', '.join(SUFFIXES)})")
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:

@@ -19,7 +19,7 @@ import pandas as pd
 
 from placecat.errors import PlacecatError
 from placecat.sequences.base import Home, frame_table, home_of_pictures
-from placecat.sequences.folders import data_folder, frame_rate, home_folder, inside, some_homes
+from placecat.sequences.folders import frame_rate, home_folder, inside
 from placecat.sequences.labels import Segment, check_segments, expand_segments, read_text, shown, whole
 
 LABEL_FILE = "label.txt"
@@ -36,12 +36,6 @@ class Floor:
     count: int
     line: int
     segments: tuple[Segment, ...]
-
-
-def list_homes(root: Path) -> list[str]:
-    """List the folders with a ``label.txt``; see `placecat.sequences.list_homes`."""
-    homes = [entry.name for entry in data_folder(root).iterdir() if (entry / LABEL_FILE).is_file()]
-    return some_homes(homes, root, f"folders with a {LABEL_FILE}")
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:

@@ -100,10 +100,11 @@ def of_release(
     """Plan a system for other footage: test the homes in `without`, and train on all others.
 
     `params` holds all settings; `scheme`, `without` and the errors are as in
-    :func:`placecat.training.protocol.fold_without`. `extra` adds the sequences of ``protocol.extra``.
+    :func:`placecat.training.protocol.training_homes`. `extra` adds the sequences of ``protocol.extra``.
     """
-    fold = protocol.fold_without(settings.get(params, "dataset.homes"), scheme, without)
-    plan = _of_main(params, fold.cue_homes, fold.integration_homes, fold.without, fold.left_out)
+    cues, integration = protocol.training_homes(settings.get(params, "dataset.homes"), scheme, without)
+    kept = [home for home in integration if home not in cues]
+    plan = _of_main(params, cues, integration, without, (*without, *kept))
     if not extra:
         return plan
     split, sequences = (settings.get(params, f"protocol.extra.{name}") for name in ("split", "sequences"))

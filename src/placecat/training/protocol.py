@@ -1,7 +1,6 @@
 """Choose training and test homes by the protocols 5-5-1 and 4-5-1 (thesis 4.5), for any number of homes."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,31 +11,6 @@ SCHEMES = ("5-5-1", "4-5-1")
 ALL = "all"
 # Reason for leaving a home out of a result.
 NOT_TESTED = "not among protocol.test_homes"
-
-
-@dataclass(frozen=True)
-class Fold:
-    """A test home and its training homes.
-
-    `without` are the homes that no trained component has seen, the test home first; it is empty if no home is
-    held out. Codebooks, scalings and cue classifiers train on `cue_homes`; the integration and the smoothing
-    train on `integration_homes`.
-    """
-
-    without: tuple[str, ...]
-    cue_homes: tuple[str, ...]
-    integration_homes: tuple[str, ...]
-
-    @property
-    def left_out(self) -> tuple[str, ...]:
-        """Homes that do not train the cues, the test home first."""
-        kept = [home for home in self.integration_homes if home not in self.cue_homes]
-        return (*self.without, *kept)
-
-    @property
-    def training_set(self) -> str:
-        """Name of the cues' training set; seeds are derived from it."""
-        return training_set(self.left_out)
 
 
 def training_set(left_out: Sequence[str]) -> str:
@@ -61,8 +35,10 @@ def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tup
     return tuple(home for home in homes if home in names)
 
 
-def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ()) -> Fold:
-    """Make a fold that trains on all `homes` except `without`, for tests on those or on other footage.
+def training_homes(
+    homes: Sequence[str], scheme: str, without: Sequence[str] = ()
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Choose the homes that train the cues, and those that train the integration, all except `without`.
 
     The test home comes first in `without`, which may be empty. The schemes keep their names from the thesis
     for any number of homes. In "5-5-1", cues and integration train on different frames of all other homes. In
@@ -88,7 +64,7 @@ def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ())
         start = homes.index(without[0]) if without else 0
         kept = next(home for home in (*homes[start:], *homes[:start]) if home not in without)
         cue_homes = tuple(home for home in others if home != kept)
-    return Fold(tuple(without), cue_homes, others)
+    return cue_homes, others
 
 
 def least_homes(scheme: str) -> int:

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat import paths, settings
-from placecat.errors import PlacecatError
 from placecat.schema import signatures
 from placecat.vision import discovery
 from placecat.vision.attention import compute_maps
@@ -53,8 +52,8 @@ def describe_frame(
         variants: ``scales`` (a subset of the maps' scales, None for all), ``regions`` (changed settings) and
         ``descriptors`` (names in ``local``).
     regions
-        (n, 4) float32 regions to describe, such as tracked regions (thesis 4.7); None to find them. If
-        regions are passed, variants and maps that no descriptor reads are not computed.
+        (n, 4) float32 regions to describe, at most ``max_regions``, such as tracked regions (thesis 4.7);
+        None to find them. If regions are passed, variants and maps that no descriptor reads are not computed.
 
     Returns
     -------
@@ -67,7 +66,7 @@ def describe_frame(
     Raises
     ------
     PlacecatError
-        If the settings do not fit the frame or each other, or there are more than ``max_regions`` regions.
+        If the settings do not fit the frame or each other.
     """
     own = {section: settings.get(section, {}) for section in SECTIONS}
     most = most_regions(own["regions"])
@@ -76,10 +75,6 @@ def describe_frame(
     fields = set(FIELDS)
     if regions is not None:
         fields = {"grey"}.union(*(module.MAPS for module, _ in (*local.values(), *holistic.values())))
-        if len(regions) > most:
-            raise PlacecatError(
-                f"{len(regions)} regions were passed, but max_regions is {most}: raise max_regions"
-            )
     maps = compute_maps(frame_bgr, fields, **own["attention"])
     variants: dict[str, dict[str, NDArray[Any]]] = {}
     if regions is None:

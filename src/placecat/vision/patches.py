@@ -6,8 +6,6 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
-
 MIN_SIDE = 4
 BORDERS = ("replicate", "reflect")
 
@@ -38,7 +36,7 @@ def cut(
     levels
         A dict of `FrameMaps`, which maps each scale s to a (..., h_s, w_s) float32 array.
     regions
-        (n, 4) float32, columns x, y (pixels of level 0), scale, strength.
+        (n, 4) float32, columns x, y (pixels of level 0), scale (a key of `levels`), strength.
     side
         Side of the squares in pixels of the level.
     border
@@ -48,21 +46,8 @@ def cut(
     Returns
     -------
     (n, ..., side, side) float32.
-
-    Raises
-    ------
-    PlacecatError
-        If a scale has no level, or the border is unknown.
     """
     regions = np.asarray(regions, np.float32)
-    unknown = [scale for scale in regions[:, 2].tolist() if scale not in levels]
-    if unknown:
-        known = ", ".join(map(str, levels))
-        raise PlacecatError(
-            f"a region has the scale {unknown[0]:g}, but the pyramid has only the levels {known}"
-        )
-    if border not in BORDERS:
-        raise PlacecatError(f"border={border} is unknown: use one of {', '.join(BORDERS)}")
     channels = next(iter(levels.values())).shape[:-2]
     patches = np.empty((len(regions), *channels, side, side), np.float32)
     shapes = tuple((scale, *level.shape[-2:]) for scale, level in levels.items())

@@ -155,7 +155,7 @@ def test_the_shares_of_figure_9_give_its_product(run):
     named = next(text for text in texts(figure) if text.startswith("flat 1, frame "))
     frame = int(re.search(r"frame (\d+)", named)[1]) - 1
     train = run.training_regions("hog_y", "flat_1")
-    tree = run.codebook("hog_y", "without-flat_1").trees[0]
+    tree = run.codebook("hog_y", "flat_1").trees[0]
     # The figure shows equation (2) as printed.
     model = ModifiedKNN(n_clusters=CLUSTERS, codebook=tree, class_weighting="once")
     model.fit(train.x, train.labels)
@@ -176,7 +176,7 @@ def test_training_regions_know_where_they_are_from(run):
 
 def test_patches_of_a_cluster_are_cut_from_its_regions(run):
     train = run.training_regions("hog_y", "flat_1")
-    tree = run.codebook("hog_y", "without-flat_1").trees[0]
+    tree = run.codebook("hog_y", "flat_1").trees[0]
     sizes = np.bincount(tree.assign(train.x, CLUSTERS), minlength=CLUSTERS)
     found = clusters._largest(run, "hog_y", "flat_1")
     assert [len(one.labels) for one in found] == sorted(sizes.tolist(), reverse=True)[:3]

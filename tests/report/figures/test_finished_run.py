@@ -20,7 +20,7 @@ def test_it_reads_the_outputs_of_the_stages(made):
     regions = run.regions("flat_2", 3)
     assert len(regions) > 10 and (np.diff(regions[:, 3]) <= 0).all() and regions[:, 3].min() > 0
     assert run.descriptors("flat_2", "hog_y", [3]).counts.tolist() == [min(len(regions), 25)]
-    assert run.codebook("hog_y", run.fold("flat_1").training_set).trees[0].centers(16).shape == (16, 129)
+    assert run.codebook("hog_y", "flat_1").trees[0].centers(16).shape == (16, 129)
 
 
 def test_frames_come_once_each_in_order_and_match_single_ones(made):

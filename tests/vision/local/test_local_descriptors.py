@@ -97,13 +97,5 @@ def test_border_is_a_setting(name: str) -> None:
 
 
 @EVERY
-def test_unknown_scale_is_refused(name: str) -> None:
-    chosen = regions()
-    chosen[3, 2] = 6
-    with pytest.raises(PlacecatError, match="scale 6"):
-        load("local", name).describe(maps(), chosen)
-
-
-@EVERY
 def test_spread_is_a_positive_unit(name: str) -> None:
     assert load("local", name).SPREAD > 0

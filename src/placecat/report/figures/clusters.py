@@ -114,7 +114,7 @@ def _largest(run: Run, cue: str, test_home: str) -> list[Cluster]:
     if name is None or number is None:
         raise SettingError(f"figures.clusters.cue {cue!r} has no codebook: use a cue on salient regions")
     train = run.training_regions(name, test_home)
-    tree = run.codebook(name, run.fold(test_home).training_set).trees[0]
+    tree = run.codebook(name, test_home).trees[0]
     words, centers = tree.assign(train.x, number), tree.centers(number)
     sizes = np.bincount(words, minlength=number)
     largest = [cluster for cluster in np.argsort(-sizes, kind="stable")[:SHOWN] if sizes[cluster]]

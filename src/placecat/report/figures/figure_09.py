@@ -68,7 +68,7 @@ def draw(
 
     test = home_of(run, home)
     train = run.training_regions(codebook, test)
-    tree = run.codebook(codebook, run.fold(test).training_set).trees[0]
+    tree = run.codebook(codebook, test).trees[0]
     # Use equation (2) as printed, like the thesis's figure.
     model = ModifiedKNN(n_clusters=clusters, codebook=tree, class_weighting="once")
     model.fit(train.x, train.labels)

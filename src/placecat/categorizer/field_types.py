@@ -1,0 +1,76 @@
+"""Pydantic's validators of fields in a trained model that Python's types and `placecat.ranges` lack.
+
+Letters name sizes that an object's fields share; the first field with a letter sets its size. The sizes are
+pydantic's validation context, a dictionary.
+"""
+
+from typing import Any
+
+import numpy as np
+from pydantic import AfterValidator, PlainValidator, ValidationInfo
+
+_LARGE = 10**15
+
+
+def side(letter: str) -> AfterValidator:
+    """Require a whole number, or the length of a list, to be the size of a letter."""
+
+    def check(value: Any, info: ValidationInfo) -> Any:
+        _same(value if isinstance(value, int) else len(value), letter, info)
+        return value
+
+    return AfterValidator(check)
+
+
+def array(
+    kind: str,
+    *sides: int | str | None,
+    low: float = -_LARGE,
+    high: float = _LARGE,
+    below: str = "",
+    nan: bool = False,
+) -> PlainValidator:
+    """Accept an array; each side is a number, the letter of a size, or None for any length.
+
+    `kind` is one or more of NumPy's letters ``i``, ``u`` (integers), ``f`` (floats) and ``b`` (booleans).
+    Values must be finite, from `low` to `high`, and below the size of the letter `below`; `nan` also allows
+    NaN.
+    """
+
+    def check(value: Any, info: ValidationInfo) -> Any:
+        if not isinstance(value, np.ndarray) or value.dtype.kind not in kind or value.ndim != len(sides):
+            raise ValueError(f"it must be an array of type {kind} with {len(sides)} dimensions")
+        for length, wanted in zip(value.shape, sides, strict=True):
+            if isinstance(wanted, str):
+                _same(length, wanted, info)
+            elif wanted is not None and length != wanted:
+                raise ValueError(f"it must have the shape {sides}, not {value.shape}")
+        known = value[~np.isnan(value)] if nan else value
+        if value.dtype.kind == "b" or not known.size:
+            return value
+        if not np.isfinite(known).all():
+            raise ValueError("it holds numbers that are not finite")
+        sizes: Any = info.context
+        least, most = known.min().item(), known.max().item()
+        if least < low or most > high or (below and most >= sizes[below]):
+            raise ValueError(f"it holds numbers from {least} to {most}, some of which are out of range")
+        return value
+
+    return PlainValidator(check)
+
+
+def having(*methods: str) -> PlainValidator:
+    """Accept a model object with these methods; its attributes are checked separately."""
+
+    def check(value: Any) -> Any:
+        if not all(callable(getattr(value, name, None)) for name in methods):
+            raise ValueError(f"it must have all of the methods {', '.join(methods)}")
+        return value
+
+    return PlainValidator(check)
+
+
+def _same(length: int, letter: str, info: ValidationInfo) -> None:
+    sizes: Any = info.context
+    if sizes.setdefault(letter, length) != length:
+        raise ValueError(f"it has a side of length {length}, but another attribute has {sizes[letter]}")
