@@ -102,11 +102,12 @@ def test_csv_keeps_empty_text(tmp_path):
 
 def test_a_table_of_text_and_numbers_keeps_them_apart(tmp_path):
     path = tmp_path / "table.csv"
-    path.write_text("row,section,measured\n46,4.10,1.5\n,4.2,\n")
+    path.write_text("row,section,measured\n46,4.10,1.5\n,NA,\n")
     table = files.read_table(path, ["row", "section", "note"])
     assert table["row"].tolist() == ["46", ""]
-    assert table["section"].tolist() == ["4.10", "4.2"]
+    assert table["section"].tolist() == ["4.10", "NA"]
     assert table["measured"].tolist()[0] == 1.5
     assert table["measured"].isna().tolist() == [False, True]
+    assert files.read_cells(path).to_numpy().tolist() == [["46", "4.10", "1.5"], ["", "NA", ""]]
     with pytest.raises(PlacecatError, match=r"other\.csv is missing"):
         files.read_table(tmp_path / "other.csv", [])

@@ -167,13 +167,24 @@ def read_csv(path: Path) -> "pd.DataFrame":
 
 
 def read_table(path: Path, text: Collection[str]) -> "pd.DataFrame":
-    """Read a CSV file of numbers and text; empty cells are "" in the columns `text`, NaN in others."""
+    """Read a CSV file of numbers and text.
+
+    Cells in the columns `text` stay as they are, for example "NA"; empty cells in other columns are NaN.
+    """
     import pandas as pd
 
     if not path.is_file():
         raise PlacecatError(f"{path} is missing: run `dvc repro` to make it, or restore it from git")
-    table = pd.read_csv(path, dtype=dict.fromkeys(text, str))
-    return table.fillna({name: "" for name in table.columns if name in text})
+    numbers = [name for name in pd.read_csv(path, nrows=0) if name not in text]
+    empty = {str(name): [""] for name in numbers}
+    return pd.read_csv(path, dtype=dict.fromkeys(text, str), keep_default_na=False, na_values=empty)
+
+
+def read_cells(path: Path) -> "pd.DataFrame":
+    """Read a CSV file whose cells all stay text: names of homes can look like numbers."""
+    import pandas as pd
+
+    return pd.read_csv(existing(path), dtype=str, keep_default_na=False)
 
 
 def write_text(path: Path, text: str) -> None:

@@ -5,13 +5,12 @@ from functools import cache
 import numpy as np
 import pandas as pd
 import pytest
-import yaml
 from made_features import CLASSES, HOMES, PARAMS, STUDIES, make
 
 from placecat import files, paths, settings
-from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.evaluation.quality import home_quality
+from placecat.results import collect
 from placecat.results.sources import sources
 from placecat.sequences import listing
 from placecat.stages import scores
@@ -80,15 +79,17 @@ def test_it_writes_the_same_bytes_again(folder):
     assert (folder / "data/scores/probabilities.csv").read_bytes() == first
 
 
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"bins": 0, "smallest": 1e-9}, r"probabilities\.bins must be a whole number"),
-        ({"bins": 10, "smallest": 0}, r"probabilities\.smallest must be a number in"),
-    ],
-)
-def test_impossible_settings_are_refused_and_leave_nothing(folder, options, message):
-    paths.PARAMS.write_text(yaml.safe_dump(PARAMS | {"probabilities": options}))
-    with pytest.raises(PlacecatError, match=message):
-        scores.main()
-    assert not paths.SCORES.exists()
+def test_homes_and_places_may_have_names_like_numbers_or_missing_values(folder):
+    homes, places = ["01", "1", "1e3", "nan"], ["NA", "kitchen"]
+    rows = [("trial", home, "seed-0", "NA", place, 7) for home in homes for place in places]
+    files.write_csv(
+        paths.TRIALS / next(iter(STUDIES)) / "scores.csv", pd.DataFrame(rows, columns=scores.SCORE_COLUMNS)
+    )
+    missing = pd.DataFrame([("trial", "007", "none")], columns=scores.MISSING_COLUMNS)
+    files.write_csv(paths.TRIALS / next(iter(STUDIES)) / "missing.csv", missing)
+    scores.main()
+    results = collect.read_results(settings.load())
+    assert results.measured["trial"].homes == tuple(homes)
+    assert set(results.measured["trial"].classes) == set(places)
+    assert results.measured["trial"].confusion.sum() == 7 * len(rows)
+    assert results.missing["trial", "007"] == "none"

@@ -155,7 +155,7 @@ def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
     column = f"all frames ({COMPLETE})"
     if not paths.ACCURACIES.is_file():
         return pd.DataFrame({column: []}, dtype=float)
-    known = pd.read_csv(paths.ACCURACIES)
+    known = files.read_table(paths.ACCURACIES, ["result", "home", "place"])
     known = known[(known["home"] == home) & (known["place"] == "all")]
     accuracy = known.set_index("result")["accuracy"]
     titles = _titles(params)

@@ -35,9 +35,9 @@ def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, An
     Writes the counts of decisions in the group's homes, all tables as one file, the missing results, the
     numbers of frames that the information filters drop, and the homes with a checksum of the settings.
     """
-    scores = files.read_csv(run / paths.SCORES / "scores.csv")
-    text = [name for name in scores.columns if name != "frames"]
-    scores = scores[scores["result"].map(is_of_homes)].astype(dict.fromkeys(text, "category"))
+    scores = files.read_cells(run / paths.SCORES / "scores.csv")
+    kinds = {name: int if name == "frames" else "category" for name in scores.columns}
+    scores = scores[scores["result"].map(is_of_homes)].astype(kinds)
     tables = [
         files.read_table(path, ["table", "group", "row", "column", "note"]).assign(table=path.stem)
         for path in sorted((run / paths.TABLES).glob("*.csv"))
@@ -46,7 +46,7 @@ def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, An
         folder.mkdir(parents=True)
         scores.to_parquet(folder / SCORES, index=False, compression="zstd")
         for name in (MISSING, DROPPED):
-            files.write_csv(folder / name, files.read_csv(run / paths.SCORES / name))
+            files.write_csv(folder / name, files.read_cells(run / paths.SCORES / name))
         # Leave out the notes, which are the same as in reports/tables.
         files.write_csv(folder / TABLES, pd.concat(tables, ignore_index=True).drop(columns="note"))
         files.write_json(folder / FACTS, {"homes": list(homes), "settings": _comparable(params)})
@@ -84,7 +84,7 @@ def pooled(
             )
         table = pd.read_parquet(folder / SCORES)
         scores.append(table.astype({name: str for name in table.columns if name != "frames"}))
-        missing.append(files.read_csv(folder / MISSING).astype(str))
+        missing.append(files.read_cells(folder / MISSING))
         dropped.append(files.read_table(folder / DROPPED, ["filter", "home"]))
     names = [home for _, homes in groups for home in homes]
     together = [pd.concat(parts, ignore_index=True) for parts in (scores, missing, dropped)]

@@ -32,7 +32,5 @@ def read_results(params: Mapping[str, Any]) -> Results:
 
 
 def _read(name: str) -> pd.DataFrame:
-    # Convert names to text, since names of homes can look like numbers.
-    table = files.read_csv(paths.SCORES / f"{name}.csv")
-    text = [column for column in table.columns if column != "frames"]
-    return table.astype(dict.fromkeys(text, str))
+    table = files.read_cells(paths.SCORES / f"{name}.csv")
+    return table.astype({"frames": int}) if "frames" in table else table

@@ -36,17 +36,17 @@ def main() -> None:
         else:
             others = [home for home in settings.get(params, "dataset.homes") if home not in source.homes]
             untested += [(name, home, protocol.NOT_TESTED) for home in others]
-    scores = [pd.DataFrame(rows, columns=SCORE_COLUMNS), files.read_csv(paths.TOY)]
+    scores = [pd.DataFrame(rows, columns=SCORE_COLUMNS), files.read_cells(paths.TOY)]
     missing = [pd.DataFrame(untested, columns=MISSING_COLUMNS)]
     for study in definitions.studies(params):
-        scores.append(files.read_csv(paths.TRIALS / study / "scores.csv"))
-        missing.append(files.read_csv(paths.TRIALS / study / "missing.csv"))
+        scores.append(files.read_cells(paths.TRIALS / study / "scores.csv"))
+        missing.append(files.read_cells(paths.TRIALS / study / "missing.csv"))
     with files.replacing(paths.SCORES) as folder:
         folder.mkdir(parents=True)
         files.write_csv(folder / "scores.csv", pd.concat(scores, ignore_index=True))
         files.write_csv(folder / "missing.csv", pd.concat(missing, ignore_index=True))
         files.write_csv(folder / "stays.csv", pd.DataFrame(by_stay, columns=SCORE_COLUMNS))
-        files.write_csv(folder / "dropped.csv", files.read_csv(paths.FILTERED / "dropped.csv"))
+        files.write_csv(folder / "dropped.csv", files.read_cells(paths.FILTERED / "dropped.csv"))
         files.write_csv(folder / "probabilities.csv", pd.DataFrame(qualities, columns=QUALITY_COLUMNS))
 
 
