@@ -24,7 +24,7 @@ NAMES = sorted(path.stem for path in (ROOT / "conf/optional").glob("*.yaml"))
 # Other data in place of the data of a split.
 DATA = ["cold"]
 EVERY = pytest.mark.parametrize("name", NAMES)
-# One worker for all, so that each addition is composed once: Hydra takes seconds for it.
+# One worker for all, so that each addition is composed once.
 pytestmark = pytest.mark.xdist_group("optional")
 
 
