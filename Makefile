@@ -17,6 +17,8 @@ WORKERS := -n 2 --dist loadgroup --no-loadscope-reorder
 
 # Packages on PYTHONPATH would hide those in .venv.
 unexport PYTHONPATH PYTHONHOME
+# Without bytecode, each process would compile all modules anew.
+unexport PYTHONDONTWRITEBYTECODE
 export PYTHONNOUSERSITE := 1
 
 # If the project was moved, .venv must be created again.

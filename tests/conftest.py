@@ -1,3 +1,4 @@
+import gc
 import json
 import os
 import sys
@@ -28,6 +29,15 @@ hypothesis.settings.register_profile("placecat", max_examples=IN_FULL, deadline=
 # For `make test-quick`, with --hypothesis-profile.
 hypothesis.settings.register_profile("quick", max_examples=IN_FULL // 4, deadline=None)
 hypothesis.settings.load_profile("placecat")
+
+
+# Collecting makes a million objects that all stay: looking for garbage among them takes seconds.
+gc.disable()
+
+
+def pytest_collection_finish(session):
+    gc.freeze()
+    gc.enable()
 
 
 # Before pytest-xdist, which tells groups by what ends a test's name.

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-import yaml
 
 from placecat import files
 from placecat.evaluation.trials import expand
@@ -21,11 +20,12 @@ from placecat.results.measured import (
 )
 from placecat.results.quality import QUALITY_COLUMNS, quality_rows
 from placecat.results.sources import sources
+from placecat.settings import read_yaml
 from placecat.thesis import definitions
 from placecat.thesis.tables import contradictions_of
 
 ROOT = Path(__file__).resolve().parents[1]
-PARAMS = yaml.safe_load((ROOT / "params.yaml").read_text())
+PARAMS = read_yaml(ROOT / "params.yaml")
 STUDIES = definitions.studies(PARAMS, ROOT)
 SEEDS = ("seed-0", "seed-1")
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import yaml
 
 from placecat.config.compose import compose
+from placecat.settings import Loader
 from project import light_conf
 
 
@@ -16,7 +17,7 @@ def with_optional(name):
     """All settings with ``optional=name``; other tables and findings, slow to compose, are unchanged."""
     folder = Path(tempfile.mkdtemp())
     try:
-        light = yaml.safe_load(compose([f"optional={name}"], conf=light_conf(folder / "conf")))
+        light = yaml.load(compose([f"optional={name}"], conf=light_conf(folder / "conf")), Loader=Loader)
     finally:
         shutil.rmtree(folder)
     return light

@@ -19,6 +19,7 @@ from placecat import settings
 from placecat.__main__ import _parser
 from placecat.experiment import options, sweep
 from placecat.panoramas.command import read_settings
+from placecat.settings import read_yaml
 from placecat_homes.__main__ import _parser as homes_parser
 from project import ROOT
 
@@ -123,7 +124,7 @@ def check_dvc(words):
 
     chosen = get_main_parser().parse_args(words)
     if words[0] == "repro":
-        stages = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
+        stages = read_yaml(ROOT / "dvc.yaml")["stages"]
         assert set(chosen.targets) <= set(stages)
     check_settings(getattr(chosen, "set_param", None) or ())
 

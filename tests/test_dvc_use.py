@@ -8,6 +8,7 @@ import pytest
 import yaml
 
 from placecat.config.compose import compose
+from placecat.settings import read_yaml
 from project import ROOT, commit, contents, init, light_conf, rendered, repro, run
 from sketch import draw_homes
 
@@ -59,7 +60,7 @@ def experiments(tmp_path_factory):
     """The stage `sequences` on drawn homes, run and committed."""
     folder = tmp_path_factory.mktemp("experiments")
     conf = light_conf(folder / "conf")
-    stages = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
+    stages = read_yaml(ROOT / "dvc.yaml")["stages"]
     (folder / "dvc.yaml").write_text(yaml.safe_dump({"stages": {"sequences": stages["sequences"]}}))
     for package in ("footage", "sequences"):
         shutil.copytree(ROOT / "src/placecat" / package, folder / "src/placecat" / package)

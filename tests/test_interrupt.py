@@ -10,6 +10,7 @@ import time
 import pytest
 import yaml
 
+from placecat.settings import read_yaml
 from project import ROOT, contents, environment, init, repro, run
 from sketch import draw_homes
 
@@ -27,10 +28,10 @@ def project(tmp_path):
     folder = tmp_path / "project"
     folder.mkdir()
     shutil.copytree(ROOT / "src", folder / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
-    stages = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
+    stages = read_yaml(ROOT / "dvc.yaml")["stages"]
     chosen = {"stages": {name: stages[name] for name in ("sequences", "features")}}
     (folder / "dvc.yaml").write_text(yaml.safe_dump(chosen, sort_keys=False))
-    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    params = read_yaml(ROOT / "params.yaml")
     own = {name: params[name] for name in ("attention", "regions", "region_variants", "information")}
     own["dataset"] = yaml.safe_load((ROOT / "conf/dataset/my_homes.yaml").read_text())
     own["dataset"] |= {"root": "data/drawn", "homes": list(HOMES), "fps": 5.0}

@@ -24,7 +24,7 @@ NAMES = sorted(path.stem for path in (ROOT / "conf/optional").glob("*.yaml"))
 # Other data in place of the data of a split.
 DATA = ["cold"]
 EVERY = pytest.mark.parametrize("name", NAMES)
-# One worker for all, so that each addition is composed once: Hydra takes seconds for it.
+# One worker for all, so that each addition is composed once.
 pytestmark = pytest.mark.xdist_group("optional")
 
 
@@ -64,9 +64,9 @@ def test_all_settings_are_known_and_given(name):
 @EVERY
 def test_its_tables_show_results_that_there_are_and_are_additions(name):
     extended = with_optional(name)
-    results, known = made(extended), sources(extended)
+    results, known, before = made(extended), sources(extended), tables_of(PARAMS, ROOT)
     for table_name, table in tables_of(extended, ROOT).items():
-        if table_name not in tables_of(PARAMS, ROOT):
+        if table_name not in before:
             assert table_name in definitions.optional(ROOT)
             assert table["number"] is None
             assert table["title"].startswith("Addition: ")

@@ -11,11 +11,12 @@ import pytest
 import yaml
 
 from placecat.config import compose
+from placecat.settings import Loader, read_yaml
 from project import light_conf
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE = ROOT / "src"
-PIPELINE = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
+PIPELINE = read_yaml(ROOT / "dvc.yaml")["stages"]
 # What every stage uses to find code and settings, read, write and loop; it decides no number.
 PLUMBING = (
     "compute",
@@ -97,9 +98,9 @@ def test_what_a_stage_depends_on_exists(stage):
 
 
 def test_params_are_what_conf_composes():
-    assert yaml.safe_load((ROOT / "params.yaml").read_text()) == yaml.safe_load(
-        compose.compose(conf=ROOT / "conf")
-    ), "run `placecat params` and commit params.yaml"
+    assert read_yaml(ROOT / "params.yaml") == yaml.load(compose.compose(conf=ROOT / "conf"), Loader=Loader), (
+        "run `placecat params` and commit params.yaml"
+    )
 
 
 NOT_LEARNING = ("title", "schemes", "extra", "cross_validate")
@@ -111,7 +112,7 @@ OWN = {
 
 def schemes_compared():
     """Where the thesis compares the two schemes: the settings of both."""
-    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    params = read_yaml(ROOT / "params.yaml")
     cues = params["cues"]
     whole = {
         scheme: {key: value for key, value in cues[name].items() if key not in NOT_LEARNING}
@@ -121,8 +122,7 @@ def schemes_compared():
     schemes = params["toy"]["schemes"]
     yield "toy", {"classifier": schemes["parallel"]}, {"classifier": schemes["sequential"]}
     files = {
-        name: yaml.safe_load(compose.compose([f"classifier@cues.gist.classifier={name}"], conf=_light_conf()))
-        for name in ("nu_svm", "nu_svm_sequential")
+        name: _composed(f"classifier@cues.gist.classifier={name}") for name in ("nu_svm", "nu_svm_sequential")
     }
     yield "conf/classifier", files["nu_svm"]["cues"]["gist"], files["nu_svm_sequential"]["cues"]["gist"]
 
@@ -142,9 +142,7 @@ def test_the_two_schemes_differ_in_the_scheme_alone(compared):
 def test_changed_settings_of_the_parallel_scheme_are_those_of_the_sequential_one():
     changed = "cues.spatial_pact.classifier.scheme.sigmoid_weights=balanced"
     nu = "cues.spatial_pact.classifier.base.nu=0.1"
-    cue = yaml.safe_load(compose.compose([changed, nu], conf=_light_conf()))["cues"][
-        "spatial_pact_sequential"
-    ]
+    cue = _composed(changed, nu)["cues"]["spatial_pact_sequential"]
     assert cue["classifier"]["scheme"]["sigmoid_weights"] == "balanced"
     assert cue["classifier"]["base"]["nu"] == 0.1
 
@@ -169,8 +167,8 @@ def test_everything_in_conf_is_used_because_it_is_there(tmp_path):
     shutil.copytree(ROOT / "conf", conf)
     shutil.copy(conf / "cue/hog_y.yaml", conf / "cue/hog_again.yaml")
     (conf / "found.yaml").write_text(compose.found(conf))
-    composed = yaml.safe_load(compose.compose(conf=conf))
-    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    composed = yaml.load(compose.compose(conf=conf), Loader=Loader)
+    params = read_yaml(ROOT / "params.yaml")
     assert composed["cues"]["hog_again"] == params["cues"]["hog_y"]
 
 
@@ -181,6 +179,10 @@ def test_what_git_holds_lists_what_is_there():
 @cache
 def _light_conf():
     return light_conf(Path(tempfile.mkdtemp()) / "conf")
+
+
+def _composed(*overrides):
+    return yaml.load(compose.compose(overrides, conf=_light_conf()), Loader=Loader)
 
 
 def settings_in_code():
@@ -198,7 +200,7 @@ def settings_in_code():
     from placecat.vision.spectral_residual import spectral_residual
     from placecat.vision.tracking import RegionTracker
 
-    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    params = read_yaml(ROOT / "params.yaml")
     for section, functions in {
         "attention": (compute_maps, orientation_maps, spectral_residual),
         "regions": (select_regions, accept, saliency),
@@ -256,5 +258,5 @@ def test_no_setting_has_a_name_that_dvc_leaves_out_of_its_run_cache():
         for name, inner in content.items() if isinstance(content, dict) else ():
             yield from (name, *names(inner))
 
-    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    params = read_yaml(ROOT / "params.yaml")
     assert not {"size", "nfiles"} & set(names(params))

@@ -204,6 +204,8 @@ def _is_estimator(full_name: str, name: str) -> bool:
     )
 
 
+# Cached, since each fit of a cue asks; `_parsed` keeps the nodes of a file until it changes.
+@lru_cache(maxsize=512)
 def _is_abstract(node: ast.ClassDef) -> bool:
     return any(isinstance(one, ast.Name) and one.id == "abstractmethod" for one in ast.walk(node))
 

@@ -18,6 +18,7 @@ from placecat import __version__
 from placecat.__main__ import main
 from placecat.categorizer import Categorizer, archive, model_file, train
 from placecat.errors import PlacecatError
+from placecat.settings import read_yaml
 from project import ROOT
 
 
@@ -295,7 +296,7 @@ def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monk
 
 def test_a_model_of_train_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
     calls = []
-    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    params = read_yaml(ROOT / "params.yaml")
     (tmp_path / "params.yaml").write_text(yaml.safe_dump(params))
     monkeypatch.chdir(tmp_path)
     plain = replace(system, card=system.card | {"settings": {"seed": 1}, "unknown": None})

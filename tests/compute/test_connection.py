@@ -13,6 +13,7 @@ import yaml
 from placecat import compute, files
 from placecat.compute import connection, parallel
 from placecat.errors import PlacecatError
+from placecat.settings import read_yaml
 from placecat.stages import cues, features, sequences
 from project import ROOT, contents, environment
 from sketch import draw_homes
@@ -26,7 +27,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("cluster")]
 
 def parameters():
     """The project's settings, cut down to two descriptors, one cue and three drawn homes."""
-    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    params = read_yaml(ROOT / "params.yaml")
     own = {
         name: params[name] for name in ("attention", "regions", "region_variants", "information", "protocol")
     }

@@ -8,6 +8,7 @@ from placecat import lookup
 from placecat.config.compose import compose, found, write_params
 from placecat.errors import PlacecatError
 from placecat.schema import references
+from placecat.settings import Loader
 from project import light_conf
 
 CONF = ROOT / "conf"
@@ -22,7 +23,7 @@ def composed(tmp_path_factory):
             if path.stem != "gist":
                 path.unlink()
     (conf / "found.yaml").write_text(found(conf))
-    return lambda *overrides: yaml.safe_load(compose(overrides, conf=conf))
+    return lambda *overrides: yaml.load(compose(overrides, conf=conf), Loader=Loader)
 
 
 def test_overrides_reach_their_setting(composed):

@@ -28,6 +28,7 @@ CHOICES = [
     # Against the `override` of nu_svm_sequential.
     ("scheme@cues.spatial_pact_sequential.classifier.scheme", "parallel"),
     ("clustering@codebooks.hog_tracked.tree", "flat_kmeans"),
+    ("optional", "embedding"),
 ]
 
 
@@ -64,6 +65,9 @@ def small(tmp_path):
         {},
         {"config": "defaults:\n- _self_\n- kind: one\nkind: {list: [3], deep: null, nothing: {a: 1}}\n"},
         {"config": "defaults:\n- kind: three\n- /kind/two@a.b\n- /kind@c: one\n- extra: []\n- none: null\n"},
+        # The header counts where the defaults list does not say where the content goes.
+        {"kind__one": "# @package _global_\ndefaults:\n- two\n- /kind/two@a\n- _self_\nlist: [1]\n"},
+        {"kind__two": "# @package _global_\na: 1\n"},
         {"kind__one": "defaults:\n- /kind/two@inner\n- _self_\ninner: {deep: {a: '???', c: '${kind}'}}\n"},
     ],
 )
@@ -75,7 +79,8 @@ def test_small_files_are_merged_as_hydra_merges_them(small, files):
 @pytest.mark.parametrize(
     ("files", "choices"),
     [
-        ({"kind__two": "# @package _global_\na: 1\n"}, []),
+        ({"kind__two": "# @package other\na: 1\n"}, []),
+        ({"kind__two": "# A file.\n# @package _global_\na: 1\n"}, []),
         ({"kind__two": "a: 1\na: 2\n"}, []),
         ({"kind__two": "a: [\n"}, []),
         ({"kind__two": "- 1\n"}, []),
@@ -101,9 +106,16 @@ def test_rare_and_wrong_cases_are_left_to_hydra(small, files, choices):
         defaults.merge(small(**files), choices)
 
 
-def test_all_of_conf_is_usual_but_for_additions(tmp_path):
+def test_all_of_conf_is_usual(tmp_path):
     """Otherwise composing would take seconds."""
     conf = shutil.copytree(CONF, tmp_path / "conf")
-    for group in ("dataset", "compute", "classifier@cues.gist.classifier", "system@systems.das_551_best"):
+    groups = (
+        "dataset",
+        "compute",
+        "optional",
+        "classifier@cues.gist.classifier",
+        "system@systems.das_551_best",
+    )
+    for group in groups:
         for path in (conf / group.partition("@")[0]).glob("*.yaml"):
             defaults.merge(conf, [(group, path.stem)])

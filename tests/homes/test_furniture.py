@@ -31,6 +31,7 @@ def make(function, seed):
     return function(np.random.default_rng(seed), Style.draw(np.random.default_rng(100 + seed)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("function", list(makers()))
 def test_furniture(function):
     pieces = [make(function, seed) for seed in range(4)]
@@ -51,6 +52,7 @@ def test_furniture(function):
 KINDS = [module.name for module in pkgutil.iter_modules(textures.__path__) if not module.name.startswith("_")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_textures(kind):
     colours = ((0.8, 0.3, 0.2), (0.2, 0.5, 0.7), (0.9, 0.9, 0.4), (0.3, 0.3, 0.3))

@@ -12,6 +12,8 @@ from placecat_homes.mesh import Lamp, join
 from placecat_homes.scene import linear, prepare
 from placecat_homes.view import Lens, Pose, Viewer
 
+pytestmark = pytest.mark.slow
+
 DARK = Daylight(np.zeros((4, 8, 3), np.float32), np.float32([0, 0, 1]), np.zeros(3, np.float32))
 GREY = Material((0.5, 0.5, 0.5))
 
@@ -71,7 +73,6 @@ def camera(scene, daylight, light, pose, size=(64, 36)):
     return Viewer(scene, light, daylight).frame(pose, Lens(*size, 60))
 
 
-@pytest.mark.slow
 def test_what_a_camera_sees_of_a_plain_wall_and_of_the_sky():
     wall = shapes.quad(20, 20).moved(0, 0, -10).of(GREY)
     scene = prepare(wall, edge=5)
@@ -107,7 +108,6 @@ def test_a_mirror_shows_what_is_behind_the_camera():
     assert picture[..., 0] == pytest.approx(0, abs=0.01)
 
 
-@pytest.mark.slow
 def test_glass_lets_most_light_through():
     pane = shapes.quad(8, 8).moved(0, 1, -4).of(Material((1, 1, 1), opacity=0.2))
     lamp = shapes.quad(8, 8).moved(0, 0, -4).of(Material((1, 1, 1), emission=1.0))

@@ -23,6 +23,7 @@ from placecat.panoramas.command import read_settings
 from placecat.panoramas.plan import plan
 from placecat.panoramas.render import view_rays
 from placecat.panoramas.sources import read
+from placecat.settings import Loader
 from placecat.stages.sequences import list_homes
 from project import ROOT, contents
 
@@ -72,7 +73,7 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
     said = capsys.readouterr().out
     assert re.search(r"Home1: \d+ frames, \d+ stays, 2 floors", said)
     command = re.search(r'make repro SET="(.*)"', said)[1]
-    settings = yaml.safe_load(compose(shlex.split(command), ROOT / "conf"))["dataset"]
+    settings = yaml.load(compose(shlex.split(command), ROOT / "conf"), Loader=Loader)["dataset"]
     assert settings["homes"] == ["Home1", "Home2", "Home3", "Home4"]
     assert settings["fps"] == 0.5
     # Like the stage sequences.

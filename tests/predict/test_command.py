@@ -12,9 +12,10 @@ import pytest
 from commands import predict, refused
 from fake_categorizer import CLASSES, STAY, FakeCategorizer, expected
 from helpers_sequences import WIDTH, coded, write_image, write_video
+from matplotlib.figure import Figure
 
 from placecat.footage.timing import even
-from placecat.predict import command
+from placecat.predict import command, timeline
 from placecat.sequences.labels import read_label_csv
 
 COUNT = 30
@@ -22,7 +23,7 @@ TABLES = ("frames.csv", "segments.csv", "summary.json", "timeline.png", "visits.
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
+def footage(tmp_path, monkeypatch):
     """A folder with footage, and a system that needs no training."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer())
@@ -30,6 +31,13 @@ def folder(tmp_path, monkeypatch):
     for number in range(COUNT):
         write_image(tmp_path / f"images/frame{number}.png", number)
     return tmp_path
+
+
+@pytest.fixture
+def folder(footage, monkeypatch):
+    """The same, with an empty timeline: drawing it takes longer than the rest of the prediction."""
+    monkeypatch.setattr(timeline, "draw", lambda prediction, title, truth: Figure(figsize=(1, 1)))
+    return footage
 
 
 def frames_of(path):
@@ -44,10 +52,10 @@ def probabilities(table, prefix):
 
 
 @pytest.mark.parametrize("source", ["walk.avi", "images"])
-def test_the_tables_have_the_outputs_of_the_system_to_the_bit(folder, source, capsys):
+def test_the_tables_have_the_outputs_of_the_system_to_the_bit(footage, source, capsys):
     predict(source)
     name = source.removesuffix(".avi")
-    results = folder / "predictions" / name
+    results = footage / "predictions" / name
     table = pd.read_csv(results / "frames.csv")
     smoothed, alone = map(np.stack, zip(*map(expected, range(COUNT)), strict=True))
     assert np.array_equal(probabilities(table, "p"), smoothed)
@@ -101,17 +109,17 @@ def test_footage_that_may_not_be_read_gives_one_message(folder, monkeypatch):
     assert "images: cannot be read (Permission denied)" in refused("images")
 
 
-def test_the_same_footage_gives_the_same_bytes(folder):
+def test_the_same_footage_gives_the_same_bytes(footage):
     predict("walk.avi", "--output", "one")
     predict("walk.avi", "--output", "two")
     for name in TABLES:
-        assert (folder / "one" / name).read_bytes() == (folder / "two" / name).read_bytes(), name
+        assert (footage / "one" / name).read_bytes() == (footage / "two" / name).read_bytes(), name
 
 
-def test_segments_are_labels(folder, capsys):
+def test_segments_are_labels(footage, capsys):
     predict("walk.avi", "--every", "4")
-    labels = folder / "labels.csv"
-    shutil.copy(folder / "predictions/walk/segments.csv", labels)
+    labels = footage / "labels.csv"
+    shutil.copy(footage / "predictions/walk/segments.csv", labels)
     read, _ = read_label_csv(labels, even(COUNT, 25.0), "the video")
     assert read == [CLASSES[number // STAY % 3] for number in range(COUNT)]
     labels.write_text(labels.read_text().replace("17,24,kitchen", "17,20,transition\n21,24,bedroom"))
@@ -270,7 +278,7 @@ def test_a_link_as_output_stays_and_its_target_is_written(folder):
     assert (folder / "far/frames.csv").is_file()
 
 
-def test_a_name_begins_no_line_of_its_own(folder, capsys):
+def test_a_name_begins_no_line_of_its_own(footage, capsys):
     predict("walk.avi", "--output", "a\nAll is well")
     assert "a\\nAll is well: " in capsys.readouterr().out
 

@@ -22,6 +22,11 @@ def page(tmp_path_factory):
     return target
 
 
+def small_report():
+    """With one table and no figure, for parts that do not depend on them."""
+    return made_report.report(tables=[5], figures=[])
+
+
 def text_of(html):
     return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", "", html))
 
@@ -269,7 +274,7 @@ def test_a_cell_is_shaded_by_its_difference_and_says_how_far_the_seeds_lie_apart
     for index, difference in enumerate([0.5, 3.0, -7.0, 12.0, -25.0]):
         table.loc[index, "measured"] = table.loc[index, "published"] + difference
     table.loc[1, ["spread", "seeds"]] = [1.25, 2]
-    html = page_html(replace(made_report.report(), tables=[Table(settings(5), table, DATASET)]))
+    html = page_html(replace(small_report(), tables=[Table(settings(5), table, DATASET)]))
     cells = re.findall(r"<td([^>]*)>[\d.]+</td><td class=\"thesis\"", part_of(html, "table-5"))
     assert [re.findall('class="([^"]*)"', one) for one in cells[:5]] == [
         [],
@@ -291,7 +296,7 @@ def test_every_table_names_its_data(page):
             in said
         )
     same = Table(settings(5), made_report.cells(5), DATASET | {"thesis_data": "VPC-2009 home database"})
-    said = text_of(part_of(page_html(replace(made_report.report(), tables=[same])), "table-5"))
+    said = text_of(part_of(page_html(replace(small_report(), tables=[same])), "table-5"))
     assert "Thesis: VPC-2009 home database." in said
     assert "Measured on made-up homes." in text_of(part_of(html, "addition-rvm"))
 
@@ -309,7 +314,7 @@ def test_names_are_escaped():
     evil = "<b onclick=x>&\"'"
     table = made_report.cells(5)
     table["row"] = table["row"].replace("SVM", evil)
-    report = made_report.report()
+    report = small_report()
     count = len(report.in_text)
     html = page_html(
         replace(
@@ -336,12 +341,12 @@ def test_the_settings_are_all_there(page):
 def test_times_come_from_the_stored_record(page):
     said = text_of(part_of(page.read_text(encoding="utf-8"), "times"))
     assert "on made-up homes, which took 4 min 3 s on 2 cores" in said
-    without = page_html(replace(made_report.report(), times=None))
+    without = page_html(replace(small_report(), times=None))
     assert "No times are stored" in text_of(part_of(without, "times"))
 
 
 def test_missing_parts_of_a_run_leave_no_gap():
-    report = made_report.report(tables=[5], figures=[])
+    report = small_report()
     html = page_html(
         replace(
             report,
@@ -374,7 +379,7 @@ def test_missing_parts_of_a_run_leave_no_gap():
 
 
 def test_numbers_of_no_section_are_shown_at_the_end():
-    report = made_report.report(tables=[5], figures=[])
+    report = small_report()
     other = Table(settings(40), made_report.cells(5), DATASET)
     html = page_html(
         replace(report, tables=[other, *report.tables], figures=[Figure(21, "More", made_report.png())])
@@ -399,7 +404,7 @@ def test_the_ledger_draws_intervals_on_one_axis():
             "reason": "",
         }
     )
-    html = page_html(replace(made_report.report(), findings=findings))
+    html = page_html(replace(small_report(), findings=findings))
     ranges = re.findall(r'<line class="range" x1="([\d.]+)" x2="([\d.]+)"', html)
     assert ranges == [("4.0", "4.0"), ("50.0", "73.0")]
     assert re.findall(r'<circle cx="([\d.]+)"', html) == ["4.0", "59.2"]
@@ -432,7 +437,7 @@ def test_benchmarks_have_a_table_and_the_parts_of_a_missed_target(page):
 
 
 def test_without_benchmarks_the_page_says_how_to_measure():
-    html = page_html(replace(made_report.report(), speed=None))
+    html = page_html(replace(small_report(), speed=None))
     assert "make bench" in text_of(part_of(html, "speed"))
     assert "speed-table" not in html
 
@@ -451,7 +456,7 @@ def test_scale_has_the_growth_of_every_stage_and_the_time_of_a_full_run(page):
 
 
 def test_without_a_scale_run_the_page_says_how_to_measure():
-    html = page_html(replace(made_report.report(), scale=None))
+    html = page_html(replace(small_report(), scale=None))
     assert "make bench-scale" in text_of(part_of(html, "scale"))
 
 
@@ -520,7 +525,7 @@ def test_rows_are_filtered_and_a_link_to_a_hidden_one_shows_it(page, tmp_path):
 
 
 def test_findings_on_more_homes_stand_below_each_finding():
-    report = made_report.report()
+    report = small_report()
     more = report.findings[["number", "difference", "low", "high", "units", "verdict"]].assign(
         units="24 homes", verdict="holds", replicated=True
     )

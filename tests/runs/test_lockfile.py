@@ -12,11 +12,12 @@ from placecat import settings
 from placecat.errors import PlacecatError
 from placecat.runs import repro
 from placecat.runs.lockfile import check_data, data_version
+from placecat.settings import read_yaml
 
 ROOT = Path(__file__).resolve().parents[2]
-KEPT = yaml.safe_load((ROOT / "dvc.lock").read_text())["stages"]
+KEPT = read_yaml(ROOT / "dvc.lock")["stages"]
 PARAMS = settings.load(ROOT / "params.yaml")
-STAGES = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
+STAGES = read_yaml(ROOT / "dvc.yaml")["stages"]
 
 LOCK = """
 schema: '2.0'

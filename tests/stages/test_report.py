@@ -158,15 +158,11 @@ def test_a_kept_record_of_times_is_shown(changed):
     assert '<tr><th scope="row">sequences</th><td>1</td><td>61.0</td></tr>' in page(changed)
 
 
-def test_an_empty_record_of_times_is_none(folder):
+def test_it_writes_the_same_bytes_again_and_an_empty_record_of_times_is_none(written, folder):
     files.write_csv(paths.KEPT_TIMES, pd.DataFrame(columns=["stage", "runs", "seconds"]))
     files.write_json(paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "cores": 2, "total": 0.0})
     report.main()
     assert "No times are stored" in page(folder)
-
-
-def test_it_writes_the_same_bytes_again(written, folder):
-    report.main()
     for path in (paths.PAGE, paths.RESULTS, paths.EXPLANATIONS):
         assert path.read_bytes() == (written / path).read_bytes()
 

@@ -11,6 +11,7 @@ from placecat.config import tables as checks
 from placecat.config.check import check
 from placecat.config.compose import compose
 from placecat.sequences import listing
+from placecat.settings import Loader
 from placecat.stages import cues, features, integration, sequences, smoothing
 from placecat.training import fold_file
 from project import ROOT, light_conf
@@ -86,7 +87,7 @@ def test_every_home_is_left_out_and_named(ran):
 def test_one_command_is_enough(monkeypatch):
     """The settings of the project without other overrides."""
     monkeypatch.chdir(ROOT)
-    params = yaml.safe_load(compose(["dataset=robot_at_home", "dataset.root=/data/rah"]))
+    params = yaml.load(compose(["dataset=robot_at_home", "dataset.root=/data/rah"]), Loader=Loader)
     check(params)
     checks.check(params)
     assert (params["dataset"]["camera"], params["dataset"]["turn"]) == ("RGBD_1", 0)

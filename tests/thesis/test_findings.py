@@ -6,7 +6,6 @@ import re
 import numpy as np
 import pandas as pd
 import pytest
-import yaml
 from made_accuracies import measured
 from made_accuracies import results as some_results
 
@@ -14,6 +13,7 @@ import made_results
 from placecat.errors import PlacecatError
 from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED
 from placecat.results.measured import Results
+from placecat.settings import read_yaml
 from placecat.thesis.claims import read_finding
 from placecat.thesis.findings import ledger
 from placecat.thesis.judging import look_up
@@ -22,9 +22,9 @@ from placecat.thesis.rules import Rules, claimed_range
 
 CONF = made_results.ROOT / "conf"
 FILES = sorted((made_results.ROOT / "data/thesis/findings").glob("*.yaml"))
-CONFIGS = {path.stem: yaml.safe_load(path.read_text(encoding="utf-8")) for path in FILES}
+CONFIGS = {path.stem: read_yaml(path) for path in FILES}
 FINDINGS = {name: read_finding(name, config) for name, config in CONFIGS.items()}
-VERDICT = yaml.safe_load((CONF / "verdict/bootstrap.yaml").read_text(encoding="utf-8"))
+VERDICT = read_yaml(CONF / "verdict/bootstrap.yaml")
 PUBLISHED = Published(made_results.published(), made_results.published_text())
 RESULTS = made_results.made()
 QUICK = VERDICT | {"resamples": 300}

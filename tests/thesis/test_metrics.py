@@ -9,6 +9,7 @@ import yaml
 
 from placecat.errors import PlacecatError
 from placecat.results.measured import Measured, Quality, Results
+from placecat.settings import read_yaml
 from placecat.thesis.metrics import chosen_averages, nested_metrics, plot_data
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -129,7 +130,7 @@ def test_dvc_draws_the_chosen_panels():
     """The plots in dvc.yaml use the files and columns of the settings."""
     chosen = yaml.safe_load((ROOT / "data/thesis/plots.yaml").read_text())
     drawn = {}
-    for plot in yaml.safe_load((ROOT / "dvc.yaml").read_text())["plots"]:
+    for plot in read_yaml(ROOT / "dvc.yaml")["plots"]:
         for options in plot.values():
             for file, column in options["y"].items():
                 drawn.setdefault(file, set()).add((column, options["x"]))

@@ -51,8 +51,8 @@ def page_html(
     and ``about`` (a line about its commit, or ""), its results, and its figures. `lines` are shown in the
     summary at the top of the page.
     """
-    templates = page_templates()
-    templates.loader = ChoiceLoader([PackageLoader("placecat.compare"), templates.loader])
+    loaders = [PackageLoader("placecat.compare"), PackageLoader("placecat.report")]
+    templates = page_templates().overlay(loader=ChoiceLoader(loaders))
     old, new = kept
     titles = _titles(new)
     of_tables = {

@@ -13,6 +13,8 @@ from omegaconf._utils import get_yaml_loader
 
 _OVERRIDE = "override "
 _MISSING = "???"
+# First line of a file whose content goes to the root, unless the defaults list says where it goes.
+_OF_ROOT = "# @package _global_\n"
 # Follows OmegaConf's rules for numbers, dates and duplicate keys; uses libyaml if available.
 _Loader = get_yaml_loader()
 if yaml.__with_libyaml__:
@@ -24,13 +26,17 @@ class Unusual(Exception):
 
 
 class _Entry(NamedTuple):
-    """A defaults list entry: choice ("" if it has none), group, file, package, and whether it overrides."""
+    """A defaults list entry: choice ("" if it has none), group, file, package, and whether it overrides.
+
+    `fixed` says whether the entry names the package, so that the file does not.
+    """
 
     choice: str
     group: str
     file: str
     package: str
     overrides: bool
+    fixed: bool
 
 
 def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]:
@@ -38,8 +44,8 @@ def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]
 
     `choices` pairs choices, as Hydra names them, with files, e.g. ``("dataset", "my_homes")`` or
     ``("classifier@cues.gist.classifier", "knn")``. Returns plain containers with unresolved references
-    (``${...}``). Raises Unusual in cases such as a missing file, invalid YAML, an empty choice, a package in
-    a header, or a list of files.
+    (``${...}``). Raises Unusual in cases such as a missing file, invalid YAML, an empty choice, a header with
+    another package than the root, or a list of files.
     """
     if len(dict(choices)) < len(choices) or not all(file for _, file in choices):
         raise Unusual(str(choices))
@@ -67,11 +73,14 @@ class _Tree:
         self.choices = choices
         self.seen: set[str] = set()
         self._conf = conf
-        self._contents: dict[str, dict[str, Any]] = {}
+        self._contents: dict[str, tuple[dict[str, Any], bool]] = {}
 
-    def walk(self, name: str, package: str, before: tuple[str, ...]) -> None:
+    def walk(self, name: str, package: str, before: tuple[str, ...], fixed: bool = True) -> None:
         """Add a file and the files it names; `before` is the chain of files that leads to it."""
-        content = dict(self._read(name))
+        found, of_root = self._read(name)
+        content = dict(found)
+        if of_root and not fixed:
+            package = ""
         defaults = content.pop("defaults", ["_self_"])
         if name in before or not isinstance(defaults, list) or (content and "_self_" not in defaults):
             raise Unusual(name)
@@ -90,18 +99,20 @@ class _Tree:
                 if entry.choice:
                     self.seen.add(entry.choice)
                 if file := self.choices.get(entry.choice, entry.file):
-                    self.walk(f"{entry.group}/{file}".lstrip("/"), entry.package, (*before, name))
+                    path = f"{entry.group}/{file}".lstrip("/")
+                    self.walk(path, entry.package, (*before, name), entry.fixed)
 
-    def _read(self, name: str) -> dict[str, Any]:
+    def _read(self, name: str) -> tuple[dict[str, Any], bool]:
+        """Return a file's content, and whether its header names the root as its package."""
         if name not in self._contents:
             try:
                 text = (self._conf / f"{name}.yaml").read_text(encoding="utf-8")
                 content = yaml.load(text, Loader=_Loader)
             except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
                 raise Unusual(name) from error
-            if not isinstance(content, dict | None) or "@package" in text:
+            if not isinstance(content, dict | None) or "@package" in text.removeprefix(_OF_ROOT):
                 raise Unusual(name)
-            self._contents[name] = content or {}
+            self._contents[name] = content or {}, text.startswith(_OF_ROOT)
         return self._contents[name]
 
 
@@ -126,7 +137,9 @@ def _entry(default: Any, folder: str, package: str) -> _Entry:
     inner = own if at else group.strip("/").replace("/", ".")
     target = package if own == "_here_" else f"{package}.{inner}".strip(".")
     choice = whole if target == whole.replace("/", ".") else f"{whole}@{target}"
-    return _Entry("" if isinstance(default, str) else choice, whole, file, target, path.startswith(_OVERRIDE))
+    return _Entry(
+        "" if isinstance(default, str) else choice, whole, file, target, path.startswith(_OVERRIDE), bool(at)
+    )
 
 
 def _over(below: Any, above: Any) -> Any:

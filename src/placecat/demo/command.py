@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 import yaml
 
-from placecat import files, paths
+from placecat import files, paths, settings
 from placecat.categorizer import Categorizer, Decision
 from placecat.categorizer.fitting import fit
 from placecat.config.compose import compose
@@ -45,7 +45,7 @@ def demo_command() -> int:
     """
     start = time.perf_counter()
     _check(OUTPUT)
-    params = yaml.safe_load(compose(["dataset=homes"]))
+    params = yaml.load(compose(["dataset=homes"]), Loader=settings.Loader)
     relative = Path(params["dataset"]["root"])
     root = relative.absolute()
     *homes, tested = params["dataset"]["homes"]

@@ -6,7 +6,7 @@ from typing import Any
 import yaml
 from hydra.core.config_store import ConfigStore
 
-from placecat import paths
+from placecat import paths, settings
 from placecat.config import inferred
 
 CONFIG = "experiment"
@@ -40,7 +40,7 @@ def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
 def classifiers() -> dict[str, dict[str, Any]]:
     """Map the name of each file in conf/classifier to its content."""
     files = sorted((paths.CONF / "classifier").glob("*.yaml"))
-    return {path.stem: yaml.safe_load(path.read_text(encoding="utf-8")) for path in files}
+    return {path.stem: yaml.load(path.read_text(encoding="utf-8"), Loader=settings.Loader) for path in files}
 
 
 def register(conf: Path = paths.CONF) -> None:

@@ -96,7 +96,7 @@ def data_set(overrides: Sequence[str]) -> Mapping[str, Any]:
     from placecat.config.check import check
     from placecat.config.compose import compose
 
-    params = yaml.safe_load(compose(overrides)) if overrides else settings.load()
+    params = yaml.load(compose(overrides), Loader=settings.Loader) if overrides else settings.load()
     dataset: Mapping[str, Any] = settings.get(params, "dataset")
     check({"dataset": dataset})
     return dataset

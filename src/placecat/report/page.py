@@ -3,9 +3,11 @@
 import json
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 import pandas as pd
+from jinja2 import Environment
 from markupsafe import Markup, escape
 
 from placecat.provenance.cells import Table
@@ -140,7 +142,9 @@ def duration(seconds: float) -> str:
     return " ".join(parts + [f"{rest} s"] * (not hours and bool(rest or not minutes)))
 
 
-def page_templates() -> Any:
+# Cached, since an environment compiles each template at its first use.
+@cache
+def page_templates() -> Environment:
     """Return the environment of the page templates, with their filters."""
     templates = environment("placecat.report").overlay()
     templates.filters = templates.filters | {

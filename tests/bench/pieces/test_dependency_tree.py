@@ -7,6 +7,7 @@ from placecat_bench.pieces import dependency_tree
 SMALL = {"samples": 300, "grid": 4, "clusters": 7, "few": 5, "many": 9}
 
 
+@pytest.mark.slow
 def test_its_entries_and_targets():
     entries = list(dependency_tree.entries(**SMALL))
     assert [(entry.input, entry.target) for entry in entries] == [

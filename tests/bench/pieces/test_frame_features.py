@@ -7,6 +7,7 @@ from placecat_bench import frames
 from placecat_bench.pieces import frame_features
 
 
+@pytest.mark.slow
 def test_its_entries_and_targets():
     entries = list(frame_features.entries(frames=[frame()]))
     assert [(entry.input, entry.target) for entry in entries] == [

@@ -13,6 +13,7 @@ def entries():
     return list(hierarchical_kmeans.entries(**SMALL))
 
 
+@pytest.mark.slow
 def test_its_entries_and_targets(entries):
     assert [(entry.input, entry.target) for entry in entries] == [
         ("2000 x 128, 16 clusters", "at least 2.5x faster"),

@@ -8,6 +8,7 @@ def entries():
     return list(rvm.entries(fewest=60, few=100, many=120, features=16))
 
 
+@pytest.mark.slow
 def test_its_entries_and_targets(entries):
     assert [(entry.input, entry.target) for entry in entries] == [
         ("60 x 16", "at least 10x faster"),

@@ -17,6 +17,8 @@ from placecat_homes.drawn.rendering import render_homes
 
 pytest.importorskip("embreex", reason="rendering needs the optional extra")
 
+pytestmark = pytest.mark.slow
+
 LABELS = ["bedroom", "transition", "kitchen"]
 
 
@@ -129,7 +131,6 @@ def test_a_folder_of_other_homes_is_refused(tmp_path, small):
         make(tmp_path, count=1)
 
 
-@pytest.mark.slow
 def test_another_run_in_the_folder_is_refused(tmp_path, small):
     with FileLock(tmp_path / ".lock"), pytest.raises(PlacecatError, match="another process renders into"):
         make(tmp_path)

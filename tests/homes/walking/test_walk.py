@@ -15,6 +15,8 @@ from placecat_homes.walking.route import Router, lengths
 from placecat_homes.walking.walk import walk
 from placecat_homes.walking.walk_statistics import Statistics
 
+pytestmark = pytest.mark.slow
+
 BODY = 0.25
 
 
@@ -240,7 +242,6 @@ def test_doorways_of_an_apartment_are_transitions_and_rooms_on_the_way_have_labe
     assert "corridor" in one.label
 
 
-@pytest.mark.slow
 def test_too_few_frames_are_refused():
     with pytest.raises(PlacecatError, match="more frames"):
         make(home(), "home", "tripod", 0, frames=60)
