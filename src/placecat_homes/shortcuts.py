@@ -109,7 +109,7 @@ def _look(frame: NDArray[np.uint8]) -> dict[str, Any]:
     return {"mean colour": colour, "brightness": _mean(grey)[0], "JPEG size": np.log(jpeg.size)}
 
 
-def _mean(image: NDArray[np.uint8]) -> NDArray[np.float64]:
+def _mean(image: NDArray[Any]) -> NDArray[np.float64]:
     """Mean of each channel, with the bits of NumPy's, which is much slower: both sums are exact."""
     channels = 1 if image.ndim == 2 else image.shape[2]
     return np.array(cv2.sumElems(image)[:channels]) / (image.shape[0] * image.shape[1])
