@@ -35,19 +35,22 @@ def evaluate(page, folder, body, *, width=1200, height=900):
     `body` is the body of an async function, e.g. ``return document.title``; its value goes through JSON.
     Its timers take no time. It must not wait for anything else, such as the decoding of an image.
     """
-    script = f"""<script>addEventListener("load", async () => {{
-        let value;
-        try {{ value = await (async () => {{ {body} }})(); }} catch (error) {{ value = String(error); }}
-        const shown = parent.document.createElement("pre");
-        shown.id = "returned";
-        shown.textContent = JSON.stringify(value);
-        parent.document.body.append(shown);
-    }});</script>"""
-    text = page.read_text(encoding="utf-8").replace("</body>", f"{script}</body>")
-    if width < _NARROWEST:
+    (value,), console = evaluate_all(page, folder, [(body, width)], height=height)
+    return value, console
+
+
+def evaluate_all(page, folder, scripts, *, height=900):
+    """Like `evaluate`, for pairs of a body and a width: each gets a page of its own, all in one browser."""
+    text, parts = page.read_text(encoding="utf-8"), []
+    for number, (body, width) in enumerate(scripts):
+        own = text.replace("</body>", f"{_script(number, body)}</body>")
         # A frame can be narrower than a window.
-        frame = f'<iframe width="{width}" height="{height}" frameborder="0" srcdoc="{html.escape(text)}">'
-        text = f'<!DOCTYPE html><link rel="icon" href="data:,"><body>{frame}</iframe></body>'
+        frame = f'<iframe width="{width}" height="{height}" frameborder="0" srcdoc="{html.escape(own)}">'
+        parts.append(f"{frame}</iframe>")
+    if len(scripts) == 1 and width >= _NARROWEST:
+        text = own
+    else:
+        text = f'<!DOCTYPE html><link rel="icon" href="data:,"><body>{"".join(parts)}</body>'
     folder.mkdir(parents=True, exist_ok=True)
     copy = folder / "copy.html"
     copy.write_text(text, encoding="utf-8")
@@ -56,9 +59,21 @@ def evaluate(page, folder, body, *, width=1200, height=900):
         folder,
         "--dump-dom",
         "--virtual-time-budget=20000",
-        f"--window-size={max(width, _NARROWEST)},{height}",
+        f"--window-size={max(_NARROWEST, *(width for _, width in scripts))},{height}",
     )
-    return json.loads(html.unescape(re.search(r'<pre id="returned">(.*?)</pre>', dom, re.DOTALL)[1])), console
+    values = dict(re.findall(r'<pre id="returned-(\d+)">(.*?)</pre>', dom, re.DOTALL))
+    return [json.loads(html.unescape(values[str(number)])) for number in range(len(scripts))], console
+
+
+def _script(number, body):
+    return f"""<script>addEventListener("load", async () => {{
+        let value;
+        try {{ value = await (async () => {{ {body} }})(); }} catch (error) {{ value = String(error); }}
+        const shown = parent.document.createElement("pre");
+        shown.id = "returned-{number}";
+        shown.textContent = JSON.stringify(value);
+        parent.document.body.append(shown);
+    }});</script>"""
 
 
 def screenshot(url, folder, name, *, width=1000, height=1400):

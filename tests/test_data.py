@@ -1,20 +1,25 @@
 """The rendered videos that come with the project: their properties, read like in the pipeline."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import pandas as pd
 import pytest
 import yaml
 
 from placecat import files
+from placecat.footage.recording import Recording
+from placecat.sequences import video
 from placecat.stages import sequences
-from placecat_homes import render
+from placecat_homes import render, shortcuts
 from project import ROOT, rendered
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("data")]
 
 SIZES = {"homes": {(1280, 720)}, "university": {(640, 480)}, "apartments": {(640, 480), (1280, 720)}}
 """Frame sizes of each data set, as (width, height)."""
+EVERY = 9
+"""Step between the frames that are judged for shortcuts: consecutive ones carry the same information."""
 
 
 def settings():
@@ -24,10 +29,59 @@ def settings():
     return {name: dataset for name, dataset in found.items() if dataset["root"] in rendered()}
 
 
+class Undecoded(Recording):
+    """Lists the frames of a sound video without decoding them."""
+
+    def pictures(self, first=1):
+        shown = next(super().pictures())
+        for number in range(first, self.count + 1):
+            yield SimpleNamespace(number=number, size=shown.size)
+
+
 @pytest.fixture(scope="module")
-def homes(tmp_path_factory):
-    """The output of the stage `sequences` for each data set: frames with labels and facts, by home."""
+def looks():
+    """What shortcuts may use of the frames that are judged, by video and position; `homes` fills it."""
+    found = {}
+
+    def ask(root, frames):
+        found.update(dict.fromkeys(frames_of(root, frames)))
+        return []
+
     with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(video, "Recording", Undecoded)
+        patch.setattr(shortcuts, "read_frames", ask)
+        for home in judged()["homes"]:
+            shortcuts._see(judged(), home, EVERY)
+    return found
+
+
+def frames_of(root, frames):
+    return [(root / name, row) for name, row in zip(frames["source"], frames["position"], strict=True)]
+
+
+def judged():
+    dataset = settings()["homes"]
+    return dataset | {"root": ROOT / dataset["root"]}
+
+
+@pytest.fixture(scope="module")
+def homes(tmp_path_factory, looks):
+    """The output of the stage `sequences` for each data set: frames with labels and facts, by home."""
+
+    class Looking(Recording):
+        """Shows what it decodes to the test of shortcuts, which then need not decode it again."""
+
+        def pictures(self, first=1):
+            for picture in super().pictures(first):
+                frame = self.path.resolve(), picture.number - 1
+                if frame in looks:
+                    looks[frame] = shortcuts._look(picture.image())
+                yield picture
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(video, "Recording", Looking)
+        # Other processes would not look.
+        patch.setenv("PLACECAT_WORKERS", "1")
         return {name: read(name, tmp_path_factory.mktemp(name), patch) for name in settings()}
 
 
@@ -70,6 +124,16 @@ def test_frames_are_as_listed(homes, name):
         assert facts["fps"] == listed["fps"], home
         assert (facts["width"], facts["height"]) in SIZES[name], home
         assert labels["label"].notna().all(), home
+
+
+def test_no_shortcut_tells_the_rooms_of_the_homes(homes, looks, monkeypatch):
+    monkeypatch.setattr(video, "Recording", Undecoded)
+    monkeypatch.setattr(shortcuts, "read_frames", frames_of)
+    monkeypatch.setattr(shortcuts, "_look", looks.__getitem__)
+    table = shortcuts.measure(judged(), EVERY)
+    assert table.shape == (5 * 6, 6 + 1)
+    best = table[table["average"] > shortcuts.LIMIT]
+    assert table["average"].max() <= shortcuts.LIMIT, best.round(1).to_string()
 
 
 def test_homes_are_long_enough_to_compare_with_real_ones(homes):

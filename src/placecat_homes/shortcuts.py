@@ -105,8 +105,14 @@ def _look(frame: NDArray[np.uint8]) -> dict[str, Any]:
     grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     lab = cv2.cvtColor(frame, cv2.COLOR_BGR2LAB)
     _, jpeg = cv2.imencode(".jpg", frame)
-    colour = np.concatenate([frame.mean(axis=(0, 1)), lab.mean(axis=(0, 1))])
-    return {"mean colour": colour, "brightness": grey.mean(), "JPEG size": np.log(jpeg.size)}
+    colour = np.concatenate([_mean(frame), _mean(lab)])
+    return {"mean colour": colour, "brightness": _mean(grey)[0], "JPEG size": np.log(jpeg.size)}
+
+
+def _mean(image: NDArray[Any]) -> NDArray[np.float64]:
+    """Mean of each channel, with the bits of NumPy's, which is much slower: both sums are exact."""
+    channels = 1 if image.ndim == 2 else image.shape[2]
+    return np.array(cv2.sumElems(image)[:channels]) / (image.shape[0] * image.shape[1])
 
 
 def _leave_one_out(

@@ -6,6 +6,7 @@ import pytest
 
 pytest.importorskip("embreex", reason="rendering needs the optional extra")
 
+from placecat.footage.recording import Recording
 from placecat_homes import render
 from project import ROOT
 
@@ -25,15 +26,8 @@ def film():
 
 @pytest.fixture(scope="module")
 def kept():
-    video = cv2.VideoCapture(str(ROOT / f"data/{NAME}.mp4"), cv2.CAP_FFMPEG)
-    frames = {}
-    for number in range(FRAMES[-1] + 1):
-        done, frame = video.read()
-        assert done
-        if number in FRAMES:
-            frames[number] = frame
-    video.release()
-    return frames
+    recording = Recording(ROOT / f"data/{NAME}.mp4")
+    return {number: next(recording.pictures(number + 1)).image() for number in FRAMES}
 
 
 def soft(frame):

@@ -9,7 +9,7 @@ import pandas as pd
 import pytest
 
 import made_report
-from browser import evaluate, needs_chromium, screenshot
+from browser import evaluate, evaluate_all, needs_chromium, screenshot
 from made_report import DATASET, settings
 from placecat.report.page import Figure, Table, duration, page_html
 from placecat.thesis.notes import Kind, Note
@@ -27,6 +27,31 @@ def small_report():
     return made_report.report(tables=[5], figures=[])
 
 
+_ASKED = []
+
+
+def asked(body, width=1200):
+    """Add a script to those that `answers` runs; returns its number."""
+    _ASKED.append((body, width))
+    return len(_ASKED) - 1
+
+
+@pytest.fixture(scope="module")
+def answers(page, tmp_path_factory):
+    """What the scripts return, each in a page of its own; starting the browser takes most of the time."""
+    found, console = evaluate_all(page, tmp_path_factory.mktemp("answers"), _ASKED)
+    assert console == []
+    return found
+
+
+STATE = """
+const click = (table, column) => document.querySelectorAll(`#${table} .sort`)[column].click();
+const shown = (table, column) => [...document.querySelectorAll(`#${table} tbody tr:not(.group)`)]
+    .filter((row) => !row.hidden).map((row) => row.cells[column].textContent);
+const type = (input, text) => { input.value = text; input.dispatchEvent(new Event("input")); };
+"""
+
+
 def text_of(html):
     return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", "", html))
 
@@ -36,12 +61,7 @@ def part_of(html, anchor):
     return html[start : html.index("</section>", start)]
 
 
-@needs_chromium
-def test_every_table_and_figure_is_there_and_the_console_is_clean(page, tmp_path):
-    found, console = evaluate(
-        page,
-        tmp_path,
-        """
+PARTS = asked("""
         const ids = (selector) => [...document.querySelectorAll(selector)].map((one) => one.id);
         const cells = {};
         for (const one of document.querySelectorAll("section.table[id^=table-]"))
@@ -57,9 +77,12 @@ def test_every_table_and_figure_is_there_and_the_console_is_clean(page, tmp_path
             findings: document.querySelectorAll("#ledger tbody tr").length,
             doubled: ids("[id]").length - new Set(ids("[id]")).size,
         };
-        """,
-    )
-    assert console == []
+        """)
+
+
+@needs_chromium
+def test_every_table_and_figure_is_there_and_the_console_is_clean(answers):
+    found = answers[PARTS]
     assert found["tables"] == [f"table-{number}" for number in range(1, 32)]
     before, after = list(range(1, 11)), [12, 13, 14, 11, 15, 16, 17, 18, 19, 20]
     added = "addition-figure-how-sure"
@@ -74,13 +97,7 @@ def test_every_table_and_figure_is_there_and_the_console_is_clean(page, tmp_path
     assert found["links"] > 31 + 20
 
 
-@needs_chromium
-@pytest.mark.parametrize("width", [390, 800, 1280, 1700])
-def test_only_tables_scroll_sideways(page, tmp_path, width):
-    found, console = evaluate(
-        page,
-        tmp_path,
-        """
+WIDE = """
         document.querySelectorAll("details").forEach((one) => (one.open = true));
         const inside = (one) => one.closest(".scroll, pre");
         const right = document.documentElement.clientWidth;
@@ -88,10 +105,14 @@ def test_only_tables_scroll_sideways(page, tmp_path, width):
             (one) => !inside(one) && one.getBoundingClientRect().right > right + 1);
         return {width: innerWidth, scroll: document.documentElement.scrollWidth,
                 out: out.map((one) => `${one.tagName}#${one.id}.${one.className}`)};
-        """,
-        width=width,
-    )
-    assert console == []
+        """
+WIDTHS = {width: asked(WIDE, width) for width in (390, 800, 1280, 1700)}
+
+
+@needs_chromium
+@pytest.mark.parametrize("width", WIDTHS)
+def test_only_tables_scroll_sideways(answers, width):
+    found = answers[WIDTHS[width]]
     assert found["width"] == width
     assert found["out"] == []
     assert found["scroll"] <= width
@@ -109,24 +130,25 @@ for (const id of %s) {
 }
 return copied;
 """
+COPIED_IDS = [
+    "table-5",
+    "table-4",
+    "addition-rvm",
+    "ledger",
+    "headline",
+    "in-text-numbers",
+    "frames",
+    "comparisons",
+]
+COPIED = asked(COPY % COPIED_IDS)
 
 
 @needs_chromium
-def test_tables_copy_as_lines_of_tab_separated_cells(page, tmp_path):
-    ids = [
-        "table-5",
-        "table-4",
-        "addition-rvm",
-        "ledger",
-        "headline",
-        "in-text-numbers",
-        "frames",
-        "comparisons",
-    ]
-    texts, console = evaluate(page, tmp_path, COPY % ids)
-    assert console == []
+def test_tables_copy_as_lines_of_tab_separated_cells(answers):
+    texts = answers[COPIED]
     tables = {
-        name: [line.split("\t") for line in text.splitlines()] for name, text in zip(ids, texts, strict=True)
+        name: [line.split("\t") for line in text.splitlines()]
+        for name, text in zip(COPIED_IDS, texts, strict=True)
     }
     for rows in tables.values():
         assert len({len(row) for row in rows}) == 1
@@ -170,33 +192,33 @@ def test_tables_copy_as_lines_of_tab_separated_cells(page, tmp_path):
     assert tables["frames"][1] == ["Home 1: home_1", *["100"] * 5, "20"]
 
 
-@needs_chromium
-def test_without_a_clipboard_the_table_is_selected(page, tmp_path):
-    found, console = evaluate(
-        page,
-        tmp_path,
-        """
+UNCOPIED = asked("""
         Object.defineProperty(navigator, "clipboard", {value: undefined});
         const button = document.querySelector("#table-5 button.copy");
         button.click();
         await new Promise((done) => setTimeout(done, 10));
         return [button.textContent, getSelection().toString()];
-        """,
-    )
-    assert console == []
+        """)
+
+
+@needs_chromium
+def test_without_a_clipboard_the_table_is_selected(answers):
+    found = answers[UNCOPIED]
     assert found[0] == "Selected"
     assert "naive Bayes" in found[1]
     assert "First-Order" not in found[1]
 
 
-@needs_chromium
-def test_shades_are_visible_and_distinct(page, tmp_path):
-    """Every step has a different background with readable text, in the light and the dark theme."""
-    script = """
+SHADES = asked("""
     const value = (one) => getComputedStyle(one).backgroundColor.match(/[0-9]+/g).slice(0, 3).map(Number);
     const ink = (one) => getComputedStyle(one).color.match(/[0-9]+/g).slice(0, 3).map(Number);
     return [...document.querySelectorAll(".legend span[class]")].map((one) => [value(one), ink(one)]);
-    """
+    """)
+
+
+@needs_chromium
+def test_shades_are_visible_and_distinct(answers):
+    """Every step has a different background with readable text, in the light and the dark theme."""
 
     def luminance(color):
         linear = [
@@ -204,7 +226,7 @@ def test_shades_are_visible_and_distinct(page, tmp_path):
         ]
         return float(np.dot(linear, [0.2126, 0.7152, 0.0722]))
 
-    found, _ = evaluate(page, tmp_path, script)
+    found = answers[SHADES]
     assert len(found) == 8
     assert len({tuple(background) for background, _ in found}) == 8
     for background, ink in found:
@@ -460,21 +482,9 @@ def test_without_a_scale_run_the_page_says_how_to_measure():
     assert "make bench-scale" in text_of(part_of(html, "scale"))
 
 
-STATE = """
-const click = (table, column) => document.querySelectorAll(`#${table} .sort`)[column].click();
-const shown = (table, column) => [...document.querySelectorAll(`#${table} tbody tr:not(.group)`)]
-    .filter((row) => !row.hidden).map((row) => row.cells[column].textContent);
-const type = (input, text) => { input.value = text; input.dispatchEvent(new Event("input")); };
-"""
-
-
-@needs_chromium
-def test_a_head_sorts_its_column_as_numbers_within_each_group(page, tmp_path):
-    found, console = evaluate(
-        page,
-        tmp_path,
-        STATE
-        + """
+SORTED = asked(
+    STATE
+    + """
         const states = [];
         for (let i = 0; i < 4; i++) {
             const heads = [...document.querySelectorAll("#table-4 [aria-sort]")];
@@ -483,9 +493,13 @@ def test_a_head_sorts_its_column_as_numbers_within_each_group(page, tmp_path):
         }
         click("ledger", 1);
         return {states, sections: shown("ledger", 1), numbers: shown("ledger", 0)};
-        """,
-    )
-    assert console == []
+        """
+)
+
+
+@needs_chromium
+def test_a_head_sorts_its_column_as_numbers_within_each_group(answers):
+    found = answers[SORTED]
     assert [heads for heads, _ in found["states"]] == [[], ["ascending"], ["descending"], []]
     first, up, down, last = (values for _, values in found["states"])
     assert first == last
@@ -504,13 +518,9 @@ def test_a_head_sorts_its_column_as_numbers_within_each_group(page, tmp_path):
     assert found["numbers"] == ["34", *(str(number) for number in range(1, 34))]
 
 
-@needs_chromium
-def test_rows_are_filtered_and_a_link_to_a_hidden_one_shows_it(page, tmp_path):
-    found, console = evaluate(
-        page,
-        tmp_path,
-        STATE
-        + """
+FILTERED = asked(
+    STATE
+    + """
         type(document.querySelector("#ledger .filter"), "CLAIM 12:");
         const visible = [...document.querySelectorAll("#ledger tbody tr")]
             .filter((row) => row.getBoundingClientRect().height).map((row) => row.id);
@@ -518,9 +528,13 @@ def test_rows_are_filtered_and_a_link_to_a_hidden_one_shows_it(page, tmp_path):
         location.hash = "finding-3";
         await new Promise((done) => setTimeout(done, 50));
         return [visible, count, shown("ledger", 0).length, !!document.querySelector("#addition-rvm .filter")];
-        """,
-    )
-    assert console == []
+        """
+)
+
+
+@needs_chromium
+def test_rows_are_filtered_and_a_link_to_a_hidden_one_shows_it(answers):
+    found = answers[FILTERED]
     assert found == [["finding-12"], "1 of 34", 34, False]
 
 
@@ -548,6 +562,7 @@ def test_findings_on_more_homes_stand_below_each_finding():
 
 @needs_chromium
 def test_search_finds_tables_figures_findings_and_settings(page, tmp_path):
+    # Not in a frame, whose links would lead to the page around it.
     found, console = evaluate(
         page,
         tmp_path,
