@@ -210,7 +210,9 @@ def _is_estimator(full_name: str, name: str) -> bool:
 
 
 def _is_abstract(node: ast.ClassDef) -> bool:
-    return any(isinstance(one, ast.Name) and one.id == "abstractmethod" for one in ast.walk(node))
+    # Not all of the class, since this is called for every model that is built.
+    decorators = [one for item in node.body for one in getattr(item, "decorator_list", ())]
+    return any(isinstance(one, ast.Name) and one.id == "abstractmethod" for one in decorators)
 
 
 def _taking(package: str, name: str, definition: str) -> _Definition | None:
