@@ -4,9 +4,8 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-import yaml
 
-from placecat import files
+from placecat import files, settings
 from placecat.evaluation.trials import expand
 from placecat.learning.toy_circles import NAMES
 from placecat.results.measured import (
@@ -25,7 +24,7 @@ from placecat.thesis import definitions
 from placecat.thesis.tables import contradictions_of
 
 ROOT = Path(__file__).resolve().parents[1]
-PARAMS = yaml.safe_load((ROOT / "params.yaml").read_text())
+PARAMS = settings.load(ROOT / "params.yaml")
 STUDIES = definitions.studies(PARAMS, ROOT)
 SEEDS = ("seed-0", "seed-1")
 

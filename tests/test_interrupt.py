@@ -10,6 +10,7 @@ import time
 import pytest
 import yaml
 
+from placecat import settings
 from project import ROOT, contents, environment, init, repro, run
 from sketch import draw_homes
 
@@ -30,7 +31,7 @@ def project(tmp_path):
     stages = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
     chosen = {"stages": {name: stages[name] for name in ("sequences", "features")}}
     (folder / "dvc.yaml").write_text(yaml.safe_dump(chosen, sort_keys=False))
-    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    params = settings.load(ROOT / "params.yaml")
     own = {name: params[name] for name in ("attention", "regions", "region_variants", "information")}
     own["dataset"] = yaml.safe_load((ROOT / "conf/dataset/my_homes.yaml").read_text())
     own["dataset"] |= {"root": "data/drawn", "homes": list(HOMES), "fps": 5.0}
@@ -41,7 +42,7 @@ def project(tmp_path):
     }
     (folder / "params.yaml").write_text(yaml.safe_dump(own))
     # More frames than a task takes, so that both workers are busy.
-    draw_homes(folder / "data/drawn", homes=3, frames_per_room=8)
+    draw_homes(folder / "data/drawn", homes=3, frames_per_room=8, width=480, height=270)
     init(folder)
     return folder
 
