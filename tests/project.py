@@ -51,6 +51,8 @@ SMALL = [
     # Four homes train and two are tested: the others get a reason instead of a number.
     "protocol.test_homes=[Home1,Home3]",
     "protocol.extra.sequences=[Home1]",
+    # Small sheets of patches.
+    "figures.clusters.patches=4",
     "toy.training=200",
     "toy.testing=500",
     "toy.seeds=[0,1]",
@@ -88,6 +90,8 @@ def environment(**extra):
     """This test's environment, with the Python that runs it first on the path and one thread for BLAS."""
     here = str(Path(sys.executable).parent)
     own = {"PATH": os.pathsep.join([here, os.environ["PATH"]]), "MLFLOW_DISABLE_TELEMETRY": "true"}
+    # `dvc init` would start a process that reports it.
+    own["DVC_NO_ANALYTICS"] = "true"
     clean = {name: value for name, value in os.environ.items() if not name.startswith("GIT_")}
     return clean | own | extra
 

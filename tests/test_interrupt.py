@@ -42,7 +42,7 @@ def project(tmp_path):
     }
     (folder / "params.yaml").write_text(yaml.safe_dump(own))
     # More frames than a task takes, so that both workers are busy.
-    draw_homes(folder / "data/drawn", homes=3, frames_per_room=8)
+    draw_homes(folder / "data/drawn", homes=3, frames_per_room=8, width=480, height=270)
     init(folder)
     return folder
 

@@ -1,9 +1,10 @@
 import json
 import shutil
+import subprocess
 
 import pytest
-import yaml
 
+from placecat import settings
 from placecat.__main__ import main
 from placecat.errors import PlacecatError
 from placecat.stages import sequences
@@ -22,7 +23,7 @@ def folder(tmp_path, monkeypatch):
 
 def test_params_writes_the_composed_settings(folder):
     main(["params", "smoothing.delay_seconds=0.5"])
-    assert yaml.safe_load((folder / "params.yaml").read_text())["smoothing"]["delay_seconds"] == 0.5
+    assert settings.load()["smoothing"]["delay_seconds"] == 0.5
 
 
 def test_params_without_overrides_are_the_committed_ones(folder):
@@ -203,6 +204,27 @@ def placecat(folder, *arguments, **extra):
     return run(folder, "python", "-m", "placecat", *arguments, check=False, **extra)
 
 
+@pytest.fixture
+def inside(committed, monkeypatch, capsys):
+    """Run `placecat` in this process, which starts sooner: in the copy or another folder."""
+
+    def call(*arguments, folder=committed):
+        monkeypatch.chdir(folder)
+        capsys.readouterr()
+        status = 0
+        try:
+            main(arguments)
+        except SystemExit as end:
+            status = end.code
+        out, err = capsys.readouterr()
+        if isinstance(status, str):
+            # As Python does.
+            status, err = 1, f"{err}{status}\n"
+        return subprocess.CompletedProcess(arguments, status, out, err)
+
+    return call
+
+
 def refused(result, message):
     assert result.returncode == 1
     assert result.stderr.startswith("placecat: ")
@@ -247,18 +269,18 @@ def test_a_partial_run_times_its_stages_and_tolerates_small_differences(committe
     assert (committed / "data/times.csv").read_text().startswith("stage,seconds\ntables,")
 
 
-def test_a_large_difference_ends_with_status_3_until_it_is_kept(committed):
+def test_a_large_difference_ends_with_status_3_until_it_is_kept(committed, inside):
     (committed / "measured.txt").write_text("36.2\n")
     result = placecat(committed, "repro")
     assert result.returncode == 3
     assert "largest difference 5.00 points in Table 26 (Gist, Home 1), beyond the tolerance" in result.stdout
     assert "commit reports/" in result.stdout
-    alone = placecat(committed, "compare")
+    alone = inside("compare")
     assert alone.returncode == 3
     assert result.stdout.endswith(alone.stdout)
     commit(committed)
-    assert placecat(committed, "compare").returncode == 0
-    assert placecat(committed, "compare", "HEAD~1").returncode == 3
+    assert inside("compare").returncode == 0
+    assert inside("compare", "HEAD~1").returncode == 3
 
 
 def test_other_settings_are_no_failure(committed):
@@ -277,30 +299,30 @@ def test_a_failed_run_shows_neither_times_nor_tables(committed):
         assert text not in result.stdout
 
 
-def test_times_of_a_complete_run_are_shown_and_kept(committed):
-    result = placecat(committed, "times")
+def test_times_of_a_complete_run_are_shown_and_kept(committed, inside):
+    result = inside("times")
     assert result.returncode == 0
     assert result.stdout.startswith("Measured on made homes, ")
     assert "  features" in result.stdout
     assert not (committed / "reports/times.csv").exists()
-    placecat(committed, "times", "--keep")
+    inside("times", "--keep")
     assert (committed / "reports/times.csv").read_text().startswith("stage,runs,seconds\n")
     assert json.loads((committed / "reports/times.json").read_text())["stages"] == 2
 
 
-def test_force_runs_everything_except_frozen_stages(committed):
+def test_force_runs_everything_except_frozen_stages(committed, inside):
     shutil.rmtree(committed / "data/times")
     (committed / "data/times.json").unlink()
-    refused(placecat(committed, "times", "--keep"), "run `placecat repro --force`")
+    refused(inside("times", "--keep"), "run `placecat repro --force`")
     result = placecat(committed, "repro", "--force")
     assert result.returncode == 0, result.stderr
     assert "\n  2 stages " in result.stdout
     assert json.loads((committed / "data/times.json").read_text())["facts"]["stages"] == 2
 
 
-def test_mistakes_of_compare_give_one_message(committed, tmp_path):
-    refused(placecat(committed, "compare", "nowhere"), "git has no revision 'nowhere'")
+def test_mistakes_of_compare_give_one_message(committed, inside, tmp_path):
+    refused(inside("compare", "nowhere"), "git has no revision 'nowhere'")
     shutil.copytree(committed, tmp_path / "bare", ignore=shutil.ignore_patterns(".git", ".dvc"))
-    refused(placecat(tmp_path / "bare", "compare"), "this folder is not in a git repository")
+    refused(inside("compare", folder=tmp_path / "bare"), "this folder is not in a git repository")
     shutil.rmtree(committed / "reports")
-    refused(placecat(committed, "compare"), "reports/tables has no tables: run `placecat repro`")
+    refused(inside("compare"), "reports/tables has no tables: run `placecat repro`")

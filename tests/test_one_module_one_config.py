@@ -4,8 +4,8 @@ import shutil
 
 import numpy as np
 import pytest
-import yaml
 
+from placecat import settings
 from placecat.training import fold_file
 from project import HOMES, ROOT, SITES, SMALL, commit, contents, init, repro, run
 from sketch import draw_homes
@@ -149,7 +149,7 @@ def test_descriptors_that_were_there_keep_their_bytes(after):
 
 def test_settings_are_the_defaults_of_the_module_and_of_the_clustering(after):
     folder, _, _ = after
-    params = yaml.safe_load((folder / "params.yaml").read_text())
+    params = settings.load(folder / "params.yaml")
     assert params["descriptors"]["holistic"]["brightness"] == {"cells": 4}
     assert params["descriptors"]["local"]["thumbnail"] == {"cells": 2, "border": "replicate"}
     like = params["codebooks"]["centrist_y"]

@@ -207,7 +207,9 @@ def _is_estimator(full_name: str, name: str) -> bool:
 # Cached, since each fit of a cue asks; `_parsed` keeps the nodes of a file until it changes.
 @lru_cache(maxsize=512)
 def _is_abstract(node: ast.ClassDef) -> bool:
-    return any(isinstance(one, ast.Name) and one.id == "abstractmethod" for one in ast.walk(node))
+    # Not all of the class, since this is called for every model that is built.
+    decorators = [one for item in node.body for one in getattr(item, "decorator_list", ())]
+    return any(isinstance(one, ast.Name) and one.id == "abstractmethod" for one in decorators)
 
 
 def _taking(package: str, name: str, definition: str) -> _Definition | None:

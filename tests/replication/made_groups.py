@@ -4,10 +4,9 @@ import shutil
 from dataclasses import replace
 
 import pandas as pd
-import yaml
 
 import made_results
-from placecat import files, paths
+from placecat import files, paths, settings
 
 HOMES = [f"home_{number}" for number in range(1, 13)]
 OVERRIDES = [f"dataset.homes=[{','.join(HOMES)}]", "verdict.resamples=100"]
@@ -54,10 +53,9 @@ def make_stage(ran, fails_at=None):
         ran.append((folder.name, stage))
         if (folder.name, stage) == fails_at:
             raise KeyboardInterrupt
-        params = yaml.safe_load((folder / paths.PARAMS).read_text())
         number = int(folder.name.removeprefix("group_"))
         if stage == "scores":
-            write_scores(folder, params, number)
+            write_scores(folder, settings.load(folder / paths.PARAMS), number)
         if stage == "tables":
             head = "table,group,row,column,published,measured,spread,seeds,note"
             text = f"{head}\n26,,HMM,Average,40.0,50.0,,0,a note\n"

@@ -23,6 +23,8 @@ MEND = "import sys; from placecat.__main__ import main; main(['mend'])"
 GRACE = 20.0
 # Of stages that there are no more, so that writing dvc.lock takes its time.
 RECORDS = 100
+# One with workers, one that keeps its files, and one more.
+NAMES = ("second", "middle", "last")
 # A stage that takes its time, and has workers.
 SLOW = {"SECONDS": "0.2", "PLACECAT_WORKERS": "2"}
 
@@ -49,7 +51,7 @@ def campaign(folder, kills, seconds, seed=0, say=lambda line: None):
     chance, end = random.Random(seed), time.monotonic() + seconds
     template, whole = folder / "template", folder / "whole"
     template.mkdir(parents=True)
-    made_pipeline.make(template)
+    made_pipeline.make(template, NAMES)
     run(template, *REPRO)
     made_pipeline.add_records(template, RECORDS)
     (template / "params.yaml").write_text("reproducibility: {tolerance: 44.0}\n")

@@ -139,7 +139,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                 cache_size=self.cache_mb,
             )
             try:
-                with sklearn.config_context(assume_finite=True):
+                with sklearn.config_context(assume_finite=True, skip_parameter_validation=True):
                     machine.fit(shared, positive, sample_weight=weights)
                 break
             except ValueError as error:
