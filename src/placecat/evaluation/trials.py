@@ -1,4 +1,4 @@
-"""Trials: the cues behind a table's cells, each with some settings changed."""
+"""List a table's trials, which are the cues to test for its cells, each with some settings changed."""
 
 import itertools
 import json
@@ -17,9 +17,9 @@ HOMES = "homes"
 class Trial:
     """A cue to train and test in some homes.
 
-    `name` consists of the table's name and a label per axis, empty for the axis of homes, as in
-    ``trials/table_12/HOG + y-Pos||196``. `settings` are ``descriptor``, ``classifier`` and, for classifiers
-    on clusters, ``codebook``. `homes` are the test homes.
+    `name` consists of the table's name and one label per axis, as in ``trials/table_12/HOG + y-Pos||196``.
+    The label is empty for the axis of homes. `settings` are ``descriptor``, ``classifier`` and, for
+    classifiers on clusters, ``codebook``. `homes` are the test homes.
     """
 
     name: str
@@ -27,7 +27,8 @@ class Trial:
     homes: tuple[str, ...]
 
     def key(self) -> str:
-        """Return text that identifies the computation, so trials that several tables share run only once."""
+        """Return a text that identifies the computation, so that a trial shared by several tables runs only
+        once."""
         return json.dumps(self.settings, sort_keys=True)
 
 
@@ -49,8 +50,8 @@ def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]
     """List a table's trials in the data set's homes.
 
     `name` is the table's name, such as ``table_12``, and `table` its configuration: ``trial``, ``homes`` and
-    ``axes`` (see data/thesis/tables). Raises PlacecatError for an unknown axis, or an override of a setting
-    that the trial lacks.
+    ``axes`` (see data/thesis/tables). Raises PlacecatError if an axis is unknown, or if an axis overrides a
+    setting that the trial does not have.
     """
     unknown = set(table["axes"]) - set(AXES)
     if unknown:
