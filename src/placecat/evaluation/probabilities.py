@@ -88,8 +88,10 @@ def pooled(diagrams: Sequence[Reliability]) -> Reliability:
 
 
 def calibration_error(diagram: Reliability) -> float:
-    """Compute the expected calibration error (Guo et al., equation 3), in [0, 1]; NaN if no frame is
-    scored."""
+    """Compute the expected calibration error (Guo et al., equation 3), in [0, 1].
+
+    The result is NaN if no frame is scored.
+    """
     if not diagram.weight.any():
         return float("nan")
     return float(np.nansum(diagram.weight * np.abs(diagram.accuracy - diagram.confidence)))

@@ -1,5 +1,4 @@
-"""Find the stays, which are visits to a place, and measure how many are named correctly (not in the
-thesis)."""
+"""Find stays, which are visits to a place, and count those named correctly (not in the thesis)."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

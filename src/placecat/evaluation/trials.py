@@ -27,8 +27,7 @@ class Trial:
     homes: tuple[str, ...]
 
     def key(self) -> str:
-        """Return a text that identifies the computation, so that a trial shared by several tables runs only
-        once."""
+        """Return text that identifies the computation, so a trial in several tables runs only once."""
         return json.dumps(self.settings, sort_keys=True)
 
 

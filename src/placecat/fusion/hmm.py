@@ -86,8 +86,8 @@ class ForwardFilter:
     """Filter one sequence forwards, frame by frame, by equation (13).
 
     The result for frame t uses only frames up to t. `transition` holds the (n_classes, n_classes) transition
-    probabilities from one frame to the next, at the frame rate for which they were estimated. Its rows sum to
-    1. The initial distribution over places, which the thesis does not give, is uniform.
+    probabilities from one frame to the next, at the frame rate for which they were estimated. Each row sums
+    to 1. The initial distribution over places is uniform, since the thesis does not give it.
     """
 
     def __init__(self, transition: Float) -> None:
