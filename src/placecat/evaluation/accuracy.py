@@ -5,10 +5,10 @@ from numpy.typing import ArrayLike, NDArray
 
 
 def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> NDArray[np.int64]:
-    """Count the scored frames by true class (row) and decided class (column): (n_classes, n_classes).
+    """Return an (n_classes, n_classes) matrix that counts scored frames by true and decided class.
 
-    `truth` holds (n,) integers, with -1 for frames that are not scored. `decision` holds (n,) integers in
-    [0, n_classes).
+    Rows stand for true classes and columns for decided classes. `truth` holds (n,) integers, with -1 for
+    frames that are not scored. `decision` holds (n,) integers in [0, n_classes).
     """
     truth = np.asarray(truth, dtype=np.int64)
     decision = np.asarray(decision, dtype=np.int64)

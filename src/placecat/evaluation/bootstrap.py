@@ -36,8 +36,8 @@ def paired_bootstrap(
 ) -> Interval:
     """Compute the interval of a statistic over units, such as the mean difference over homes.
 
-    Units are drawn with replacement. Each unit is drawn with all its measurements, so effects that both sides
-    of a difference share cancel out.
+    Units are drawn with replacement. Each unit is drawn with all its measurements, so effects that are common
+    to both sides of a difference cancel out.
 
     With six units the plain percentile interval is far too narrow. For a mean, both reasons are known
     exactly: the bootstrap variance divides by n instead of n - 1, and the interval uses a normal quantile
@@ -62,7 +62,7 @@ def paired_bootstrap(
     ============= ============= ============= =================
 
     The median length of the stretched interval is 0.54 times that of the bootstrap-t interval for n = 4, and
-    0.85 times for n = 6.
+    0.85 times that for n = 6.
 
     Two homes with two seeds each are four dependent units. If homes and seeds vary equally, the interval
     covers the mean over these two homes with probability 0.96 in simulations, and more often if seeds matter

@@ -38,7 +38,7 @@ class HomeQuality(NamedTuple):
 def probability_quality(
     truth: ArrayLike, proba: NDArray[np.float64], *, bins: int, smallest: float
 ) -> ProbabilityQuality:
-    """Measure the distributions of frames in any order; the parameters are as for :func:`home_quality`."""
+    """Measure the distributions of frames in any order, with parameters as for :func:`home_quality`."""
     return ProbabilityQuality(
         log_loss(truth, proba, smallest=smallest),
         100.0 * calibration_error(reliability(truth, proba, bins=bins)),

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Stay(NamedTuple):
-    """A visit: the place's class index, the first frame, and the frame after the last."""
+    """A visit to a place, with its class index, its first frame, and the frame after its last."""
 
     place: int
     start: int
@@ -38,7 +38,7 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
 def stays_by_class(
     truth: ArrayLike, decision: ArrayLike, sequences: Sequence[slice], n_classes: int
 ) -> NDArray[np.int64]:
-    """Count, for each class, all its stays and those that are named correctly: (n_classes, 2).
+    """Return (n_classes, 2) counts of all stays of each class and of those that are named correctly.
 
     A stay is named correctly if more of its frames are assigned to the right place than to any other place. A
     tie counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as for
@@ -54,7 +54,7 @@ def stays_by_class(
 
 
 def stay_accuracy(counts: NDArray[np.int64]) -> float:
-    """Average the percentage of correctly named stays over the classes present; NaN if there are no stays.
+    """Return the mean percentage of correctly named stays over the classes present; NaN without stays.
 
     Like the measure for frames (thesis 4.2), it does not let a frequently visited place outweigh the others.
     `counts` comes from :func:`stays_by_class`.

@@ -1,4 +1,4 @@
-"""List a table's trials, which are the cues to test for its cells, each with some settings changed."""
+"""List the trials of a table. A trial trains and tests one cue with some settings changed."""
 
 import itertools
 import json
@@ -37,9 +37,10 @@ def trial_name(table: str, group: str, row: str, column: str) -> str:
 
 
 def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]]:
-    """Return the number (from 1) and name of each home that a table tests and the data set contains.
+    """Return the number and name of each home that a table tests and the data set contains.
 
-    The table's ``homes`` are numbers from 1, or ``all``; `homes` are the names of the data set's homes.
+    Numbers count from 1. The table's ``homes`` are either such numbers or ``all``. `homes` are the names of
+    the homes in the data set.
     """
     numbers = range(1, len(homes) + 1) if table["homes"] == "all" else table["homes"]
     return [(int(number), homes[number - 1]) for number in numbers if 1 <= number <= len(homes)]
@@ -48,9 +49,9 @@ def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]
 def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]:
     """List a table's trials in the data set's homes.
 
-    `name` is the table's name, such as ``table_12``, and `table` its configuration: ``trial``, ``homes`` and
-    ``axes`` (see data/thesis/tables). Raises PlacecatError if an axis is unknown, or if an axis overrides a
-    setting that the trial does not have.
+    `name` is the table's name, such as ``table_12``. `table` is its configuration, with the keys ``trial``,
+    ``homes`` and ``axes`` (see data/thesis/tables). Raises PlacecatError if an axis is unknown, or if an axis
+    overrides a setting that the trial does not have.
     """
     unknown = set(table["axes"]) - set(AXES)
     if unknown:
