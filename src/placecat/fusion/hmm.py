@@ -69,9 +69,9 @@ def emission_matrix(
 
 
 def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Float:
-    """Return the likelihood p(o_t | l_t = q) of each observation in each place: (frames, n_classes).
+    """Return the (frames, n_classes) likelihoods p(o_t | l_t = q) of the observations in each place.
 
-    `proba` holds the integrator's (frames, n_classes) distributions; `emission` comes from
+    `proba` holds the integrator's (frames, n_classes) distributions, and `emission` comes from
     :func:`emission_matrix`. The result is positive wherever the emission is positive. If `evidence` is
     "hard", the observation is the decision, so p(o_t | q) = emission[q, argmax]. If it is "soft", the
     decision is uncertain, so p(o_t | q) = sum_o emission[q, o] proba[o]. Equation (6) treats the outputs of

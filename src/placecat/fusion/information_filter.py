@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 def threshold_of(share: float, information: NDArray[np.float32]) -> float:
     """Return the threshold below which a share of the training frames lies.
 
-    `share` is between 0 and 1; the number of frames below the threshold is rounded down. `information` holds
+    `share` is between 0 and 1. The number of frames below the threshold is rounded down. `information` holds
     one value per frame, for at least one frame. The thesis gives its threshold in an undefined unit and does
     not say how many frames it drops.
     """
@@ -19,7 +19,7 @@ def threshold_of(share: float, information: NDArray[np.float32]) -> float:
 def dropped(
     information: NDArray[np.float32], labels: NDArray[np.int16], threshold: float
 ) -> dict[str, float]:
-    """Return the threshold and counts of frames: all, the dropped, the labelled, and those that are both."""
+    """Return the threshold, and count all, dropped, labelled, and both dropped and labelled frames."""
     low = ~(information >= threshold)
     return {
         "threshold": threshold,
@@ -44,14 +44,14 @@ def hold(
     frames to drop. Frames before a sequence's first accepted frame, which the thesis does not mention, keep
     their distributions. The result for frame t uses only frames up to t.
 
-    `proba` holds (frames, classes) distributions; the result has the same shape. `information` holds the
+    `proba` holds (frames, classes) distributions, and the result has the same shape. `information` holds the
     (frames,) measures from `placecat.vision.information.information`. `sequences` are uncut stretches that
-    together cover all frames; the filter restarts at each.
+    together cover all frames, and the filter restarts at each.
     """
     said_by = np.arange(len(proba))
     for part in sequences:
         own = said_by[part]
-        # Last accepted frame so far; -1 before the first.
+        # The last accepted frame so far, or -1 before the first.
         last = np.maximum.accumulate(np.where(information[part] >= threshold, own, -1))
         said_by[part] = np.where(last >= 0, last, own)
     return proba[said_by]
