@@ -13,7 +13,7 @@ _EXACT_FLOAT32 = 1 << 24
 def value_counts(
     codes: NDArray[np.integer], labels: NDArray[np.integer], n_classes: int, n_values: int
 ) -> NDArray[np.int64]:
-    """Count how often each variable has each value in each class: (n_classes, V, n_values) int64.
+    """Return (n_classes, V, n_values) counts of how often each variable has each value in each class.
 
     `codes` holds (n, V) integers in [0, n_values), and `labels` holds (n,) integers in [0, n_classes).
 
@@ -63,7 +63,7 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
 
 
 def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
-    """Count the samples in which both variables of a pair are 1, for all pairs: (V, V) int64.
+    """Return (V, V) counts of the samples in which both variables of a pair are 1.
 
     `codes` holds (n, V) zeros and ones. The diagonal of the result holds the number of ones of each variable.
 

@@ -85,7 +85,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return self
 
     def predict_joint_log_likelihood(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return the logarithm of p(codes, class), the numerator of equation (10): (n, n_classes) float64.
+        """Return (n, n_classes) logarithms of p(codes, class), which is the numerator of equation (10).
 
         X holds (n, V) integers. Raises PlacecatError if a code is outside [0, n_values_), or if V differs
         from the training data.
@@ -97,16 +97,16 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return self._log_likelihood(codes) + self.class_log_prior_
 
     def predict_log_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return log p(class | codes), of shape (n, n_classes), float64."""
+        """Return (n, n_classes) logarithms of p(class | codes)."""
         joint = self.predict_joint_log_likelihood(X)
         return joint - logsumexp(joint, axis=1, keepdims=True)
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(class | codes), of shape (n, n_classes), float64; rows sum to 1."""
+        """Return (n, n_classes) probabilities p(class | codes), whose rows sum to 1."""
         return np.exp(self.predict_log_proba(X))
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the most probable class of each sample, of shape (n,)."""
+        """Return the (n,) most probable classes of the samples."""
         best = self.predict_joint_log_likelihood(X).argmax(axis=1)
         return self.classes_[best]
 

@@ -12,7 +12,7 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     Parameters
     ----------
     active
-        (frames, N) uint8, 1 where a frame has a region with the codeword: see
+        (frames, N) uint8, which is 1 where a frame has a region with the codeword. See
         :func:`placecat.learning.activations.activations`.
     y
         (frames,) classes.

@@ -33,7 +33,7 @@ class StumpEnsembles:
     width: int
 
     def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
-        """Evaluate all K sums for (n, D) samples: (n, K) float64."""
+        """Evaluate all K sums for (n, D) samples, and return (n, K) float64 values."""
         result = np.empty((len(X), len(self.feature)))
         for k in range(len(self.feature)):
             above = np.take(X, self.feature[k], axis=1) > self.threshold[k]
@@ -132,7 +132,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         return self
 
     def decide_rows(self, shared: BinnedFeatures, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Evaluate F for some of the samples that were binned together: (len(rows),) float64."""
+        """Return the (len(rows),) values of F for some of the samples that were binned together."""
         result = np.zeros(len(rows))
         for feature, cut, low, high in zip(self.feature_, self.cut_, self.low_, self.high_, strict=True):
             result += np.where(shared.bins[feature, rows] > cut, high, low)
@@ -152,7 +152,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         )
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Evaluate F(x) for (n, D) samples: (n,) float64, positive for ``classes_[1]``."""
+        """Return the (n,) values F(x) of (n, D) samples, which are positive for ``classes_[1]``."""
         check_is_fitted(self, "feature_")
         samples = check_samples(X)
         check_width(samples, self)

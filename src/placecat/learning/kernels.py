@@ -128,7 +128,7 @@ class KernelExpansion:
         return origin, [(RowProducts(right[part]), RowProducts(coef[part].T)) for part in parts]
 
     def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
-        """Evaluate all K functions for (n, D) samples: (n, K) float64.
+        """Evaluate all K functions for (n, D) samples, and return (n, K) float64 values.
 
         One matrix product computes the kernel, and another computes the sums. Even the last bits of a row do
         not depend on other rows.

@@ -18,7 +18,7 @@ class Node:
 
     path: tuple[int, ...]
     members: NDArray[np.int32]
-    # The members' descriptors minus the centre; empty after the split.
+    # The descriptors of the members minus the centre. Empty after the split.
     points: NDArray[np.float32]
     center: NDArray[np.float64]
     sse: float
@@ -84,7 +84,7 @@ def seed_clusters(
 def _squared_distances(
     points: NDArray[np.float32], norms: NDArray[np.float32], seed: int
 ) -> NDArray[np.float32]:
-    """Compute the squared distances of all points from one of them; duplicates of it have exactly 0."""
+    """Compute the squared distances of all points from one of them, exactly 0 for its duplicates."""
     distances = points @ points[seed]
     distances *= -2
     distances += norms

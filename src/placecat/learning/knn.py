@@ -120,7 +120,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(class | x) for each of (n, D) descriptors: (n, n_classes) float64; rows sum to 1."""
+        """Return (n, n_classes) probabilities p(class | x) for (n, D) descriptors; rows sum to 1."""
         check_is_fitted(self)
         points = self._read_points(X)
         return self._normalize(self._log_frequencies(points), np.ones(len(points), np.int64))
@@ -202,7 +202,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return points
 
     def _log_frequencies(self, points: NDArray[np.float32]) -> NDArray[np.float64]:
-        """Return log f(l, x_k) of equation (5), up to a term that all classes share: (n, n_classes)."""
+        """Return (n, n_classes) values log f(l, x_k) of equation (5), up to a term common to all classes."""
         frequencies = self.frequencies_ + self.smoothing
         neighbors = nearest_centers(points, self.centers_, self.n_neighbors)
         with np.errstate(divide="ignore"):

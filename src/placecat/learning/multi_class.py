@@ -91,7 +91,7 @@ class MultiClass:
         return self
 
     def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(o_k|x) for (n, D) samples, averaged over the machines of each class: (n, K)."""
+        """Return the (n, K) outputs p(o_k|x) for (n, D) samples, averaged over the machines of each class."""
         check_is_fitted(self, "scorer_")
         samples = check_samples(X)
         check_width(samples, self)

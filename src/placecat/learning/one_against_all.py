@@ -71,11 +71,11 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     classes_
         (K,) labels, sorted.
     reliability_
-        (K, K) float64: p(o_k|l_i) in row i and column k.
+        (K, K) float64, with p(o_k|l_i) in row i and column k.
     prior_
         (K,) p(l_i).
     posterior_
-        (K, K): p(l_i|o_k) in row i and column k. Columns sum to 1.
+        (K, K), with p(l_i|o_k) in row i and column k. Columns sum to 1.
     sigmoid_
         (M, 2), A <= 0 and B in p = 1 / (1 + exp(A d + B)) for each machine.
     machine_class_

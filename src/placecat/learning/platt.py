@@ -107,6 +107,6 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
 def apply_sigmoid(decisions: NDArray[np.float64], a: ArrayLike, b: ArrayLike) -> NDArray[np.float64]:
     """Return 1 / (1 + exp(a d + b)), in [0, 1], without overflow. NaN stays NaN.
 
-    `decisions` has shape (...,); `a` and `b` come from `fit_sigmoid` and are broadcast against it.
+    `decisions` may have any shape. `a` and `b` come from `fit_sigmoid` and are broadcast against `decisions`.
     """
     return expit(-(np.asarray(a) * decisions + np.asarray(b)))

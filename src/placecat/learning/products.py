@@ -74,7 +74,7 @@ def row_products(left: ArrayLike, right: ArrayLike) -> NDArray[Any]:
 
 
 def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Multiply (n, k) by (m, k) float64 rows as :func:`row_products` does: (n, m) float64.
+    """Multiply (n, k) by (m, k) float64 rows as :func:`row_products` does, and return (n, m) float64.
 
     This is meant for small k, at least 1. It adds term by term without BLAS.
     """
@@ -85,7 +85,7 @@ def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArr
 
 
 def squared_lengths(X: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Sum the squares in each of (n, k) rows: (n,) float64. Rows do not affect each other."""
+    """Return the (n,) sums of squares of (n, k) rows. Rows do not affect each other."""
     result = np.empty(len(X))
     for start in range(0, len(X), _ROWS[0]):
         # Convert first, because einsum's conversion buffers may end in the middle of a row.

@@ -59,7 +59,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     order_
         (K,) indices into `classes_`, strongest first. The last class has no node.
     strength_
-        (K,) each class's strength; larger is stronger.
+        (K,) strength of each class, where larger means stronger.
     sigmoid_, machine_class_, flat_, cv_outputs_, nu_, fold_nu_, scorer_, n_features_in_
         See `OneAgainstAll`.
 

@@ -26,7 +26,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     cells
         Number of equal, consecutive parts into which the D dimensions are divided.
     components
-        Number of dimensions kept per cell; 64 of 256 in the thesis.
+        Number of dimensions that are kept per cell. The thesis keeps 64 of 256.
     factor
         Alternative to `components`, which keeps 1 / factor of each cell's dimensions, rounded to a whole
         number.

@@ -1,4 +1,4 @@
-"""The toy problem of thesis 4.8: four disjoint circles in the plane, and the area around them."""
+"""The toy problem of thesis 4.8, with four disjoint circles in the plane and the area around them."""
 
 import math
 
@@ -16,7 +16,7 @@ def toy_circles(
 ) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
     """Draw points uniformly from a square that has a circle in the middle of each quarter.
 
-    The thesis does not give the centres, radii, area or counts; conf/toy explains our choices.
+    The thesis does not give the centres, radii, area or counts. conf/toy explains our choices.
 
     Parameters
     ----------
