@@ -62,7 +62,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """Compute histograms of (n, h, w) uint8 codes from `census`: (n, 256) float32; rows sum to 1."""
+    """Return (n, 256) float32 histograms of (n, h, w) uint8 codes from `census`; rows sum to 1."""
     count = len(codes)
     if count == 0:
         return np.zeros((0, CODES), np.float32)

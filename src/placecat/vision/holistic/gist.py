@@ -38,7 +38,7 @@ def describe(
     blocks = []
     for field in (*fields[: 1 + color], "orientation"):
         levels = getattr(maps, field)
-        # (scale, ..., sub-channel, row, column); radii come before sub-channels.
+        # The axes are (scale, ..., sub-channel, row, column), and radii come before sub-channels.
         means = np.stack(
             [maps.remembered(("means", field, s), partial(_means, levels[s])) for s in maps.scales]
         )
