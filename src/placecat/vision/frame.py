@@ -46,9 +46,9 @@ def describe_frame(
         (H, W, 3) uint8 BGR.
     settings
         Optional sections that `check` accepts. ``attention``, ``regions`` and ``information`` hold the
-        settings of `compute_maps`, `find_regions` and `information`. ``local`` and ``holistic`` map the names
-        of the descriptors to compute to their settings. A variant of a descriptor may have any name, and its
-        setting ``descriptor`` names the original, as in
+        settings of `compute_maps`, `find_regions` and `information`. ``local`` and ``holistic`` list the
+        descriptors to compute, and map each name to its settings. A variant of a descriptor may have any
+        name, and its setting ``descriptor`` names the original, as in
         ``{"centrist_full": {"descriptor": "centrist", "width": None}}``. ``variants`` maps names to variants
         of the regions. A variant has ``scales`` (some of the maps' scales, or None for all), ``regions``
         (changed settings) and ``descriptors`` (names in ``local``).

@@ -23,8 +23,8 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
     coarse
         The coarser level, above ``fine``. None selects the last level.
     unit
-        How many grey levels of the intensity (r + g + b) / 3 count as 1, above 0. Use 256 for intensities
-        from 0 to 1.
+        How many grey levels of the intensity (r + g + b) / 3 count as 1. It must be above 0. Use 256 for
+        intensities from 0 to 1.
 
     Returns
     -------
