@@ -75,7 +75,7 @@ def test_literal_sigmoid():
 
 
 def test_messages():
-    with pytest.raises(PlacecatError, match="held-out decision values, all of them finite"):
+    with pytest.raises(PlacecatError, match="held-out decision values, and all must be finite"):
         fit_sigmoid([], [])
-    with pytest.raises(PlacecatError, match="held-out decision values, all of them finite"):
+    with pytest.raises(PlacecatError, match="held-out decision values, and all must be finite"):
         fit_sigmoid([np.nan], [True])

@@ -1,1 +1,1 @@
-"""Measures of accuracy, probabilities and stays, and intervals for verdicts."""
+"""Measure accuracy, probabilities and stays, and compute the intervals on which verdicts are based."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-# Normal and Student's t quantiles; importing scipy.stats for them would take half a second.
+# These are the normal and Student's t quantiles. Importing scipy.stats for them would take half a second.
 from scipy.special import ndtri, stdtrit
 
 
@@ -34,21 +34,22 @@ def paired_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Compute the interval of a statistic over units, such as two results' mean difference over homes.
+    """Compute the interval of a statistic over units, such as the mean difference over homes.
 
-    Units are drawn with replacement, each with all its measurements, so effects common to both sides of a
-    difference cancel.
+    Units are drawn with replacement. Each unit is drawn with all its measurements, so effects that are common
+    to both sides of a difference cancel out.
 
     With six units the plain percentile interval is far too narrow. For a mean, both reasons are known
     exactly: the bootstrap variance divides by n instead of n - 1, and the interval uses a normal quantile
     instead of Student's t quantile with n - 1 degrees of freedom. So this function stretches both arms of the
     percentile interval about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for both with more
-    extreme quantiles (the expanded percentile interval), but four or six units cannot reach them: that
-    interval ends at the smallest and the largest unit. BCa corrects for skewness, not for n. The bootstrap-t
-    divides by standard errors that vanish if units tie, as the seeds of a home can. Its intervals are then
-    infinite.
+    extreme quantiles (the expanded percentile interval). But four or six units do not reach such quantiles,
+    because the resampled means cannot go beyond the smallest and the largest unit. BCa corrects for skewness,
+    but not for small n. The bootstrap-t divides by standard errors that vanish if units tie, as the seeds of
+    a home can. Its intervals are then infinite.
 
-    Coverage of the intervals for a mean of 4 and of 6 units with `level` 0.95, in 4000 simulations each:
+    This table gives the coverage of the intervals for the mean of 4 units and of 6 units. `level` is 0.95,
+    with 4000 simulations each:
 
     ============= ============= ============= =================
     method        normal units  exponential   Student, 3 df
@@ -60,18 +61,18 @@ def paired_bootstrap(
     bootstrap-t   0.95, 0.95    0.93, 0.93    0.95, 0.93
     ============= ============= ============= =================
 
-    The stretched interval's median length is 0.54 (n = 4) and 0.85 (n = 6) times that of the bootstrap-t
-    interval.
+    The median length of the stretched interval is 0.54 times that of the bootstrap-t interval for n = 4, and
+    0.85 times that for n = 6.
 
     Two homes with two seeds each are four dependent units. If homes and seeds vary equally, the interval
-    covers the mean over these two homes in 0.96 of the simulations, and more often if seeds matter less. It
-    covers the mean over all possible homes in only 0.89, and in 0.70 if seeds do not matter. So the interval
-    is valid for these homes only.
+    covers the mean over these two homes with probability 0.96 in simulations, and more often if seeds matter
+    less. It covers the mean over all possible homes with probability 0.89 only, and 0.70 if seeds do not
+    matter. So the interval is valid for these homes only.
 
     Parameters
     ----------
     statistic
-        Function of (resamples, n) unit weights, each row summing to 1; returns (resamples,) values.
+        Function that takes (resamples, n) unit weights, whose rows sum to 1, and returns (resamples,) values.
     n_units
         n, at least 2.
     seed, level, resamples
@@ -79,8 +80,8 @@ def paired_bootstrap(
 
     Returns
     -------
-    The interval. Its `estimate` weighs all units equally and lies within the interval unless the statistic
-    is very biased. Identical units yield a point.
+    The interval. Its `estimate` weighs all units equally and lies within the interval unless the statistic is
+    very biased. If all units are identical, the interval is a single point.
 
     References
     ----------
@@ -101,14 +102,15 @@ def stratified_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Compute the interval of a statistic over blocks, such as stays, with a fixed number per stratum.
+    """Compute the interval of a statistic over blocks, such as stays, that are grouped into strata.
 
-    A mean over places has one stratum per place. From the n blocks of a stratum, n - 1 are drawn with
+    For a mean over places, each place is a stratum. From the n blocks of a stratum, n - 1 are drawn with
     replacement (Rao and Wu). The variance of the stratum's mean then divides by n - 1, which matters most for
-    strata of only two blocks. A stratum of one block has no spread. Both arms are stretched by t / z, where t
-    has as many degrees of freedom as there are blocks, less one per stratum.
+    strata of only two blocks. A stratum of one block adds no spread. Both arms of the interval are stretched
+    by t / z. The degrees of freedom of t are the number of blocks minus the number of strata.
 
-    Coverage of intervals for the mean of five stratum means with `level` 0.95, in 2000 simulations each:
+    This table gives the coverage of intervals for the mean of five stratum means. `level` is 0.95, with 2000
+    simulations each:
 
     ================================ ====== ===========
     blocks per stratum               normal exponential
@@ -121,9 +123,10 @@ def stratified_bootstrap(
     Parameters
     ----------
     statistic
-        Function of (resamples, n) block weights, which sum to 1 in each stratum; returns (resamples,) values.
+        Function that takes (resamples, n) block weights, which sum to 1 in each stratum, and returns
+        (resamples,) values.
     strata
-        (n,) stratum number of each block, from 0.
+        (n,) number of each block's stratum, counted from 0.
     seed, level, resamples
         As for :func:`paired_bootstrap`.
 
@@ -153,6 +156,6 @@ def _stretched(estimate: float, values: NDArray[np.float64], level: float, facto
 
 
 def stretch(n_units: int, level: float) -> float:
-    """Return the factor that stretches a percentile interval's arms, sqrt(n / (n - 1)) t / z, at least 1."""
+    """Return sqrt(n / (n - 1)) t / z, the factor (at least 1) that stretches a percentile interval's arms."""
     upper = (1.0 + level) / 2.0
     return float(np.sqrt(n_units / (n_units - 1.0)) * stdtrit(n_units - 1, upper) / ndtri(upper))

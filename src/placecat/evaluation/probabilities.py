@@ -1,4 +1,4 @@
-"""Log-loss and calibration of distributions over places; all places weigh the same."""
+"""Log-loss and calibration of distributions over places, where all places have equal weight."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -8,11 +8,11 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Reliability(NamedTuple):
-    """Points of a reliability diagram, which shows how often decisions of similar confidence are right.
+    """The points of a reliability diagram, which shows how often decisions of similar confidence are right.
 
-    `confidence` is the (bins,) mean probability of the decided place and `accuracy` the (bins,) share of
-    right decisions. Both range from 0 to 1, and are NaN in a bin without frames. `weight` is the (bins,)
-    weighted share of frames; it sums to 1, or is all 0 if no frame is labelled.
+    All three arrays have one entry per bin. `confidence` is the mean probability of the decided place, and
+    `accuracy` is the share of right decisions. Both range from 0 to 1, and are NaN in a bin without frames.
+    `weight` is the weighted share of frames. It sums to 1, or is all 0 if no frame is labelled.
     """
 
     confidence: NDArray[np.float64]
@@ -21,10 +21,10 @@ class Reliability(NamedTuple):
 
 
 def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
-    """Return frame weights that give all places present the same weight, as in the accuracy (thesis 4.2).
+    """Return frame weights that give each place present the same total weight, as in thesis 4.2.
 
-    `truth` is (n,) integers, -1 for frames that are not scored. The (n,) weights sum to 1 and are 0 for
-    frames that are not scored; all are 0 if no frame is scored.
+    `truth` holds (n,) integers, with -1 for frames that are not scored. The (n,) weights sum to 1 and are 0
+    for frames that are not scored. If no frame is scored, all weights are 0.
     """
     truth = np.asarray(truth, dtype=np.int64)
     scored = truth >= 0
@@ -35,12 +35,12 @@ def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
 
 
 def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
-    """Average -ln p(true place) over the frames of each place, then over the places present, in nats.
+    """Average -ln p(true place), in nats, over the frames of each place and then over the places present.
 
-    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
-    Uniform distributions over k places score ln k. The result is NaN if no frame is scored. Probabilities
-    below `smallest`, in (0, 1), are raised to it, so a frame costs at most -ln `smallest`, and a single 0
-    cannot make the mean infinite.
+    `truth` holds (n,) integers, with -1 for frames that are not scored, and `proba` holds (n, n_classes)
+    distributions. The log-loss of uniform distributions over k places is ln k. The result is NaN if no frame
+    is scored. Probabilities below `smallest`, which is in (0, 1), are replaced by it. So a frame costs at
+    most -ln `smallest`, and a single 0 cannot make the mean infinite.
     """
     truth = np.asarray(truth, dtype=np.int64)
     weights = balanced_weights(truth)
@@ -52,16 +52,16 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
 
 
 def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability:
-    """Compare the confidence of decisions with their accuracy; all places weigh the same.
+    """Compare the confidence of decisions with their accuracy, giving all places equal weight.
 
-    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
-    The decision is the most probable class (the first in a tie), and its probability is the confidence.
-    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin.
+    `truth` holds (n,) integers, with -1 for frames that are not scored, and `proba` holds (n, n_classes)
+    distributions. The decision is the most probable class (the first in a tie), and its probability is the
+    confidence. Confidences in ((m - 1) / `bins`, m / `bins`] share a bin.
 
     References
     ----------
     C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017.
-    They weigh all frames the same.
+    Unlike here, all frames have equal weight there.
     """
     truth, proba = np.asarray(truth, dtype=np.int64), np.asarray(proba, dtype=np.float64)
     confidence, right = proba.max(axis=1), proba.argmax(axis=1) == truth
@@ -78,7 +78,7 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
 
 def pooled(diagrams: Sequence[Reliability]) -> Reliability:
-    """Merge diagrams that have the same bins, such as one per home; all diagrams weigh the same."""
+    """Merge diagrams that have the same bins, such as one per home. All diagrams have equal weight."""
     weights = np.array([one.weight for one in diagrams])
     confidence, accuracy = (
         _ratio(np.nansum(weights * values, axis=0), weights.sum(axis=0))
@@ -88,7 +88,10 @@ def pooled(diagrams: Sequence[Reliability]) -> Reliability:
 
 
 def calibration_error(diagram: Reliability) -> float:
-    """Compute the expected calibration error, 0 to 1 (Guo et al., equation 3); NaN if no frame is scored."""
+    """Compute the expected calibration error (Guo et al., equation 3), in [0, 1].
+
+    The result is NaN if no frame is scored.
+    """
     if not diagram.weight.any():
         return float("nan")
     return float(np.nansum(diagram.weight * np.abs(diagram.accuracy - diagram.confidence)))

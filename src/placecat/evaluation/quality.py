@@ -21,10 +21,11 @@ class HomeQuality(NamedTuple):
     """Quality measures of a home.
 
     `log_loss` is in nats (:func:`placecat.evaluation.probabilities.log_loss`) and `calibration_error` in
-    percent (:func:`placecat.evaluation.probabilities.calibration_error`). `stays` and `stays_right` count all
-    stays and the correctly named stays (:func:`placecat.evaluation.stays.stays_by_class`), and
-    `stay_accuracy` is in percent (:func:`placecat.evaluation.stays.stay_accuracy`). All places weigh the same
-    in the measures that are not counts; these are NaN if no frame is labelled.
+    percent (:func:`placecat.evaluation.probabilities.calibration_error`). `stays` is the number of stays, and
+    `stays_right` is the number of stays that are named correctly
+    (:func:`placecat.evaluation.stays.stays_by_class`). `stay_accuracy` is in percent
+    (:func:`placecat.evaluation.stays.stay_accuracy`). In the measures that are not counts, all places have
+    equal weight. These measures are NaN if no frame is labelled.
     """
 
     log_loss: float
@@ -37,7 +38,7 @@ class HomeQuality(NamedTuple):
 def probability_quality(
     truth: ArrayLike, proba: NDArray[np.float64], *, bins: int, smallest: float
 ) -> ProbabilityQuality:
-    """Measure the distributions of frames in any order; the parameters are as for :func:`home_quality`."""
+    """Measure the distributions of frames in any order, with parameters as for :func:`home_quality`."""
     return ProbabilityQuality(
         log_loss(truth, proba, smallest=smallest),
         100.0 * calibration_error(reliability(truth, proba, bins=bins)),
@@ -49,8 +50,8 @@ def home_quality(
 ) -> HomeQuality:
     """Measure the distributions in a home.
 
-    `truth` is (frames,) class indices in temporal order, -1 for unlabelled frames; `proba` is
-    (frames, n_classes) distributions; `sequences` are uncut stretches that together cover all frames. `bins`
+    `truth` holds (frames,) class indices in temporal order, with -1 for unlabelled frames. `proba` holds
+    (frames, n_classes) distributions. `sequences` are uncut stretches that together cover all frames. `bins`
     and `smallest` are as in `reliability` and `log_loss` of `placecat.evaluation.probabilities`.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])

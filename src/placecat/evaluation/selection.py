@@ -1,4 +1,4 @@
-"""Selective decisions: how many reach a confidence threshold, and how many of these are wrong."""
+"""Measure how many decisions reach a confidence threshold, and how many of these are wrong."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -14,10 +14,10 @@ _ROUNDING = 1e-9
 
 
 class Decided(NamedTuple):
-    """The confidences of decisions on the n labelled frames of a home, and whether each decision is wrong.
+    """The confidence and weight of each decision on a home's n labelled frames, and whether it is wrong.
 
-    The weights sum to 1, so all homes weigh the same. The places in a home also weigh the same, as in the
-    accuracy.
+    The weights sum to 1, so all homes have equal weight. The places in a home also have equal weight, as in
+    the accuracy.
     """
 
     confidence: NDArray[np.float64]
@@ -26,10 +26,11 @@ class Decided(NamedTuple):
 
 
 class Selection(NamedTuple):
-    """Coverage and risk, from 0 to 1, of the decisions that reach a confidence threshold in some homes.
+    """Coverage and risk, each in [0, 1], of the decisions that reach a confidence threshold.
 
-    `coverage` is the share of decisions that reach the threshold, `risk` the share of these that are wrong,
-    and `worst` the highest risk in any home. Both risks are NaN if no decision reaches the threshold.
+    `coverage` is the share of decisions that reach the threshold, `risk` is the share of these that are
+    wrong, and `worst` is the highest risk in any home. Both risks are NaN if no decision reaches the
+    threshold.
     """
 
     coverage: float
@@ -40,8 +41,8 @@ class Selection(NamedTuple):
 def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
     """Judge the decisions in a home.
 
-    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
-    The decision is the most probable class, or the first in a tie.
+    `truth` holds (n,) integers, with -1 for frames that are not scored, and `proba` holds (n, n_classes)
+    distributions. The decision is the most probable class, or the first in a tie.
     """
     truth, proba = np.asarray(truth, np.int64), np.asarray(proba, np.float64)
     scored = truth >= 0
@@ -50,7 +51,7 @@ def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
 
 
 def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
-    """Choose the lowest threshold that keeps the share of wrong decisions at or below `risk`, 0 to 1.
+    """Choose the lowest threshold that keeps the share of wrong decisions at or below `risk`, in [0, 1].
 
     `homes` holds, for each home, the decisions of a system that was not trained on it. Returns one of the
     decisions' confidences, or infinity if none is high enough.
@@ -58,7 +59,8 @@ def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
     References
     ----------
     Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. This function
-    does not use their bound, which assumes independent frames; the frames of a walk are not.
+    does not use their bound, which assumes independent frames, because the frames of a walk are not
+    independent.
     """
     confidence, wrong, weight = (np.concatenate(parts) for parts in zip(*homes, strict=True))
     order = np.argsort(-confidence, kind="stable")

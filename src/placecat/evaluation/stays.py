@@ -1,4 +1,4 @@
-"""Stays: visits to a place, each named by the decisions on its frames (not in the thesis)."""
+"""Find stays, which are visits to a place, and count those named correctly (not in the thesis)."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Stay(NamedTuple):
-    """A visit: the place's class index, the first frame, and the frame after the last."""
+    """A visit to a place, with its class index, its first frame, and the frame after its last."""
 
     place: int
     start: int
@@ -18,8 +18,8 @@ class Stay(NamedTuple):
 def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
     """Find the maximal runs of frames with the same label, in temporal order.
 
-    `truth` is (frames,) class indices in temporal order, -1 for unlabelled frames and transitions, which end
-    a stay. `sequences` are uncut stretches that together cover all frames; a cut also ends a stay.
+    `truth` holds (frames,) class indices in temporal order, with -1 for unlabelled frames and transitions,
+    which end a stay. `sequences` are uncut stretches that together cover all frames. A cut also ends a stay.
     """
     truth = np.asarray(truth, dtype=np.int64)
     if not len(truth):
@@ -38,11 +38,11 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
 def stays_by_class(
     truth: ArrayLike, decision: ArrayLike, sequences: Sequence[slice], n_classes: int
 ) -> NDArray[np.int64]:
-    """Return the (n_classes, 2) counts of all stays and of correctly named stays.
+    """Return (n_classes, 2) counts of all stays of each class and of those that are named correctly.
 
-    A stay is named correctly if more of its frames are decided as its place than as any other place. A tie
-    counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as for
-    :func:`find_stays`; `decision` is (frames,) integers in [0, n_classes).
+    A stay is named correctly if more of its frames are assigned to the right place than to any other place. A
+    tie counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as for
+    :func:`find_stays`. `decision` holds (frames,) integers in [0, n_classes).
     """
     decision = np.asarray(decision, dtype=np.int64)
     counts = np.zeros((n_classes, 2), np.int64)
@@ -54,9 +54,9 @@ def stays_by_class(
 
 
 def stay_accuracy(counts: NDArray[np.int64]) -> float:
-    """Return the percentage of correctly named stays, averaged over the classes present; NaN without stays.
+    """Return the mean percentage of correctly named stays over the classes present; NaN without stays.
 
-    This applies the frame measure (thesis 4.2) to stays: a frequently visited place does not outweigh others.
+    Like the measure for frames (thesis 4.2), it does not let a frequently visited place outweigh the others.
     `counts` comes from :func:`stays_by_class`.
     """
     there = counts[counts[:, 0] > 0]

@@ -1,4 +1,4 @@
-"""Estimate the share of cases beyond a threshold from a few units."""
+"""Estimate, from a few units, what share of all cases lies at or below a threshold."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -14,17 +14,18 @@ _NODES = 200
 
 
 def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95) -> Interval:
-    """Estimate the share, 0 to 1, of cases at or below a threshold, in all units, known or not.
+    """Estimate what share of the cases in all units, including unseen ones, is at or below a threshold.
 
-    A unit, such as a home, has several cases, such as the gains of some methods. Cases are modelled as
-    normal: the mean is the mean of the unit means, and the variance is their variance plus the mean variance
-    within units. Counting cases could never show that a share is small: for six homes without such a case,
-    the upper limit is 46 % (Clopper and Pearson). The limits come from the noncentral t distribution. They
-    are exact if each unit has one case or identical cases, and wide otherwise, since each unit then counts as
-    one case.
+    A unit, such as a home, has several cases, such as the gains of some methods. The estimate is in [0, 1].
+    Cases are modelled as normally distributed. The mean is the mean of the unit means, and the variance is
+    the variance of the unit means plus the mean variance within units. Merely counting cases could never show
+    that a share is small: even if none of six homes had such a case, the upper limit would be 46 % (Clopper
+    and Pearson). The interval's limits come from the noncentral t distribution. They are exact if the cases
+    within each unit are identical. Otherwise the interval is wide, because each unit still counts as only one
+    case.
 
-    `units` holds at least 2 arrays of (cases,) values; if all values are identical, the interval is the point
-    0 or 1. `level` is the interval's level, between 0 and 1.
+    `units` holds at least 2 arrays of (cases,) values. If all values are identical, the interval is a single
+    point, 0 or 1. `level` is the interval's level, between 0 and 1.
 
     References
     ----------
@@ -47,7 +48,7 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
 
 
 def _noncentrality(t: float, freedom: int, below: float) -> float:
-    """Find the noncentrality at which a t variable is at most `t` with probability `below`."""
+    """Find the noncentrality for which a t variable is at most `t` with probability `below`."""
     # scipy's distribution function fails far from 0, so average over the scale instead.
     scale, weights = _scales(freedom)
     reach = 10.0 + 5.0 * abs(t)

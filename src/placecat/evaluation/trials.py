@@ -1,4 +1,4 @@
-"""Trials: the cues behind a table's cells, each with some settings changed."""
+"""List the trials of a table. A trial trains and tests one cue with some settings changed."""
 
 import itertools
 import json
@@ -17,9 +17,9 @@ HOMES = "homes"
 class Trial:
     """A cue to train and test in some homes.
 
-    `name` consists of the table's name and a label per axis, empty for the axis of homes, as in
-    ``trials/table_12/HOG + y-Pos||196``. `settings` are ``descriptor``, ``classifier`` and, for classifiers
-    on clusters, ``codebook``. `homes` are the test homes.
+    `name` consists of the table's name and one label per axis, as in ``trials/table_12/HOG + y-Pos||196``.
+    The label is empty for the axis of homes. `settings` are ``descriptor``, ``classifier`` and, for
+    classifiers on clusters, ``codebook``. `homes` are the test homes.
     """
 
     name: str
@@ -27,7 +27,7 @@ class Trial:
     homes: tuple[str, ...]
 
     def key(self) -> str:
-        """Return text that identifies the computation, so trials that several tables share run only once."""
+        """Return text that identifies the computation, so a trial in several tables runs only once."""
         return json.dumps(self.settings, sort_keys=True)
 
 
@@ -37,9 +37,10 @@ def trial_name(table: str, group: str, row: str, column: str) -> str:
 
 
 def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]]:
-    """Return the number (from 1) and name of each home that a table tests and the data set contains.
+    """Return the number and name of each home that a table tests and the data set contains.
 
-    The table's ``homes`` are numbers from 1, or ``all``; `homes` are the names of the data set's homes.
+    Numbers count from 1. The table's ``homes`` are either such numbers or ``all``. `homes` are the names of
+    the homes in the data set.
     """
     numbers = range(1, len(homes) + 1) if table["homes"] == "all" else table["homes"]
     return [(int(number), homes[number - 1]) for number in numbers if 1 <= number <= len(homes)]
@@ -48,9 +49,9 @@ def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]
 def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]:
     """List a table's trials in the data set's homes.
 
-    `name` is the table's name, such as ``table_12``, and `table` its configuration: ``trial``, ``homes`` and
-    ``axes`` (see data/thesis/tables). Raises PlacecatError for an unknown axis, or an override of a setting
-    that the trial lacks.
+    `name` is the table's name, such as ``table_12``. `table` is its configuration, with the keys ``trial``,
+    ``homes`` and ``axes`` (see data/thesis/tables). Raises PlacecatError if an axis is unknown, or if an axis
+    overrides a setting that the trial does not have.
     """
     unknown = set(table["axes"]) - set(AXES)
     if unknown:

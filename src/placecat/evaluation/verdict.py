@@ -13,7 +13,7 @@ VERDICTS = (HOLDS, FAILS, UNDECIDED)
 
 @dataclass(frozen=True)
 class Range:
-    """The open range that a claim allows for a difference; its ends `low` and `high` may be infinite."""
+    """The open range of differences that a claim allows; its ends `low` and `high` may be infinite."""
 
     low: float
     high: float
@@ -26,7 +26,7 @@ class Range:
         return f"between {self.low:g} and {self.high:g}"
 
     def margin(self, interval: Interval) -> float:
-        """Return how far the interval is from the nearer end of the range; negative if it extends past it."""
+        """Return how far inside the range the interval lies; negative if it extends past an end."""
         return min(interval.low - self.low, self.high - interval.high)
 
 
@@ -34,10 +34,11 @@ def corrected_level(level: float, comparisons: int) -> float:
     """Return the level that each interval needs for a joint level of `level` (Bonferroni).
 
     Holm's procedure starts at the same level, so it finds a failing comparison exactly when this level does.
-    In 12000 simulations, with intervals over four or six units and every comparison exactly on the edge of
-    failing, at least one of 2, 5 or 14 independent comparisons fails in 3 to 5 % if units are normal and in 2
-    to 4 % if they follow Student's t with 3 degrees of freedom. The share is 15 to 36 % if units are
-    exponential with the long tail on the claim's side: intervals over so few skewed units are too short.
+    The level was checked in 12000 simulations, with intervals over four or six units, and with every
+    comparison exactly on the edge of failing. At least one of 2, 5 or 14 independent comparisons fails in 3
+    to 5 % of the simulations if units are normal, and in 2 to 4 % if they follow Student's t with 3 degrees
+    of freedom. The share is 15 to 36 % if units are exponential with the long tail on the claim's side,
+    because intervals over so few skewed units are too short.
     """
     return 1.0 - (1.0 - level) / comparisons
 
@@ -45,9 +46,9 @@ def corrected_level(level: float, comparisons: int) -> float:
 def judge(interval: Interval, claimed: Range, corrected: Interval | None = None) -> str:
     """Judge one comparison as `HOLDS`, `FAILS` or `UNDECIDED`.
 
-    The comparison holds if `interval` lies entirely in the range, and fails if `corrected` lies entirely
-    outside. `corrected` is the wider interval for a claim with several comparisons (:func:`corrected_level`);
-    None stands for `interval`.
+    The comparison holds if `interval` lies entirely inside the range, and fails if `corrected` lies entirely
+    outside. `corrected` is the wider interval that a claim with several comparisons needs
+    (:func:`corrected_level`). None means the same as `interval`.
     """
     if claimed.low < interval.low and interval.high < claimed.high:
         return HOLDS
@@ -58,11 +59,11 @@ def judge(interval: Interval, claimed: Range, corrected: Interval | None = None)
 
 
 def combine(verdicts: Collection[str]) -> str:
-    """Combine the verdicts on a claim's comparisons: the claim holds if all hold, and fails if any fails.
+    """Combine the verdicts on a claim's comparisons. The claim holds if all hold, and fails if any fails.
 
-    "All hold" needs no correction for the number of comparisons: for a wrong conclusion, the very comparison
-    that is false must hold by chance (an intersection-union test). "Any fails" needs a correction: each of k
-    true comparisons may fail by chance, so `judge` uses the corrected interval.
+    "All hold" needs no correction for the number of comparisons. The conclusion is wrong only if the
+    comparison that is false holds by chance (an intersection-union test). "Any fails" does need a correction,
+    because each of k true comparisons may fail by chance. So `judge` uses the corrected interval.
     """
     if FAILS in verdicts:
         return FAILS
@@ -72,10 +73,11 @@ def combine(verdicts: Collection[str]) -> str:
 def judge_shares(worse: Interval, better: Interval, rare: float) -> str:
     """Judge whether a change hurts in some cases and helps in others.
 
-    `worse` and `better` are intervals for the shares of cases, 0 to 1, that the change makes worse and
-    better; `rare` is the largest share that counts as an exception. The verdict is `HOLDS` if both intervals
-    lie entirely above `rare`, `FAILS` if either lies entirely below it, and otherwise `UNDECIDED`. With two
-    95 % intervals, a false `FAILS` occurs at most 5 % of the time, since each is too low 2.5 % of the time.
+    `worse` is the interval for the share of cases, from 0 to 1, that the change makes worse, and `better` is
+    the interval for the share that it makes better. `rare` is the largest share that still counts as an
+    exception. The verdict is `HOLDS` if both intervals lie entirely above `rare`, `FAILS` if either lies
+    entirely below it, and `UNDECIDED` otherwise. With two 95 % intervals, a false `FAILS` occurs at most 5 %
+    of the time, because each interval is too low 2.5 % of the time.
     """
     if worse.low > rare and better.low > rare:
         return HOLDS

@@ -1,1 +1,1 @@
-"""Integration and smoothing, which turn the cues' distributions into one decision."""
+"""Integrate the cues' distributions and smooth the result over time, which yields one decision per frame."""

@@ -7,15 +7,16 @@ from numpy.typing import NDArray
 
 
 class Delay:
-    """Let the output follow the set point with a lag: p(t+1) = p(t) + h (p*(t) - p(t)), equation (16).
+    """Let the output follow the set point with a lag, by p(t+1) = p(t) + h (p*(t) - p(t)), equation (16).
 
     The thesis sets alpha = -1 in equation (14) and leaves h open, so its lag depends on the frame rate. Here
-    alpha = -1 / tau with a time constant tau, and h = 1 - exp(-dt / tau) is the exact solution of equation
-    (14) for a set point that stays for dt seconds. After tau seconds the output has gone 63 % of the way to a
-    new set point, at any frame rate.
+    alpha = -1 / tau with a time constant tau. The step h = 1 - exp(-dt / tau) solves equation (14) exactly if
+    the set point stays constant for dt seconds. At any frame rate, the output has covered 63 % of the way to
+    a new set point after tau seconds.
 
-    The output for frame t is p(t+1), which uses p*(t): it depends on frame t but on no later frame. The first
-    output is the first set point. tau is `seconds`, 0 or more; 0 leaves the input unchanged.
+    The output for frame t is p(t+1). It uses p*(t), so it depends on frame t but not on any later frame. The
+    first output equals the first set point. The time constant tau is `seconds`, 0 or more. If it is 0, the
+    input is returned unchanged.
     """
 
     def __init__(self, seconds: float) -> None:
@@ -23,7 +24,7 @@ class Delay:
         self._state: NDArray[np.float64] | None = None
 
     def step(self, target: NDArray[np.float64], elapsed: float) -> NDArray[np.float64]:
-        """Return the output for the next frame's set point (n_classes,), `elapsed` seconds after the last."""
+        """Return the output for the (n_classes,) set point of the next frame, `elapsed` seconds later."""
         target = np.asarray(target, dtype=np.float64)
         if self._state is None or self._tau == 0:
             self._state = target

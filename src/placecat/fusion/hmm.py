@@ -18,17 +18,18 @@ def transition_matrix(
     frame_rates: Sequence[float] | None = None,
     smoothing: float = 1.0,
 ) -> Float:
-    """Estimate transition probabilities from training sequences, at the highest of their frame rates.
+    """Estimate transition probabilities at the highest frame rate of the training sequences.
 
     Transitions between successive labelled frames are counted. Unlabelled frames (-1) are skipped, so a walk
-    from the kitchen through a corridor to the bedroom counts once as kitchen to bedroom. A sequence with a
-    lower frame rate counts as if its frames were repeated: the camera changes place as often but stays for
-    proportionally more frames.
+    from the kitchen through a corridor to the bedroom counts once as a transition from kitchen to bedroom. A
+    sequence with a lower frame rate counts as if its frames were repeated: it has the same number of changes
+    of place, but proportionally more frames without a change.
 
-    `sequences` holds (frames,) class indices in temporal order, -1 for unlabelled frames. `frame_rates` are
-    in frames per second, above 0; None if they are all equal. `smoothing` (not given in the thesis) is added
-    to every count; without it, a transition never seen in training could never happen. Returns (n_classes,
-    n_classes): row q', column q is p(l_t = q | l_{t-1} = q'). Rows sum to 1.
+    Each of the `sequences` holds (frames,) class indices in temporal order, with -1 for unlabelled frames.
+    `frame_rates` are in frames per second, above 0, or None if they are all equal. `smoothing`, which the
+    thesis does not give, is added to every count. Without it, a transition that does not occur in training
+    would have probability 0. Returns an (n_classes, n_classes) matrix with p(l_t = q | l_{t-1} = q') in row
+    q' and column q. Rows sum to 1.
     """
     counts = np.full((n_classes, n_classes), float(smoothing))
     rates = [1.0] * len(sequences) if frame_rates is None else frame_rates
@@ -50,13 +51,13 @@ def emission_matrix(
     reliability: str = "hard",
     smoothing: float = 1.0,
 ) -> Float:
-    """Estimate p(o | l), how the integrator decides in each place, from its cross-validated outputs.
+    """Estimate from the integrator's cross-validated outputs how it decides in each place, p(o | l).
 
     `truth` holds the (n,) class indices of training frames. `proba` holds the integrator's (n, n_classes)
-    distributions, each from a model that saw neither the frame nor its home. `reliability` "hard" counts the
-    decisions (arg-max), "soft" adds up the distributions; `smoothing`, above 0, is added to every count. The
-    thesis gives neither setting. Returns (n_classes, n_classes): row q, column o is p(o | l = q). Rows sum to
-    1.
+    distributions, each from a model that saw neither the frame nor its home. If `reliability` is "hard",
+    decisions (the most probable classes) are counted. If it is "soft", the distributions are added up.
+    `smoothing`, above 0, is added to every count. The thesis gives neither setting. Returns an
+    (n_classes, n_classes) matrix with p(o | l = q) in row q and column o. Rows sum to 1.
     """
     if reliability == "hard":
         answers = np.eye(n_classes)[np.argmax(proba, axis=1)]
@@ -68,13 +69,13 @@ def emission_matrix(
 
 
 def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Float:
-    """Return each observation's likelihood in each place, p(o_t | l_t = q): (frames, n_classes).
+    """Return the (frames, n_classes) likelihoods p(o_t | l_t = q) of the observations in each place.
 
-    `proba` holds the integrator's (frames, n_classes) distributions; `emission` comes from
-    :func:`emission_matrix`. The result is positive wherever the emission is positive. With `evidence` "hard"
-    the observation is the decision, p(o_t | q) = emission[q, argmax]. With "soft" the decision is uncertain,
-    p(o_t | q) = sum_o emission[q, o] proba[o], as equation (6) treats the outputs of the two-class
-    classifiers. The thesis does not say which it uses.
+    `proba` holds the integrator's (frames, n_classes) distributions, and `emission` comes from
+    :func:`emission_matrix`. The result is positive wherever the emission is positive. If `evidence` is
+    "hard", the observation is the decision, so p(o_t | q) = emission[q, argmax]. If it is "soft", the
+    decision is uncertain, so p(o_t | q) = sum_o emission[q, o] proba[o]. Equation (6) treats the outputs of
+    the two-class classifiers in the same way. The thesis does not say which kind it uses.
     """
     if evidence == "hard":
         return emission.T[np.argmax(proba, axis=1)]
@@ -82,10 +83,11 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
 
 
 class ForwardFilter:
-    """Filter one sequence forwards, frame by frame: equation (13). Frame t uses only frames up to t.
+    """Filter one sequence forwards, frame by frame, by equation (13).
 
-    `transition` is (n_classes, n_classes), from one frame to the next at its frame rate; rows sum to 1. The
-    distribution of the first place is uniform (not given in the thesis).
+    The result for frame t uses only frames up to t. `transition` holds the (n_classes, n_classes) transition
+    probabilities from one frame to the next, at the frame rate for which they were estimated. Each row sums
+    to 1. The initial distribution over places is uniform, since the thesis does not give it.
     """
 
     def __init__(self, transition: Float) -> None:
@@ -93,12 +95,13 @@ class ForwardFilter:
         self._filtered: Float | None = None
 
     def step(self, likelihood: Float, *, steps: float = 1.0, weight: float = 1.0) -> Float:
-        """Return p(l_t = q | o_1 .. o_t), (n_classes,), for the next frame.
+        """Return the (n_classes,) distribution p(l_t = q | o_1 .. o_t) for the next frame.
 
-        `likelihood` is (n_classes,) p(o_t | l_t = q), 0 or more, at least one above 0. `steps` is the time
-        since the last frame, 0 or more, in steps of the transition matrix: places change with P^steps.
-        `weight`, the likelihood's exponent, is the number of frames that this frame counts as, 0 or more.
-        With `steps` and `weight` 1, this is exactly equation (13).
+        `likelihood` holds the (n_classes,) values p(o_t | l_t = q). None may be negative, and at least one
+        must be above 0. `steps` is the time since the last frame, 0 or more, in steps of the transition
+        matrix P. The place changes according to P^steps. `weight` is the number of frames that this frame
+        counts as, 0 or more, and serves as the exponent of the likelihood. If `steps` and `weight` are both
+        1, this is exactly equation (13).
         """
         if self._filtered is None:
             predicted = np.full(len(likelihood), 1.0 / len(likelihood))

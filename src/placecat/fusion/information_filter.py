@@ -1,4 +1,4 @@
-"""The information filter: views with little information do not decide (thesis 4.6)."""
+"""The information filter, which prevents views with little information from deciding (thesis 4.6)."""
 
 from collections.abc import Sequence
 
@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 def threshold_of(share: float, information: NDArray[np.float32]) -> float:
     """Return the threshold below which a share of the training frames lies.
 
-    `share` is between 0 and 1, rounded down to whole frames. `information` is (frames,), with at least one
-    frame. The thesis gives its threshold in an undefined unit and does not say how many frames it drops.
+    `share` is between 0 and 1. The number of frames below the threshold is rounded down. `information` holds
+    one value per frame, for at least one frame. The thesis gives its threshold in an undefined unit and does
+    not say how many frames it drops.
     """
     return float(np.sort(information)[int(share * len(information))])
 
@@ -18,7 +19,7 @@ def threshold_of(share: float, information: NDArray[np.float32]) -> float:
 def dropped(
     information: NDArray[np.float32], labels: NDArray[np.int16], threshold: float
 ) -> dict[str, float]:
-    """Return the threshold and the numbers of all, dropped, labelled, and dropped labelled frames."""
+    """Return the threshold, and count all, dropped, labelled, and both dropped and labelled frames."""
     low = ~(information >= threshold)
     return {
         "threshold": threshold,
@@ -36,20 +37,21 @@ def hold(
     threshold: float,
     sequences: Sequence[slice],
 ) -> NDArray[np.float64]:
-    """Give each frame with little information the last accepted frame's distribution (thesis 4.6).
+    """Replace the distribution of each frame with little information by that of the last accepted frame.
 
-    A frame is accepted if its information reaches the threshold. The thesis uses 0.09766, and 0.13021 in a
-    check; :func:`threshold_of` computes one from a share of frames. Frames before a sequence's first accepted
-    frame keep their distributions (not given in the thesis). Frame t uses only frames up to t.
+    This follows thesis 4.6. A frame is accepted if its information reaches the threshold. The thesis uses the
+    threshold 0.09766, and 0.13021 in a check. :func:`threshold_of` computes a threshold from the share of
+    frames to drop. Frames before a sequence's first accepted frame, which the thesis does not mention, keep
+    their distributions. The result for frame t uses only frames up to t.
 
-    `proba` holds (frames, classes) distributions; the result has the same shape. `information` holds the
+    `proba` holds (frames, classes) distributions, and the result has the same shape. `information` holds the
     (frames,) measures from `placecat.vision.information.information`. `sequences` are uncut stretches that
-    together cover all frames; the filter restarts at each.
+    together cover all frames, and the filter restarts at each.
     """
     said_by = np.arange(len(proba))
     for part in sequences:
         own = said_by[part]
-        # Last accepted frame so far; -1 before the first.
+        # The last accepted frame so far, or -1 before the first.
         last = np.maximum.accumulate(np.where(information[part] >= threshold, own, -1))
         said_by[part] = np.where(last >= 0, last, own)
     return proba[said_by]

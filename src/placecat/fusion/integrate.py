@@ -27,10 +27,11 @@ def learns_from_held_out(method: str) -> bool:
 class Integrator:
     """A trained integration that uses one of `METHODS`.
 
-    `model` is the integrating classifier of SVM-DAS. `weights` are the (cues,) weights of the logarithmic
-    opinion pool, and `smallest` is its floor (:func:`placecat.fusion.log_pool.pool`). For other methods,
-    these are None. `temperatures` are (cues,) numbers that first temper the cues' distributions
-    (:func:`placecat.fusion.temperature.temper`); None leaves them unchanged.
+    `model` is the classifier that SVM-DAS uses for integration. `weights` are the (cues,) weights of the
+    logarithmic opinion pool, and `smallest` is the lower limit of its probabilities
+    (:func:`placecat.fusion.log_pool.pool`). Each of these is None for other methods. `temperatures` are
+    (cues,) numbers with which the cues' distributions are tempered first
+    (:func:`placecat.fusion.temperature.temper`). If they are None, the distributions stay unchanged.
     """
 
     method: str
@@ -54,9 +55,9 @@ class Integrator:
 class Trained:
     """A trained integration, with facts about its training in JSON types.
 
-    `cross_validated` holds (n, n_classes) distributions for the training frames, home by home, each from a
-    model that saw neither the frame nor its home; None if not requested. `truth` holds the frames' (n,)
-    classes.
+    `cross_validated` holds (n, n_classes) distributions for the training frames, home by home, or None if
+    they were not requested. Each comes from a model that saw neither the frame nor its home. `truth` holds
+    the (n,) class indices of these frames.
     """
 
     integrator: Integrator
@@ -85,9 +86,9 @@ def fit(
         Maps each home to the cues' (n, cues, n_classes) distributions for its training frames. If
         :func:`learns_from_held_out` is true for the method, the cues must not have seen the home.
     truth
-        Maps each home to the (n,) class indices of the same frames; may contain additional homes.
+        Maps each home to the (n,) class indices of the same frames. It may contain additional homes.
     classes, method
-        Names of the places, and one of `METHODS`; ``das`` is SVM-DAS.
+        Names of the places, and one of `METHODS`, where ``das`` stands for SVM-DAS.
     classifier
         Classifier of SVM-DAS, as in :func:`placecat.cues.fit`.
     shrinkage, smallest
@@ -95,8 +96,8 @@ def fit(
     temperatures
         One per cue, as in :class:`Integrator`.
     cross_validated
-        Whether to predict each home's frames with an integration trained on the other homes; the logarithmic
-        opinion pool always does.
+        Whether to predict each home's frames with an integration trained on the other homes. The logarithmic
+        opinion pool always does so.
     """
     together = np.concatenate(list(train.values()))
     labels = np.concatenate([truth[home] for home in train])
@@ -119,7 +120,7 @@ def fit(
 
 
 def _joined(proba: NDArray[np.float64]) -> cues.Descriptors:
-    """Reshape (frames, cues, n_classes) to (frames, cues * n_classes) float32, the input of SVM-DAS."""
+    """Reshape (frames, cues, n_classes) to (frames, cues * n_classes) float32, as input for SVM-DAS."""
     return cues.Descriptors(np.ascontiguousarray(proba.reshape(len(proba), -1), dtype=np.float32))
 
 
@@ -131,7 +132,7 @@ def _fit_pool(
     shrinkage: float,
     smallest: float,
 ) -> Trained:
-    """Fit a logarithmic opinion pool; cross-validate each home with weights from the other homes."""
+    """Fit a logarithmic opinion pool, and cross-validate each home with weights from the other homes."""
     settings = {"shrinkage": shrinkage, "smallest": smallest}
     weights = log_pool.fit_weights(proba, labels, homes, **settings)
     held_out = np.empty((len(proba), proba.shape[2]))

@@ -1,4 +1,4 @@
-"""Logarithmic opinion pool: a product of the cues' distributions, each raised to a learned power."""
+"""The logarithmic opinion pool, a product of the cues' distributions, each raised to a learned power."""
 
 from collections.abc import Sequence
 
@@ -10,16 +10,16 @@ from placecat.errors import PlacecatError
 
 Float = NDArray[np.float64]
 
-# Floor of the probabilities: without it, a single wrong 0 would veto a place.
+# Lower limit of the probabilities. Without it, a single wrong 0 would rule out a place.
 SMALLEST = 1e-6
 
 
 def pool(proba: Float, weights: Float, smallest: float = SMALLEST) -> Float:
     """Raise each distribution to the power of its cue's weight, multiply the powers and normalise.
 
-    `proba` holds (n, cues, n_classes) distributions; probabilities below `smallest`, in (0, 1), become
-    `smallest`. `weights` are (cues,), 0 or more; if all are 0, the result is uniform. Returns (n, n_classes);
-    rows sum to 1.
+    `proba` holds (n, cues, n_classes) distributions. Probabilities below `smallest`, which is in (0, 1), are
+    replaced by it. `weights` holds one number per cue, 0 or more. If all are 0, the result is uniform.
+    Returns (n, n_classes) distributions.
 
     >>> pool(np.array([[[0.8, 0.2], [0.1, 0.9]]]), np.array([1.0, 0.0])).round(3).tolist()
     [[0.8, 0.2]]
@@ -36,16 +36,16 @@ def fit_weights(
     shrinkage: float,
     smallest: float = SMALLEST,
 ) -> Float:
-    """Find the (cues,) weights, 0 or more, with the lowest log-loss on frames that the cues have not seen.
+    """Find the (cues,) weights that minimise the log-loss on frames that the cues have not seen.
 
-    The loss is convex in the weights. All homes have equal weight, as do the classes within a home. Each cue
-    alone at its best power is a candidate, so without shrinkage the pool is at least as good as any cue on
-    these frames.
+    The weights are 0 or more, and the loss is convex in them. All homes have equal weight, as do the classes
+    within a home. The search includes each single cue at its best power. So without shrinkage, the pool is at
+    least as good as any cue on these frames.
 
-    `proba` holds (n, cues, n_classes) distributions from cues that saw neither the frame nor its home; the
-    floor `smallest` is as in :func:`pool`. `truth` holds the frames' (n,) class indices, and `homes` their
-    (n,) homes. The loss (in nats) includes `shrinkage`, 0 or more, times the sum of squared weights. Raises
-    PlacecatError if no finite weights are found.
+    `proba` holds (n, cues, n_classes) distributions from cues that saw neither the frame nor its home. The
+    lower limit `smallest` is as in :func:`pool`. `truth` holds the (n,) class indices of the frames, and
+    `homes` names the home of each. The loss, in nats, includes the sum of squared weights times `shrinkage`,
+    which is 0 or more. Raises PlacecatError if no finite weights are found.
 
     References
     ----------
@@ -87,8 +87,8 @@ def _logs(proba: Float, smallest: float) -> Float:
 
 
 def _scores(logs: Float, weights: Float) -> Float:
-    """Return (n, n_classes) weighted sums of (n, cues, n_classes) logarithms, less each row's maximum."""
-    # Add one cue at a time, so that a frame's bits do not depend on other frames.
+    """Sum (n, cues, n_classes) weighted logarithms over the cues, and subtract each row's maximum."""
+    # Add one cue at a time, so that not even a frame's last bits depend on other frames.
     total = np.zeros((len(logs), logs.shape[2]))
     for cue, weight in enumerate(weights.tolist()):
         total += weight * logs[:, cue]
@@ -96,7 +96,7 @@ def _scores(logs: Float, weights: Float) -> Float:
 
 
 def _importance(truth: NDArray[np.intp], homes: NDArray[np.str_]) -> Float:
-    """Return (n,) frame weights that sum to 1; homes have equal weight, as do classes within a home."""
+    """Return (n,) frame weights that sum to 1, with equal weight for homes and for classes within a home."""
     _, home = np.unique(homes, return_inverse=True)
     group = home * (truth.max() + 1) + truth
     sizes = np.bincount(group)

@@ -1,4 +1,4 @@
-"""Smooth a home's decisions with the hidden Markov model, then the delay (thesis 3.4)."""
+"""Smooth a home's decisions first with the hidden Markov model, then with the delay (thesis 3.4)."""
 
 import math
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
 from placecat.fusion.hmm import ForwardFilter, emission_matrix, likelihoods, transition_matrix
 
-# Frame times are rounded, so a step this close to 1 counts as 1.
+# Frame times are rounded, so a step counts as 1 if it differs from 1 by less than this.
 _ROUNDING = 1e-6
 
 
@@ -19,10 +19,10 @@ _ROUNDING = 1e-6
 class SmoothingModel:
     """The training homes' statistics, and the smoothing settings.
 
-    `transition` and `emission` are (n_classes, n_classes); they and `evidence` are explained in
-    `placecat.fusion.hmm`. `evidence_seconds` is the longest time for which one frame is evidence, see
-    :class:`Smoother`. `delay_seconds` is explained in :class:`placecat.fusion.delay.Delay`. `frame_rate` is
-    the transitions' frame rate, in frames per second.
+    `transition` and `emission` are (n_classes, n_classes). They and `evidence` are explained in
+    `placecat.fusion.hmm`. `evidence_seconds` is the longest time for which one frame counts as evidence (see
+    :class:`Smoother`). `delay_seconds` is explained in :class:`placecat.fusion.delay.Delay`. `frame_rate` is
+    the frame rate, in frames per second, to which the transitions apply.
     """
 
     transition: NDArray[np.float64]
@@ -34,12 +34,13 @@ class SmoothingModel:
 
 
 class Smoother:
-    """Smooth one sequence, frame by frame; frame t uses only frames up to t.
+    """Smooth one sequence frame by frame, where the result for frame t uses only frames up to t.
 
-    Any frame rate works, and it may change: transitions, evidence and delay are measured in seconds. A frame
-    counts as the number of frames at the model's rate that fit into the time since the last frame, so
-    doubling the rate, which only repeats the same views, adds no evidence. A frame is not evidence for all of
-    a long gap, so it counts for at most `evidence_seconds` (or one frame of the model, if that is longer).
+    Any frame rate works, even one that changes, because transitions, evidence and delay are measured in
+    seconds. A frame counts as the number of frames at the model's rate that fit into the time since the last
+    frame. So doubling the rate adds no evidence, since it only repeats the same views. One frame is not
+    enough evidence for the whole of a long gap, so it counts for at most `evidence_seconds`, or for one frame
+    of the model if that is longer.
     """
 
     def __init__(self, model: SmoothingModel) -> None:
@@ -52,9 +53,10 @@ class Smoother:
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return the filter's and the delay's distributions for the next frame.
 
-        `proba` is the integrator's (n_classes,) distribution. `seconds` is the time since the last frame (for
-        the first frame, its duration); a negative or non-finite time raises PlacecatError. None means one
-        frame at the model's rate; passing that time explicitly returns the same result, to the bit.
+        `proba` is the integrator's (n_classes,) distribution. `seconds` is the time since the last frame, or
+        the duration of the first frame. A negative or non-finite time raises PlacecatError. None means the
+        duration of one frame at the model's rate. Passing this duration explicitly gives exactly the same
+        result.
         """
         steps = 1.0
         check_elapsed(seconds)
@@ -69,7 +71,7 @@ class Smoother:
 
 
 def check_elapsed(seconds: float | None) -> None:
-    """Refuse a time between two frames that is negative or not finite."""
+    """Raise PlacecatError if the time between two frames is negative or not finite."""
     if seconds is not None and not (math.isfinite(seconds) and seconds >= 0):
         raise PlacecatError(f"the time between two frames is {seconds:g} s: pass a finite number, 0 or more")
 
@@ -90,12 +92,13 @@ def fit(
 ) -> SmoothingModel:
     """Estimate the training homes' statistics.
 
-    The transitions use `training_sequences`, the labels of the training homes in temporal order (-1 for
-    unlabelled), and `training_frame_rates`, their frames per second; the model uses the highest rate, see
-    :func:`placecat.fusion.hmm.transition_matrix`. The emission uses the integrator's cross-validated outputs
-    on training frames, `training_proba`, and these frames' classes, `training_truth`. `delay_seconds` is as
-    in :class:`placecat.fusion.delay.Delay`; `evidence_seconds`, finite and above 0, is as in
-    :class:`Smoother`; the other settings are as in `placecat.fusion.hmm`.
+    The transitions are estimated from `training_sequences` and `training_frame_rates`. These are the labels
+    of the training homes in temporal order (-1 for unlabelled frames) and their frame rates in frames per
+    second. The model uses the highest rate (see :func:`placecat.fusion.hmm.transition_matrix`). The emission
+    is estimated from `training_proba`, the integrator's cross-validated outputs on training frames, and
+    `training_truth`, the classes of these frames. `delay_seconds` is as in
+    :class:`placecat.fusion.delay.Delay`, and `evidence_seconds`, finite and above 0, is as in
+    :class:`Smoother`. The other settings are as in `placecat.fusion.hmm`.
     """
     transition = transition_matrix(
         training_sequences, n_classes, frame_rates=training_frame_rates, smoothing=transition_counts
@@ -123,10 +126,10 @@ def apply(
 ) -> dict[str, NDArray[np.float64]]:
     """Smooth one home with a model.
 
-    `proba` holds (frames, n_classes) distributions for every frame of the home, labelled or not. `sequences`
-    are uncut stretches of frames; the filter restarts at each. `frame_rate` is in frames per second. `times`
-    are (frames,) seconds since the start of the sequence; None if frames are evenly spaced. Returns ``hmm``
-    and ``delayed``, each (frames, n_classes); rows sum to 1.
+    `proba` holds (frames, n_classes) distributions for all frames of the home, labelled or not. `sequences`
+    are uncut stretches of frames, and the filter restarts at each. `frame_rate` is in frames per second.
+    `times` holds (frames,) seconds since the start of the sequence, or is None if frames are evenly spaced.
+    Returns (frames, n_classes) distributions under the keys ``hmm`` and ``delayed``.
     """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:

@@ -1,4 +1,4 @@
-"""Temperatures that adjust how certain a cue's distributions are."""
+"""Adjust how certain a cue's distributions are by means of a temperature."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,11 +9,12 @@ _EXPONENTS = (0.01, 100.0)
 
 
 def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64]) -> NDArray[np.float64]:
-    """Raise distributions to the power of 1 / T and normalise: flatter for T > 1, sharper for T < 1.
+    """Raise distributions to the power of 1 / T and normalise them.
 
-    `proba` and the result are (..., n_classes); rows sum to 1, and the ranking of the classes is unchanged.
-    The temperature, above 0, is one number or an array that broadcasts against ``proba[..., 0]``. A
-    temperature of 1 changes only the last bits.
+    This makes them flatter if the temperature T is above 1, and sharper if it is below 1. The ranking of the
+    classes does not change. `proba` and the result are (..., n_classes), and rows sum to 1. The temperature,
+    above 0, is one number or an array that broadcasts against ``proba[..., 0]``. A temperature of 1 changes
+    the result only by rounding.
 
     >>> temper(np.array([[0.8, 0.2]]), 2.0).round(3).tolist()
     [[0.667, 0.333]]
@@ -25,15 +26,15 @@ def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64])
 
 
 def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> float:
-    """Find the temperature, in [0.01, 100], with the lowest log-loss on frames that the model has not seen.
+    """Find the temperature with the lowest log-loss on frames that the model has not seen.
 
-    It is rounded to four significant digits.
+    The result is in [0.01, 100] and rounded to four significant digits.
 
     The thesis does not use temperatures. Naive Bayes multiplies probabilities as if codewords were
-    independent, so it is far too certain; the parallel scheme averages, so it is not certain enough.
+    independent, so it is far too certain. The parallel scheme averages them, so it is not certain enough.
 
-    `proba` holds (n, n_classes) distributions from a model that saw neither the frame nor its home; `truth`
-    holds (n,) class indices; all classes present have equal weight.
+    `proba` holds (n, n_classes) distributions from a model that saw neither the frame nor its home. `truth`
+    holds (n,) class indices. All classes present have equal weight.
 
     References
     ----------
@@ -59,5 +60,5 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
 
     # The loss is convex in the exponent, so it has a single minimum in the log exponent too.
     found = minimize_scalar(loss, bounds=np.log(_EXPONENTS), method="bounded", options={"xatol": 1e-6})
-    # The search is accurate to a millionth; further digits depend on the processor.
+    # The search is accurate to a millionth. Further digits depend on the processor.
     return float(f"{np.exp(-found.x):.4g}")

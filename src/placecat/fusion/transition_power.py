@@ -8,16 +8,17 @@ Float = NDArray[np.float64]
 
 
 def generator(transition: Float) -> Float:
-    """Return a transition matrix's rates of changing place per step: Q, with exp(Q) equal or close to P.
+    """Return the rates Q of changing place per step, where exp(Q) equals the transition matrix P or is close.
 
-    P is (n, n), 0 or more; rows sum to 1. Q is (n, n), 0 or more off the diagonal; rows sum to 0. Q is the
-    logarithm of P if that is a rate matrix. Some stochastic matrices have no such logarithm (they are not
-    *embeddable*): no continuous-time chain produces P. Q then follows these rules:
+    P is (n, n) without negative entries, and its rows sum to 1. Q is (n, n) without negative entries off the
+    diagonal, and its rows sum to 0. Q is the logarithm of P if that is a rate matrix. Some stochastic
+    matrices have no such logarithm (they are not *embeddable*), so no continuous-time chain produces P. Then
+    Q follows these rules:
 
     - Negative rates of the logarithm become 0, and the diagonal is adjusted (Israel, Rosenthal and
       Wei, Finding generators for Markov chains via empirical transition matrices, 2001).
-    - If P has an eigenvalue at or below 0, it has no real logarithm. Q is then P - I: the chain changes as in
-      P, but at random times, once per step on average.
+    - If P has an eigenvalue at or below 0, it has no real logarithm. Q is then P - I, so the chain changes as
+      in P, but at random times, on average once per step.
     """
     identity = np.eye(len(transition))
     values = np.linalg.eigvals(transition)
@@ -28,26 +29,26 @@ def generator(transition: Float) -> Float:
 
 
 class TransitionPower:
-    """Powers P^x of a transition matrix P, (n, n) with rows that sum to 1, for any real x >= 0.
+    """Powers P^x of an (n, n) transition matrix P, whose rows sum to 1, for any real x >= 0.
 
-    P^x is exp(x Q), see :func:`generator`. Rows sum to 1, and P^x P^y = P^(x + y) up to rounding. P^1 is
-    exactly P.
+    P^x is exp(x Q), where Q comes from :func:`generator`. Rows sum to 1, and P^x P^y = P^(x + y) up to
+    rounding. P^1 is exactly P.
     """
 
     def __init__(self, transition: Float) -> None:
         self._transition = transition
         self._generator: Float | None = None
-        # Remember the last power: most footage has one frame rate.
+        # Remember the last power, because most footage has a constant frame rate.
         self._last: tuple[float, Float] = (1.0, transition)
 
     def __call__(self, exponent: float) -> Float:
-        """Return P^exponent, (n, n)."""
+        """Return the (n, n) matrix P^exponent."""
         if exponent == 1.0:
             return self._transition
         if exponent != self._last[0]:
             if self._generator is None:
                 self._generator = generator(self._transition)
-            # Rounding leaves entries slightly below 0, and sums slightly off 1.
+            # Rounding can make entries slightly negative, and sums slightly different from 1.
             power = np.clip(expm(exponent * self._generator), 0.0, None)
             self._last = (exponent, power / power.sum(axis=1, keepdims=True))
         return self._last[1]

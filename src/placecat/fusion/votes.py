@@ -1,11 +1,11 @@
-"""The two plain votes of thesis 3.3.3, baselines for the SVM integration."""
+"""The two simple votes of thesis 3.3.3, which are baselines for the SVM integration."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 
 def vote_distribution(proba: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Average the cues' distributions: every cue votes with its full distribution.
+    """Average the cues' distributions, so that every cue votes with its full distribution.
 
     `proba` is (frames, cues, n_classes); the result is (frames, n_classes).
     """

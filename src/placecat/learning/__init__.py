@@ -1,1 +1,1 @@
-"""Codebooks and classifiers that follow scikit-learn's conventions. This package does not open files."""
+"""Codebooks and classifiers that follow scikit-learn's conventions and never open files."""

@@ -1,4 +1,4 @@
-"""Rounds of Gentle AdaBoost, for several two-class problems at once."""
+"""Run rounds of Gentle AdaBoost for several two-class problems at once."""
 
 from collections.abc import Sequence
 
@@ -8,21 +8,22 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.learning.stumps import BinnedFeatures, Stump, best_stumps
 
-# Number of machines that share one pass over the samples' bins, which sums all their histograms.
+# Number of machines whose histograms are summed in one pass over the samples' bins.
 _TOGETHER = 8
 
-# A two-class problem: (n,) bool labels, indices of the training samples (None: all), name in messages.
+# A two-class problem: (n,) bool labels, indices of the training samples (None for all), and a name for
+# messages.
 Task = tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]
 
 
 class Boosting:
-    """Boosted machines for several two-class problems on the same samples; more rounds can be added.
+    """Boosted machines for several two-class problems on the same samples.
 
-    A machine does not depend on the other machines, not even in the last bit, and its first stumps do not
-    depend on the number of rounds.
+    More rounds can be added later. A machine does not depend on the other machines, not even in the last bit.
+    Its first stumps do not depend on the number of rounds.
 
-    `binned` holds the n samples, and `tasks` the two-class problems. Raises PlacecatError if a problem's
-    training samples all have the same class. `weight_trim` is as in
+    `binned` holds the n samples, and `tasks` holds the two-class problems. Raises PlacecatError if a
+    problem's training samples all have the same class. `weight_trim` is as in
     :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`.
     """
 
@@ -33,7 +34,7 @@ class Boosting:
         self._groups = [self._machines[start::n_groups] for start in range(n_groups)]
 
     def stumps(self, n_rounds: int) -> list[list[Stump]]:
-        """Return each machine's first stumps: at least one, at most `n_rounds`."""
+        """Return the first stumps of each machine, at least one and at most `n_rounds`."""
         for group in self._groups:
             while boosted := [m for m in group if not m.ended and len(m.stumps) < n_rounds]:
                 self._boost(boosted)
@@ -77,7 +78,7 @@ class _Machine:
         self._base_rate = Stump(0, -1, rate, rate)
 
     def trimmed(self) -> NDArray[np.float64]:
-        """Return the weights (n,), with 0 for the lightest samples."""
+        """Return the (n,) weights, with 0 for the lightest samples."""
         weight = self._weight
         if self._trim >= 1:
             return weight

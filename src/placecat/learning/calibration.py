@@ -1,4 +1,4 @@
-"""Compute held-out decision values of two-class classifiers, and turn them into probabilities."""
+"""Compute the decision values of two-class classifiers for held-out samples, and calibrate them."""
 
 import logging
 from collections.abc import Sequence
@@ -30,27 +30,28 @@ Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 
 @dataclass(frozen=True)
 class Calibration:
-    """Conversion of decision values to probabilities.
+    """How decision values are converted to probabilities.
 
-    If each machine leaves out a different home, the machines' values are not comparable: a machine that
-    leaves out a home with many positives sees few of them, so its values for that home are low. Such values
-    are never pooled unchanged, because a sigmoid fitted to them can fall where it should rise.
+    If each machine leaves out a different home, the machines' values are not comparable. For example, a
+    machine that leaves out a home with many positives sees few positives in training, so its values for that
+    home are low. Such values are never pooled unchanged, because a sigmoid fitted to them can fall where it
+    should rise.
 
     Attributes
     ----------
     kind
-        Which samples are held out, and how their values are used. ``samples``: `folds` random parts of each
-        class, as in dlib, which the thesis uses (3.3.1.2). ``consecutive``: `folds` parts of consecutive
-        samples, as in dlib without shuffling. Both fit one sigmoid to all values. ``homes_centred``: one home
-        at a time; each home's values are shifted to a common mean, then one sigmoid is fitted to all.
-        ``homes_averaged``: one home at a time; each machine has a sigmoid, and the machines' probabilities
-        are averaged.
+        Which samples are held out, and how their values are used. ``samples`` splits each class into `folds`
+        random parts, as in dlib, which the thesis uses (3.3.1.2). ``consecutive`` makes `folds` parts of
+        consecutive samples, as in dlib without shuffling. Both fit one sigmoid to all values.
+        ``homes_centred`` and ``homes_averaged`` hold out one home at a time. ``homes_centred`` shifts each
+        home's values to a common mean and then fits one sigmoid to all of them. ``homes_averaged`` fits a
+        sigmoid for each machine and averages the machines' probabilities.
     folds
         Number of parts, at least 2. Ignored if homes are held out.
     own
-        Use the base classifier's sigmoid instead of Platt's.
+        Whether to use the base classifier's own sigmoid instead of Platt's.
     balanced
-        Weight the classes equally when fitting Platt's sigmoid; see
+        Whether the classes have equal weight when Platt's sigmoid is fitted; see
         :func:`placecat.learning.platt.fit_sigmoid`.
     """
 
@@ -74,17 +75,18 @@ class Problem:
 
 @dataclass
 class FittedProblem:
-    """Fitted machines for one two-class problem, and their outputs for held-out samples."""
+    """The fitted machines for one two-class problem, and their outputs for held-out samples."""
 
-    #: Fitted bases whose probabilities are averaged: one for all members, or one per home left out.
+    #: Fitted base classifiers: one for all members, or one per home left out, whose probabilities are
+    #: averaged.
     machines: list[Any]
     #: (machines, 2): A <= 0 and B in p = 1 / (1 + exp(A d + B)).
     sigmoids: NDArray[np.float64]
     #: (n,) held-out p(o|x).
     outputs: NDArray[np.float64]
-    #: nu of each machine that leaves out a part; NaN if the base has no nu.
+    #: nu of each machine that leaves out a part; NaN if the base classifier has no nu.
     nu: NDArray[np.float64]
-    #: Number of sigmoids that are flat because decision values were uninformative or reversed.
+    #: Number of sigmoids that are flat because the decision values were uninformative or reversed.
     flat: int
 
 
@@ -94,15 +96,15 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
     Parameters
     ----------
     y
-        (n,) class indices; each class occurs at least twice.
+        (n,) class indices, where each class occurs at least twice.
     groups
-        (n,) the home of each sample, or None. Raises PlacecatError if `kind` needs homes and there is not
-        exactly one per sample.
+        (n,) home of each sample, or None. Raises PlacecatError if `kind` needs homes but there is not exactly
+        one per sample.
     kind
-        Kind of :class:`Calibration`. If it holds out homes but there is only one, consecutive samples are
-        held out instead.
+        The `kind` of a :class:`Calibration`. If it holds out homes but there is only one home, consecutive
+        samples are held out instead.
     folds
-        Number of stratified parts; reduced to the size of the smallest class.
+        Number of stratified parts, which is reduced to the size of the smallest class if necessary.
 
     Returns
     -------
@@ -142,13 +144,13 @@ def fit_problems(
     calibration: Calibration,
     n_jobs: int | None,
 ) -> list[FittedProblem]:
-    """Fit, cross-validate and calibrate two-class problems that share samples.
+    """Fit, cross-validate and calibrate two-class problems on the same samples.
 
     Each (problem, fold) pair is a separate task, so that threads can share the work.
 
-    If a fold's training part lacks positives or negatives (for example if only one home has the class), a
-    warning is logged and stratified parts of consecutive samples are held out instead. `shared` comes from
-    ``base.prepare`` and `folds` from :func:`make_folds`; `base` itself is not fitted.
+    The training part of a fold may lack positives or negatives, for example if only one home has the class.
+    Then a warning is logged, and stratified parts of consecutive samples are held out instead. `shared` comes
+    from ``base.prepare``, and `folds` comes from :func:`make_folds`. `base` itself is not fitted.
     """
     n = len(problems[0].positive)
     everything = np.arange(n)
@@ -175,7 +177,7 @@ def fit_problems(
         fitted.append(FittedProblem(kept, sigmoids, outputs, nu, flat))
     flat_names = [problem.name for problem, one in zip(problems, fitted, strict=True) if one.flat]
     if flat_names:
-        # A stage has thousands of these, so the caller warns once with their total.
+        # A stage may have thousands of these, so the caller logs one warning with their total.
         logger.info(
             "the held-out decision values of %s are uninformative or reversed, so the sigmoid is flat",
             ", ".join(flat_names),
@@ -184,11 +186,11 @@ def fit_problems(
 
 
 def _fit_all(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
-    """Fit a machine for each task; inside `remembering`, equal tasks on the same samples are fitted once."""
+    """Fit a machine for each task. Inside `remembering`, fit equal tasks on the same samples only once."""
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
         return _fit_missing(base, shared, tasks, n_jobs)
-    # Keep only the latest preparation's machines, since a preparation may be large.
+    # Keep only the machines of the latest preparation, because a preparation may be large.
     machines: dict[Any, Any] = remembered("machines", (shared,), dict, latest=True)
     of_base = type(base).__name__, tuple(sorted(settings.items()))
     keys = [(of_base, positive.tobytes(), bytes_of(rows)) for positive, rows, _ in tasks]
@@ -207,8 +209,8 @@ def _fit_missing(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int
 def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
     """Make decision values comparable between machines that each leave out a different home.
 
-    `values` and the result have one array per home. Each array is shifted so that its mean is the mean of all
-    the arrays' means, which is the expected mean on an unseen home.
+    `values` and the result have one array per home. Each array is shifted so that its mean equals the average
+    of all the arrays' means, which is the expected mean for an unseen home.
 
     Examples
     --------

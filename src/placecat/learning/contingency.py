@@ -1,9 +1,10 @@
-"""Counts of discrete variables, mutual information between pairs, and the maximum spanning tree."""
+"""Count discrete variables, and compute their pairwise mutual information and maximum spanning tree."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-# A pair's table is filled if it has at most this many cells per sample; otherwise the samples are sorted.
+# A pair's table is stored in full if it has at most this many cells per sample. Otherwise the pair is counted
+# by sorting the samples.
 _CELLS_PER_SAMPLE = 16
 # float32 represents every whole number up to this one.
 _EXACT_FLOAT32 = 1 << 24
@@ -12,9 +13,9 @@ _EXACT_FLOAT32 = 1 << 24
 def value_counts(
     codes: NDArray[np.integer], labels: NDArray[np.integer], n_classes: int, n_values: int
 ) -> NDArray[np.int64]:
-    """Count each variable's values in each class: (n_classes, V, n_values) int64.
+    """Return (n_classes, V, n_values) counts of how often each variable has each value in each class.
 
-    `codes` holds (n, V) integers in [0, n_values), and `labels` (n,) integers in [0, n_classes).
+    `codes` holds (n, V) integers in [0, n_values), and `labels` holds (n,) integers in [0, n_classes).
 
     Examples
     --------
@@ -38,12 +39,13 @@ def value_counts(
 def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.float64]:
     """Compute the mutual information of every pair of variables from relative frequencies.
 
-    If n_ab are a pair's counts, n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. One
-    matrix product counts all binary pairs, and larger tables are filled cell by cell. Tables with far more
-    cells than samples are counted by sorting, so memory does not grow with the square of `n_values`.
+    If n_ab are the counts of a pair, its mutual information I follows from
+    n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. For binary variables, one matrix
+    product counts all pairs. Larger tables are filled cell by cell. Tables with far more cells than samples
+    are counted by sorting, so memory does not grow with the square of `n_values`.
 
-    `codes` holds (n, V) integers in [0, n_values), n >= 1. Returns (V, V) float64 in nats; symmetric,
-    non-negative, and 0 on the diagonal.
+    `codes` holds (n, V) integers in [0, n_values), with n >= 1. Returns a (V, V) float64 matrix in nats. It
+    is symmetric and non-negative, with 0 on the diagonal.
 
     Examples
     --------
@@ -61,9 +63,9 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
 
 
 def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
-    """Count, for each pair of variables, the samples where both are 1: (V, V) int64.
+    """Return (V, V) counts of the samples in which both variables of a pair are 1.
 
-    `codes` holds (n, V) zeros and ones. The diagonal of the result holds each variable's number of ones.
+    `codes` holds (n, V) zeros and ones. The diagonal of the result holds the number of ones of each variable.
 
     Examples
     --------
@@ -71,7 +73,7 @@ def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
     [[2, 1], [1, 1]]
     """
     ones = codes.astype(_exact_dtype(len(codes)))
-    # BLAS computes only half of a product of an array with itself.
+    # If an array is multiplied by itself, BLAS computes only half of the product.
     return (ones.T @ ones).astype(np.int64)
 
 
@@ -81,7 +83,7 @@ def binary_information(both: NDArray[np.int64], n: int) -> NDArray[np.float64]:
     ones = np.diagonal(both)
     first_only = ones[:, None] - both
     only_logs = weighted_log[first_only]
-    # This grouping makes the sum independent of the order of the pair's variables.
+    # With this grouping, the sum does not depend on the order of the two variables.
     joint = (weighted_log[both] + weighted_log[n - ones - first_only]) + (only_logs + only_logs.T)
     return _information(joint, weighted_log[ones] + weighted_log[n - ones], weighted_log)
 
@@ -95,7 +97,7 @@ def _weighted_logs(n: int) -> NDArray[np.float64]:
 def _information(
     joint: NDArray[np.float64], marginal: NDArray[np.float64], weighted_log: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Compute mutual information from sums of m log m over each pair's and each variable's cells."""
+    """Compute mutual information from sums of m log m over the cells of each pair and of each variable."""
     information = weighted_log[-1] + joint
     information -= marginal[:, None] + marginal
     information /= len(weighted_log) - 1
@@ -105,10 +107,11 @@ def _information(
 
 
 def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np.int32]:
-    """Find the spanning tree of greatest total weight (Prim's algorithm), directed away from a root.
+    """Find the spanning tree with the greatest total weight by Prim's algorithm.
 
-    `weights` is (V, V), symmetric; `root` is in [0, V). If weights are equal, the lowest variable joins
-    first, under the parent that joined first. Returns each variable's parent, (V,) int32; -1 for the root.
+    `weights` is a symmetric (V, V) matrix, and `root` is in [0, V). The tree is directed away from the root.
+    If weights are equal, the variable with the lowest index joins first, under the parent that joined first.
+    Returns the parent of each variable, (V,) int32, with -1 for the root.
 
     Examples
     --------
@@ -140,10 +143,10 @@ def _joint_by_tables(
     cells = np.empty(n, np.int64)
     for first, rows in enumerate(columns * n_values):
         for second in range(first + 1, n_variables):
-            # bincount would allocate each table, which takes several times as long as counting.
+            # bincount would allocate a new table each time, which takes several times as long as counting.
             counts.fill(0)
             np.add.at(counts, np.add(rows, columns[second], out=cells), np.int32(1))
-            # m log m is 0 for counts of 0 and 1.
+            # Counts of 0 and 1 can be left out, because their m log m is 0.
             joint[first, second] = weighted_log[counts[counts > 1]].sum()
     return joint
 
@@ -166,5 +169,5 @@ def _joint_by_sorting(
 
 
 def _exact_dtype(n: int) -> type[np.floating]:
-    """Return the dtype in which products of n zeros and ones are exact, whatever the order of summation."""
+    """Return a dtype in which dot products of n zeros and ones are exact, whatever the order of summation."""
     return np.float32 if n < _EXACT_FLOAT32 else np.float64

@@ -16,24 +16,25 @@ from placecat.learning.contingency import (
 from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.ranges import Index, OneOf, Positive, Two
 
-# Largest table of pair counts stored in full (32 MB); larger tables store only the pairs that occur.
+# Number of cells up to which a table of pair counts is stored in full (32 MB). Larger tables store only the
+# pairs that occur.
 _DENSE_CELLS = 1 << 22
-# Table look-ups per block.
+# Number of table look-ups per block.
 _BLOCK = 1 << 18
 
 
 class DependencyTree(DiscreteBayes):
-    """Model of p(c_1, ..., c_V | l_i) by each class's optimal dependency tree (equation 11).
+    """Model of p(c_1, ..., c_V | l_i) that uses an optimal dependency tree per class (equation 11).
 
-    The model is p(c_r | l_i) for the root r times p(c_k | c_parent(k), l_i) for each other variable. A
-    class's tree is the maximum spanning tree of the mutual information within the class; it maximises the
-    likelihood of the class's samples among all trees (Chow and Liu). The mutual information uses relative
-    frequencies; only the conditional probabilities are smoothed.
+    The model multiplies p(c_r | l_i) for the root r by p(c_k | c_parent(k), l_i) for each other variable. A
+    class's tree is the maximum spanning tree of the mutual information within the class. Among all trees, it
+    maximises the likelihood of the class's samples (Chow and Liu). The mutual information is computed from
+    relative frequencies. Only the conditional probabilities are smoothed.
 
     Parameters
     ----------
     alpha, n_values, prior
-        See `DiscreteBayes`. `alpha` is added to the count of each pair (parent value, value).
+        See `DiscreteBayes`. `alpha` is added to the count of each pair of a parent value and a value.
     root
         The root variable r. Without smoothing, the choice would make no difference. The thesis does not give
         it.
@@ -41,7 +42,7 @@ class DependencyTree(DiscreteBayes):
     Attributes
     ----------
     parents_
-        (n_classes, V) int32, each variable's parent in each class's tree; -1 for the root.
+        (n_classes, V) int32, the parent of each variable in each class's tree, with -1 for the root.
     classes_, class_count_, class_log_prior_, n_values_, n_features_in_
         See `DiscreteBayes`.
 
@@ -95,7 +96,7 @@ class DependencyTree(DiscreteBayes):
         self._log_parents = np.log(parent_counts + self.alpha * n_values)
 
     def _fit_binary(self, members: list[NDArray[np.integer]]) -> NDArray[np.int64]:
-        """Fit trees and tables with one matrix product per class; return value counts (n_classes, V, 2)."""
+        """Fit trees and tables by one matrix product per class. Return (n_classes, V, 2) value counts."""
         parents, counts = [], []
         for part in members:
             both, n = both_ones(part), len(part)
@@ -127,10 +128,11 @@ class DependencyTree(DiscreteBayes):
     def _pairs(
         self, codes: NDArray[np.integer], label: int
     ) -> tuple[NDArray[np.integer], NDArray[np.integer]]:
-        """Return cell numbers of each (variable, parent value, value) and each (variable, parent value)."""
+        """Return the cell numbers of all (variable, parent value, value) and all (variable, parent value)."""
         narrow = self.n_features_in_ * self.n_values_**2 < 2**31
         wide_codes: NDArray[np.integer] = codes.astype(np.int32 if narrow else np.int64)
-        # Indexing with a list would return a column-ordered array, whose rows numpy sums in another order.
+        # Indexing with a list would return a column-ordered array, whose rows numpy sums in a different
+        # order.
         parent_cells = np.take(wide_codes, self.parents_[label], axis=1)
         parent_cells[:, self.root] = 0
         parent_cells += np.arange(self.n_features_in_, dtype=wide_codes.dtype) * self.n_values_

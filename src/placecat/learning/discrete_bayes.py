@@ -1,4 +1,4 @@
-"""Common base class of the two joint-probability models, which applies Bayes' rule to codes."""
+"""Common base class of the two models of joint probabilities, which applies Bayes' rule to codes."""
 
 from abc import abstractmethod
 from typing import Any, Self
@@ -17,21 +17,21 @@ PRIORS = ("uniform", "frequency")
 
 
 class DiscreteBayes(ClassifierMixin, BaseEstimator):
-    """Bayes' rule (thesis equation 10) over a model of p(c_1 = q_1, ..., c_V = q_V | l_i).
+    """Bayes' rule (thesis equation 10) applied to a model of p(c_1 = q_1, ..., c_V = q_V | l_i).
 
     Subclasses implement `_fit_model` and `_log_likelihood`.
 
     Parameters
     ----------
     alpha
-        Added to every count (Laplace smoothing), above 0: at 0, a value never seen in a class would veto the
-        class. The thesis does not give this.
+        Number that is added to every count (Laplace smoothing). It must be above 0; otherwise a value that
+        never occurs in a class would rule out the class. The thesis does not give this.
     n_values
-        Number of values per variable: the number of clusters, or 2 for activations. Default: the largest
-        training code plus 1, at least 2.
+        Number of values per variable, which is the number of clusters, or 2 for activations. By default, it
+        is the largest training code plus 1, but at least 2.
     prior
-        p(l_i) in equation (10), ``uniform`` or ``frequency``. The thesis does not give this; ``uniform``
-        matches its KNN (3.3.1.1) and its accuracy measure, the mean over classes.
+        p(l_i) in equation (10), ``uniform`` or ``frequency``. The thesis does not give this. ``uniform``
+        matches the thesis's KNN (3.3.1.1) and its accuracy measure, which is a mean over classes.
 
     Attributes
     ----------
@@ -67,9 +67,9 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Estimate the model from codes and their classes.
 
-        `X` holds (n, V) integers in [0, n_values): codewords of V cells, or activations of V clusters. `y`
-        holds (n,) classes, strings or whole numbers. Raises PlacecatError if a setting is invalid or a code
-        is out of range.
+        `X` holds (n, V) integers in [0, n_values), which are codewords of V cells or activations of V
+        clusters. `y` holds (n,) classes, which are strings or whole numbers. Raises PlacecatError if a
+        setting is invalid or a code is out of range.
         """
         check_parameters(self)
         codes = self._read_codes(X)
@@ -85,10 +85,10 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return self
 
     def predict_joint_log_likelihood(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return log p(codes, class), the numerator of equation (10): (n, n_classes) float64.
+        """Return (n, n_classes) logarithms of p(codes, class), which is the numerator of equation (10).
 
-        X holds (n, V) integers. Raises PlacecatError if a code is outside [0, n_values_), or V differs from
-        the training data.
+        X holds (n, V) integers. Raises PlacecatError if a code is outside [0, n_values_), or if V differs
+        from the training data.
         """
         check_is_fitted(self)
         codes = self._read_codes(X)
@@ -97,16 +97,16 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return self._log_likelihood(codes) + self.class_log_prior_
 
     def predict_log_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return log p(class | codes), of shape (n, n_classes), float64."""
+        """Return (n, n_classes) logarithms of p(class | codes)."""
         joint = self.predict_joint_log_likelihood(X)
         return joint - logsumexp(joint, axis=1, keepdims=True)
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(class | codes), of shape (n, n_classes), float64; rows sum to 1."""
+        """Return (n, n_classes) probabilities p(class | codes), whose rows sum to 1."""
         return np.exp(self.predict_log_proba(X))
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the most probable class of each sample, of shape (n,)."""
+        """Return the (n,) most probable classes of the samples."""
         best = self.predict_joint_log_likelihood(X).argmax(axis=1)
         return self.classes_[best]
 

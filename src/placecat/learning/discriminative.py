@@ -7,18 +7,18 @@ from placecat.learning.contingency import value_counts
 
 
 def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: float) -> NDArray[np.bool_]:
-    """Mark the codewords whose presence in a frame says most about the frame's class.
+    """Mark the codewords whose presence in a frame reveals most about the frame's class.
 
     Parameters
     ----------
     active
-        (frames, N) uint8, 1 where a frame has a region with the codeword: see
+        (frames, N) uint8, which is 1 where a frame has a region with the codeword. See
         :func:`placecat.learning.activations.activations`.
     y
         (frames,) classes.
     keep
-        Share of codewords to mark, in (0, 1]. At least one codeword is marked. In a tie, lower codewords are
-        marked.
+        Share of codewords to mark, in (0, 1]. At least one codeword is marked. In a tie, codewords with lower
+        numbers are marked.
 
     Returns
     -------
@@ -38,6 +38,6 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     information = (joint * np.log(ratio)).sum(axis=(0, 2))
     kept = np.zeros(len(information), bool)
     number = max(1, round(keep * len(information)))
-    # Round, so that the last bits of the sums do not decide ties.
+    # Round, so that ties do not depend on the last bits of the sums.
     kept[np.argsort(-information.round(12), kind="stable")[:number]] = True
     return kept

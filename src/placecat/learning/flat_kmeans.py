@@ -18,7 +18,7 @@ from placecat.schema.signatures import check_parameters
 
 
 class FlatKMeans(BaseEstimator):
-    """scikit-learn's k-means (k-means++ seeds, Lloyd's iterations), run once for each number of clusters.
+    """scikit-learn's k-means with k-means++ seeds, run once for each number of clusters.
 
     Classifiers use it through the same interface as
     :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans`.
@@ -28,15 +28,15 @@ class FlatKMeans(BaseEstimator):
     numbers : sequence of int
         Numbers of clusters to compute.
     max_iter : int
-        Maximum number of Lloyd iterations (not given in the thesis); 11 as in the hierarchical clustering, so
-        that only the hierarchy differs.
+        Maximum number of Lloyd iterations, which the thesis does not give. The default is 11, as in the
+        hierarchical clustering, so that the two differ only in the hierarchy.
     seed : int
         Random seed, at least 0. Random draws are independent for each number of clusters.
 
     Attributes
     ----------
     centers_ : dict of int to ndarray of shape (number, D), float32
-        Has no entry for a number of clusters above the number of training points.
+        There is no entry for a number of clusters that exceeds the number of training points.
     n_points_ : int
         Number of training points.
     n_features_in_ : int
@@ -65,7 +65,7 @@ class FlatKMeans(BaseEstimator):
         return {"numbers": tuple(sorted(set(numbers)))}
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Cluster finite (n, D) descriptors in float32, once per number of clusters.
+        """Cluster finite (n, D) descriptors in float32, once for each number of clusters.
 
         Raises PlacecatError if a setting is invalid.
         """
@@ -76,7 +76,7 @@ class FlatKMeans(BaseEstimator):
         self.n_features_in_ = points.shape[1]
         self.n_points_ = len(points)
         self.centers_: dict[int, NDArray[np.float32]] = {}
-        # The number of threads can change the last bits of a sum.
+        # Use one thread, because the number of threads can change the last bits of a sum.
         with threadpool_limits(limits=1):
             for number in self.numbers:
                 if number > len(points):
@@ -110,7 +110,7 @@ class FlatKMeans(BaseEstimator):
         )
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
-        """Find the nearest centre of each of the (n, D) points: (n,) int32 in [0, n_clusters)."""
+        """Return the number of the nearest centre, in [0, n_clusters), for each of (n, D) points."""
         points = check_samples(X, least=0)
         check_width(points, self)
         return nearest_centers(points, self.centers(n_clusters))[:, 0]

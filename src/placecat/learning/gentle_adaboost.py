@@ -1,4 +1,4 @@
-"""Gentle AdaBoost over regression stumps on binned features."""
+"""Gentle AdaBoost with regression stumps on binned features."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ from placecat.ranges import Count, PositiveShare
 class StumpEnsembles:
     """K boosted sums of stumps, F_k(x) = sum_t (high[k, t] if x[feature] > threshold else low[k, t]).
 
-    All arrays are (K, T).
+    All arrays have the shape (K, T).
     """
 
     feature: NDArray[np.int64]
@@ -33,11 +33,12 @@ class StumpEnsembles:
     width: int
 
     def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
-        """Evaluate all K sums for X (n, D): (n, K) float64."""
+        """Evaluate all K sums for (n, D) samples, and return (n, K) float64 values."""
         result = np.empty((len(X), len(self.feature)))
         for k in range(len(self.feature)):
             above = np.take(X, self.feature[k], axis=1) > self.threshold[k]
-            # Add stump by stump as `decide_rows` does; a sum along the axis may use another order.
+            # Add stump by stump as `decide_rows` does, because a sum along the axis may use a different
+            # order.
             result[:, k] = np.cumsum(np.where(above, self.high[k], self.low[k]), axis=1)[:, -1]
         return result
 
@@ -51,20 +52,20 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
     Parameters
     ----------
     n_rounds
-        Number of weak classifiers (thesis Table 2: 20, 50, 100).
+        Number of weak classifiers. Thesis Table 2 has 20, 50 and 100.
     max_bins
         Maximum number of bins per feature. If a feature has no more distinct values than this, it can be cut
         between any two adjacent values, as in exact boosting. The thesis does not give this.
     weight_trim
-        Each round leaves out the lightest samples, whose weights add up to 1 - weight_trim; 1 keeps all
-        samples. 0.95 is the default in OpenCV, which the thesis uses.
+        Each round leaves out the lightest samples, whose weights add up to 1 - weight_trim. The value 1 keeps
+        all samples. The default 0.95 is that of OpenCV, which the thesis uses.
 
     Attributes
     ----------
     classes_, n_features_in_
         See `TwoClass`.
     feature_, threshold_, low_, high_
-        (T,) each stump's feature and cut, and its values up to the cut and above it; T <= n_rounds.
+        (T,) feature and cut of each stump, and its values up to the cut and above it, where T <= n_rounds.
 
     References
     ----------
@@ -91,7 +92,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         self.weight_trim = weight_trim
 
     def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> BinnedFeatures:
-        """Bin the features without labels, once for all classes and folds. Ignores `n_jobs`."""
+        """Bin the features once for all classes and folds, since labels are not needed. Ignores `n_jobs`."""
         return remembered("bins", (X, self.max_bins), lambda: bin_features(X, self.max_bins), latest=True)
 
     def fit_rows(
@@ -101,12 +102,12 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         rows: NDArray[np.intp] | None = None,
         context: str = "this class",
     ) -> Self:
-        """Fit on some of the samples in a shared binning; see `TwoClass.fit_rows`."""
+        """Fit on some of the samples that were binned together; see `TwoClass.fit_rows`."""
         (stumps,) = Boosting(shared, [(positive, rows, context)], self.weight_trim).stumps(self.n_rounds)
         return self._set(stumps, shared)
 
     def fit_together(self, shared: BinnedFeatures, tasks: Sequence[Task]) -> list["GentleAdaBoost"]:
-        """Fit one copy per problem, with the same results to the bit as `fit_rows`."""
+        """Fit one copy of this classifier per problem, with exactly the same results as `fit_rows`."""
         contents = (
             content for positive, rows, _ in tasks for content in (positive.tobytes(), bytes_of(rows))
         )
@@ -131,7 +132,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         return self
 
     def decide_rows(self, shared: BinnedFeatures, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Evaluate F for some of the samples in a shared binning: (len(rows),) float64."""
+        """Return the (len(rows),) values of F for some of the samples that were binned together."""
         result = np.zeros(len(rows))
         for feature, cut, low, high in zip(self.feature_, self.cut_, self.low_, self.high_, strict=True):
             result += np.where(shared.bins[feature, rows] > cut, high, low)
@@ -139,7 +140,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
 
     @staticmethod
     def collect(machines: Sequence["GentleAdaBoost"], X: object = None) -> StumpEnsembles:
-        """Combine machines fitted on the same features, padding shorter ones with zeros. Ignores `X`."""
+        """Combine machines fitted on the same features, and pad shorter ones with zeros. Ignores `X`."""
         length = max(len(machine.feature_) for machine in machines)
 
         def stack(name: str) -> NDArray[Any]:
@@ -151,7 +152,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         )
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Evaluate F(x) for samples (n, D): (n,) float64, positive for ``classes_[1]``."""
+        """Return the (n,) values F(x) of (n, D) samples, which are positive for ``classes_[1]``."""
         check_is_fitted(self, "feature_")
         samples = check_samples(X)
         check_width(samples, self)

@@ -1,4 +1,4 @@
-"""Hierarchical k-means: one tree of clusters, cut to any number of codewords."""
+"""Hierarchical k-means, which grows one tree of clusters and cuts it to the desired number of codewords."""
 
 import heapq
 from collections.abc import Mapping, Sequence
@@ -22,8 +22,8 @@ from placecat.schema.signatures import check_parameters
 def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
     """Raise PlacecatError if a tree with this branching cannot be cut to `n_clusters` clusters.
 
-    Each split replaces one cluster by `branching`, so a cut has (branching - 1) k + 1 clusters, k = 0, 1, ...
-    The message names the two nearest valid numbers.
+    Each split replaces one cluster by `branching` clusters, so a cut after k splits has (branching - 1) k + 1
+    clusters. The message names the two nearest valid numbers.
 
     Examples
     --------
@@ -46,45 +46,48 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
 class HierarchicalKMeans(BaseEstimator):
     """Hierarchical k-means as in FLANN, the thesis's codebook (sections 3.3.2 and 4.2).
 
-    K-means (k-means++ seeds, then Lloyd's iterations) splits the points into `branching` clusters, splits
-    each cluster into `branching` more, and so on. A cut of this tree starts at the root and always splits the
-    node whose split most reduces the total variance (the sum of squared distances to the centres). A cut's
-    splits are the first splits of every larger cut, so one tree provides every number of clusters
-    (branching - 1) k + 1.
+    K-means (k-means++ seeds, then Lloyd's iterations) splits the points into `branching` clusters, then
+    splits each cluster into `branching` smaller ones, and so on. A cut of this tree starts at the root and
+    always splits the node whose split most reduces the total variance (the sum of squared distances to the
+    centres). Every larger cut begins with the same splits. So one tree provides every number of clusters of
+    the form (branching - 1) k + 1.
 
     A node can be split only if it has at least `branching` distinct points. An empty cluster receives the
     point that is farthest from its cluster's centre. A node's centre is the mean of its points. Distances are
-    computed in float32 relative to the node's centre, so a split resolves about 1/1000 of the node's radius.
+    computed in float32 relative to the node's centre, so a split resolves distances of about 1/1000 of the
+    node's radius.
 
-    The tree is grown lazily, which does not change the result: a split gains at most the node's sum of
+    The tree is grown lazily, which does not change the result. A split gains at most the node's sum of
     squares, so a node is split only when this bound reaches the best known gain. A node's random draws depend
     on its position in the tree, not on the order of the splits.
 
     Parameters
     ----------
     branching : int
-        Children per node; 16 in the thesis.
+        Number of children per node, 16 in the thesis.
     max_clusters : int
-        Number of clusters in the largest cut, (branching - 1) k + 1; at most 991 in the thesis.
+        Number of clusters in the largest cut, of the form (branching - 1) k + 1. It is at most 991 in the
+        thesis.
     max_iter : int
-        Maximum number of Lloyd iterations per split. The thesis does not give this; 11 is FLANN's default.
+        Maximum number of Lloyd iterations per split. The thesis does not give this. 11 is FLANN's default.
     seed : int
         Seed of the k-means++ draws, at least 0.
 
     Attributes
     ----------
     max_clusters_ : int
-        Size of the largest possible cut: `max_clusters`, or less if there are too few distinct points.
+        Size of the largest possible cut, which is `max_clusters`, or less if there are too few distinct
+        points.
     node_centers_ : ndarray of shape (n_nodes, D), float32
-        Node 0 is the root; the children of split k start at node 1 + branching k.
+        Centre of each node. Node 0 is the root, and the children of split k start at node 1 + branching k.
     node_sizes_ : ndarray of shape (n_nodes,), int64
         Number of training points in each node.
     node_sse_ : ndarray of shape (n_nodes,), float64
-        Sum of squared distances from each node's training points to its centre.
+        Sum of the squared distances between each node's training points and its centre.
     split_nodes_ : ndarray of shape (n_splits,), int32
         The node that each step of the cut splits.
     training_nodes_ : ndarray of shape (n,), int32 or None
-        Each training point's node in the largest cut; None if the tree comes from `from_arrays`.
+        The node of each training point in the largest cut, or None if the tree comes from `from_arrays`.
     n_features_in_ : int
         D.
 
@@ -104,7 +107,7 @@ class HierarchicalKMeans(BaseEstimator):
     (3, 2)
     """
 
-    #: Attributes that prediction does not need; stored systems omit them.
+    #: Attributes that prediction does not need, so stored systems omit them.
     TRAINING_ONLY = ("training_nodes_",)
     training_nodes_: NDArray[np.int32] | None = None
 
@@ -126,12 +129,13 @@ class HierarchicalKMeans(BaseEstimator):
         return {"max_clusters": max(numbers)}
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Grow the tree until it can be cut to `max_clusters`, using memory for two float32 copies of X.
+        """Grow the tree until it can be cut to `max_clusters`.
 
-        The result is the same to the byte for any number of threads. `y` is ignored.
+        This takes the memory of two float32 copies of X. The result is exactly the same for any number of
+        threads. `y` is ignored.
 
-        `X` holds (n, D) finite descriptors, converted to float32. Raises PlacecatError if these or a setting
-        are invalid.
+        `X` holds finite (n, D) descriptors, which are converted to float32. Raises PlacecatError if `X` or a
+        setting is invalid.
         """
         check_parameters(self)
         check_cluster_number(self.max_clusters, self.branching)
@@ -145,7 +149,7 @@ class HierarchicalKMeans(BaseEstimator):
     def _grow(self, points: NDArray[np.float32], n_splits: int) -> None:
         root = make_root(points)
         nodes = [root]
-        # (minus the gain or its bound, whether the gain is known, node); bounds precede equal known gains.
+        # (negative gain or its bound, whether the gain is known, node); a bound precedes an equal known gain.
         queue: list[tuple[float, bool, int]] = [(-root.sse, False, 0)]
         split_nodes: list[int] = []
         while queue and len(split_nodes) < n_splits:
@@ -175,20 +179,20 @@ class HierarchicalKMeans(BaseEstimator):
     def centers(self, n_clusters: int) -> NDArray[np.float32]:
         """Return a copy of a cut's centres, (n_clusters, D) float32, in the order of the tree's nodes.
 
-        Raises PlacecatError if no cut has this size (the message names the two nearest), the tree was not
-        grown that far, or the training data yield fewer clusters (the message names the maximum).
+        Raises PlacecatError if no cut has this size, if the tree was not grown that far, or if the training
+        data yield fewer clusters. The message names the two nearest sizes or the maximum.
         """
         cut = self._cut(n_clusters)
         return self.node_centers_[cut]
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
-        """Find each point's codeword, the nearest centre in the cut.
+        """Find each point's codeword, which is the nearest centre in the cut.
 
-        All centres are compared (see `nearest_centers`); the lowest index wins ties. The thesis does not say
-        whether it descends the tree instead.
+        All centres are compared (see `nearest_centers`), and the lowest index wins ties. The thesis does not
+        say whether it descends the tree instead.
 
-        `X` holds (n, D) finite descriptors; n may be 0. Returns (n,) int32 in [0, n_clusters). Raises
-        PlacecatError like `centers`, and if D differs from the training data.
+        `X` holds finite (n, D) descriptors, where n may be 0. Returns (n,) int32 in [0, n_clusters). Raises
+        PlacecatError in the same cases as `centers`, and if D differs from the training data.
         """
         centers = self.centers(n_clusters)
         points = check_samples(X, least=0)
@@ -198,8 +202,8 @@ class HierarchicalKMeans(BaseEstimator):
     def labels(self, n_clusters: int) -> NDArray[np.int32]:
         """Return each training point's cluster in the cut, as (n,) int32 indices into `centers`.
 
-        This is the partition that k-means found; near cluster borders it differs from `assign`. Raises
-        PlacecatError like `centers`, and also if the tree comes from `from_arrays`.
+        This is the partition that k-means found, which differs from `assign` near cluster borders. Raises
+        PlacecatError in the same cases as `centers`, and also if the tree comes from `from_arrays`.
         """
         cut = self._cut(n_clusters)
         if self.training_nodes_ is None:
@@ -208,7 +212,7 @@ class HierarchicalKMeans(BaseEstimator):
             )
         code = np.full(len(self.node_centers_), -1, np.int32)
         code[cut] = np.arange(n_clusters, dtype=np.int32)
-        # A node is split after its parent, so one pass in order reaches every node below the cut.
+        # A node is always split after its parent, so one pass in this order reaches every node below the cut.
         for step, node in enumerate(self.split_nodes_):
             if code[node] >= 0:
                 code[1 + self.branching * step : 1 + self.branching * (step + 1)] = code[node]
@@ -225,8 +229,8 @@ class HierarchicalKMeans(BaseEstimator):
                     "raise max_clusters and fit again"
                 )
             raise NotComputable(
-                f"{n_clusters} clusters are impossible: the training data split into at most "
-                f"{self.max_clusters_}, and none of these has {self.branching} distinct points"
+                f"{n_clusters} clusters are not possible: the training data can be split into at most "
+                f"{self.max_clusters_} clusters, none of which has {self.branching} distinct points"
             )
         n_splits = (n_clusters - 1) // (self.branching - 1)
         in_cut = np.ones(1 + self.branching * n_splits, bool)
@@ -234,7 +238,7 @@ class HierarchicalKMeans(BaseEstimator):
         return np.flatnonzero(in_cut)
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Return the tree as plain arrays for ``numpy.savez``, without the training points' nodes."""
+        """Return the tree, without the nodes of the training points, as plain arrays for ``numpy.savez``."""
         check_is_fitted(self)
         settings = {name: np.array(value, np.int64) for name, value in self.get_params().items()}
         return settings | {

@@ -16,18 +16,19 @@ from placecat.learning.two_class import TwoClass
 class KernelMachine(TwoClass):
     """Two-class classifier whose decision value is a sum over support vectors.
 
-    A subclass has the parameter `gamma` and a `fit_rows` that sets `support_`, `dual_coef_` and `intercept_`.
+    Each subclass has a parameter `gamma` and a method `fit_rows` that sets `support_`, `dual_coef_` and
+    `intercept_`.
 
     Attributes
     ----------
     classes_, support_vectors_
-        The two labels, and (s, D) float32. Set only by `fit`.
+        The two labels, and the (s, D) float32 support vectors. Only `fit` sets them.
     support_
-        (s,) the support vectors' ascending indices into the Gram matrix's samples.
+        (s,) ascending indices of the support vectors among the samples of the Gram matrix.
     dual_coef_
-        (s,) float64, the support vectors' weights in the sum.
+        (s,) float64, the weights of the support vectors in the sum.
     intercept_
-        float, added to the sum.
+        Number that is added to the sum.
     """
 
     gamma: float
@@ -45,7 +46,7 @@ class KernelMachine(TwoClass):
         return self
 
     def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> NDArray[Any]:
-        """Compute the (n, n) C-contiguous Gram matrix of `gram_dtype` for samples (n, D)."""
+        """Compute the C-contiguous (n, n) Gram matrix of (n, D) samples, with the dtype `gram_dtype`."""
         return remembered(
             "gram",
             (X, float(self.gamma), np.dtype(self.gram_dtype).char),
@@ -54,7 +55,7 @@ class KernelMachine(TwoClass):
         )
 
     def decide_rows(self, shared: NDArray[Any], rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Return decision values, (len(rows),) float64, for rows of the Gram matrix `shared` (n, n)."""
+        """Return (len(rows),) float64 decision values for some rows of the (n, n) Gram matrix `shared`."""
         weights = np.zeros(len(shared), dtype=shared.dtype)
         weights[self.support_] = self.dual_coef_
         # A slice of the matrix is a view; an index list would make a copy.
@@ -63,7 +64,7 @@ class KernelMachine(TwoClass):
         return (block @ weights).astype(np.float64) + self.intercept_
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return decision values (n,) of samples (n, D), positive for ``classes_[1]``. Needs `fit`."""
+        """Return (n,) decision values of (n, D) samples, positive for ``classes_[1]``. Call `fit` first."""
         check_is_fitted(self, "support_vectors_")
         samples = check_samples(X)
         check_width(samples, self)
@@ -73,7 +74,7 @@ class KernelMachine(TwoClass):
 
     @staticmethod
     def collect(machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> KernelExpansion:
-        """Combine machines fitted on the same samples `X` (n, D) for prediction."""
+        """Combine machines that were fitted on the same (n, D) samples `X`, for prediction."""
         support = np.unique(np.concatenate([machine.support_ for machine in machines])).astype(np.intp)
         coef = np.zeros((len(support), len(machines)))
         for k, machine in enumerate(machines):

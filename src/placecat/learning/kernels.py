@@ -1,4 +1,4 @@
-"""Compute the RBF kernel in cache-sized blocks, and kernel expansions that several classifiers share."""
+"""Compute the RBF kernel in cache-sized blocks, and evaluate kernel sums for several classifiers at once."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,10 +12,10 @@ from placecat.learning.checks import check_samples
 from placecat.learning.products import RowProducts, squared_lengths
 from placecat.learning.single_thread import single_blas_thread
 
-# Rows and columns per tile: 2 MiB of float32.
+# Number of rows and columns per tile, which takes 2 MiB in float32.
 ROW_TILE = 512
 COLUMN_TILE = 1024
-# The same for predictions, where a row's bits must not depend on other rows.
+# The same for predictions, where even the last bits of a row must not depend on other rows.
 PREDICTION_ROWS = 480
 PREDICTION_COLUMNS = 912
 
@@ -23,7 +23,7 @@ PREDICTION_COLUMNS = 912
 # One product of rows [2 gamma x, -gamma x.x, 1] and columns [y, 1, -gamma y.y] gives -gamma ||x - y||^2.
 # The origin is the mean of y, which leaves distances unchanged and reduces cancellation.
 def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the origin (D,) and the columns (m, D + 2)."""
+    """Return the (D,) origin and the (m, D + 2) columns."""
     origin = Y.mean(axis=0, dtype=np.float64).astype(np.float32)
     columns = np.empty((len(Y), Y.shape[1] + 2), dtype=np.float32)
     np.subtract(Y, origin, out=columns[:, :-2])
@@ -33,7 +33,7 @@ def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32],
 
 
 def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> NDArray[np.float32]:
-    """Return the rows (n, D + 2); a row's bits do not depend on other rows."""
+    """Return the (n, D + 2) rows, none of which depends on the others, not even in the last bit."""
     rows = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
     np.subtract(X, origin, out=rows[:, :-2])
     rows[:, -2] = -gamma * squared_lengths(rows[:, :-2])
@@ -43,8 +43,8 @@ def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> 
 
 
 def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Replace the products by exp(-gamma ||x - y||^2), in place."""
-    # Rounding may make a squared distance negative.
+    """Replace the products in place by exp(-gamma ||x - y||^2)."""
+    # Rounding can make a squared distance negative.
     np.minimum(products, 0.0, out=products)
     return np.exp(products, out=products)
 
@@ -52,19 +52,19 @@ def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
 def rbf_gram(
     X: ArrayLike, gamma: float, dtype: DTypeLike = np.float32, n_jobs: int | None = None
 ) -> NDArray[Any]:
-    """Compute a training set's Gram matrix exp(-gamma ||x_i - x_j||^2), for all classes and folds.
+    """Compute the Gram matrix exp(-gamma ||x_i - x_j||^2) of a training set, for all classes and folds.
 
-    It is computed block by block, and is exactly symmetric with ones on the diagonal.
+    The matrix is computed block by block. It is exactly symmetric, with ones on the diagonal.
 
     Parameters
     ----------
     X
         (n, D) finite samples, converted to float32. Raises PlacecatError for other input.
     gamma
-        Inverse squared width, > 0, in units of 1 / X^2 (2.0 in thesis 4.2, which does not give the scale of
-        X).
+        Inverse squared width, > 0, in units of 1 / X^2. It is 2.0 in thesis 4.2, which does not give the
+        scale of X.
     dtype
-        dtype of the result: float32, or float64 for libsvm. Values are always computed in float32.
+        dtype of the result, which is float32, or float64 for libsvm. Values are always computed in float32.
     n_jobs
         Number of threads. The result does not depend on it.
 
@@ -103,9 +103,9 @@ def rbf_gram(
 
 @dataclass(frozen=True)
 class KernelExpansion:
-    """K functions sum_s coef[s, k] exp(-gamma ||x - v_s||^2) + intercept[k] over shared vectors."""
+    """K functions sum_s coef[s, k] exp(-gamma ||x - v_s||^2) + intercept[k] that share their vectors v_s."""
 
-    #: (S, D), the union of the K functions' vectors. S may be 0.
+    #: (S, D), all vectors that any of the K functions uses. S may be 0.
     support_vectors: NDArray[np.float32]
     #: (S, K)
     coef: NDArray[np.float64]
@@ -114,12 +114,12 @@ class KernelExpansion:
     #: See `rbf_gram`.
     gamma: float
 
-    #: Attributes that prediction does not need; stored systems omit them.
+    #: Attributes that prediction does not need, so stored systems omit them.
     TRAINING_ONLY = ("_prepared",)
 
     @cached_property
     def _prepared(self) -> tuple[NDArray[np.float32], list[tuple[RowProducts, RowProducts]]]:
-        """Return the origin and, for each block of vectors, the products that give kernels and sums."""
+        """Return the origin and, for each block of vectors, the products that compute kernels and sums."""
         origin, right = _columns(self.support_vectors, self.gamma)
         coef = self.coef.astype(np.float32)
         parts = [
@@ -128,9 +128,10 @@ class KernelExpansion:
         return origin, [(RowProducts(right[part]), RowProducts(coef[part].T)) for part in parts]
 
     def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
-        """Evaluate all K functions for X (n, D): (n, K) float64.
+        """Evaluate all K functions for (n, D) samples, and return (n, K) float64 values.
 
-        One matrix product computes the kernel and another the sums. A row's bits do not depend on other rows.
+        One matrix product computes the kernel, and another computes the sums. Even the last bits of a row do
+        not depend on other rows.
         """
         result = np.tile(self.intercept, (len(X), 1))
         if len(self.support_vectors) == 0:

@@ -1,23 +1,24 @@
-"""Split one node in hierarchical k-means: k-means++ seeds, then Lloyd's iterations."""
+"""Split one node in hierarchical k-means, with k-means++ seeds and then Lloyd's iterations."""
 
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-# Number of floats per block of points: 1 MB of float32, half a level-2 cache.
+# Number of floats per block of points, which takes 1 MB in float32, half a level-2 cache.
 _BLOCK = 1 << 18
-# Below this fraction of |x|^2 + |c|^2, |x|^2 - 2xc + |c|^2 in float32 has lost its significant digits.
+# The float32 result of |x|^2 - 2xc + |c|^2 has lost its significant digits if it is below this fraction of
+# |x|^2 + |c|^2.
 _CANCELLATION = 1e-4
 
 
 @dataclass
 class Node:
-    """A cluster in the growing tree; `path` is its position there."""
+    """A cluster in the growing tree, where `path` is its position in the tree."""
 
     path: tuple[int, ...]
     members: NDArray[np.int32]
-    # The members' descriptors minus the centre; empty after the split.
+    # The descriptors of the members minus the centre. Empty after the split.
     points: NDArray[np.float32]
     center: NDArray[np.float64]
     sse: float
@@ -26,7 +27,7 @@ class Node:
 
 def make_root(points: NDArray[np.float32]) -> Node:
     """Make the root node, which holds all (n, D) points."""
-    # The centred points are relative to the rounded centre.
+    # The points are centred on the rounded centre, not on the exact mean.
     center = _mean(points).astype(np.float32)
     centred = points - center
     members = np.arange(len(points), dtype=np.int32)
@@ -34,7 +35,7 @@ def make_root(points: NDArray[np.float32]) -> Node:
 
 
 def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generator) -> list[Node]:
-    """Split a node by k-means; return no children if it has fewer than `branching` distinct points."""
+    """Split a node by k-means. If it has fewer than `branching` distinct points, return no children."""
     points, node.points = node.points, node.points[:0]
     if len(points) < branching:
         return []
@@ -59,7 +60,7 @@ def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generat
 def seed_clusters(
     points: NDArray[np.float32], n_clusters: int, rng: np.random.Generator
 ) -> NDArray[np.uint16] | None:
-    """Draw k-means++ seeds (one try each, like FLANN) and return the index of each point's nearest seed.
+    """Draw k-means++ seeds, with one try each as in FLANN, and return the index of each point's nearest seed.
 
     Returns None if there are too few distinct points.
     """
@@ -83,7 +84,7 @@ def seed_clusters(
 def _squared_distances(
     points: NDArray[np.float32], norms: NDArray[np.float32], seed: int
 ) -> NDArray[np.float32]:
-    """Compute squared distances from all points to one of them, exactly 0 for its duplicates."""
+    """Compute the squared distances of all points from one of them, exactly 0 for its duplicates."""
     distances = points @ points[seed]
     distances *= -2
     distances += norms
@@ -97,7 +98,7 @@ def _squared_distances(
 def lloyd(
     points: NDArray[np.float32], labels: NDArray[np.uint16], n_clusters: int, max_iter: int
 ) -> NDArray[np.uint16]:
-    """Iterate k-means from initial labels; every cluster keeps at least one point."""
+    """Iterate k-means from initial labels so that every cluster keeps at least one point."""
     sums = _sums(points, labels, n_clusters)
     for _ in range(max_iter):
         counts = np.bincount(labels, minlength=n_clusters)
@@ -122,7 +123,7 @@ def _blocks(points: NDArray[np.float32]) -> list[slice]:
 
 
 def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArray[np.uint16]:
-    """Find the nearest of a few centres (K, D) for each of (n, D) points; the lowest index wins ties."""
+    """Find the nearest of a few (K, D) centres for each of (n, D) points. The lowest index wins ties."""
     # For a handful of centres, the transposed product is faster than nearest_centers.
     half_norms = (0.5 * np.einsum("ij,ij->i", centers, centers))[:, None].astype(np.float32)
     centers32 = centers.astype(np.float32)
@@ -130,13 +131,13 @@ def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArra
     for block in _blocks(points):
         scores = centers32 @ points[block].T
         scores -= half_norms
-        # The argmax along the first axis, but twice as fast as scores.argmax(axis=0).
+        # This gives the same result as scores.argmax(axis=0), but is twice as fast.
         labels[block] = (scores == scores.max(axis=0)).argmax(axis=0)
     return labels
 
 
 def _sums(points: NDArray[np.float32], labels: NDArray[np.integer], n_clusters: int) -> NDArray[np.float64]:
-    """Sum each label's points, in float32 within a block and in float64 over blocks."""
+    """Sum the points of each label, in float32 within a block and in float64 across blocks."""
     numbers = np.arange(n_clusters, dtype=labels.dtype)[:, None]
     sums = np.zeros((n_clusters, points.shape[1]))
     for block in _blocks(points):

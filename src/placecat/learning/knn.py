@@ -1,4 +1,4 @@
-"""The thesis's modified K-nearest neighbours, which uses clusters' class frequencies (section 3.3.1.1)."""
+"""The thesis's modified K-nearest neighbours, based on class frequencies of clusters (section 3.3.1.1)."""
 
 from typing import Annotated, Any, Self
 
@@ -21,30 +21,31 @@ _BLOCK = 1 << 20
 
 
 class ModifiedKNN(ClassifierMixin, BaseEstimator):
-    """Modified K-nearest neighbours, where the neighbours are cluster centres with class frequencies.
+    """Modified K-nearest neighbours, whose neighbours are cluster centres with class frequencies.
 
     For a set of n points x_k, equations (4) and (5) are
 
         p(l | x_1, ..., x_n) ~ 1 / f(l) * prod_k f(l, x_k),    f(l, x_k) = sum_j f(l, c_j) / |x_k - c_j|
 
-    over the K centres nearest to x_k; for K = 1 this is equation (2). f(l, c) counts the training points of
-    class l in cluster c, and f(l) all those of class l. A centre at distance 0 receives all the weight. The
-    computation uses logarithms.
+    where j runs over the K centres nearest to x_k. For K = 1 this is equation (2). f(l, c) is the number of
+    training points of class l in cluster c, and f(l) is the number of all training points of class l. A
+    centre at distance 0 receives all the weight. The computation uses logarithms.
 
     Parameters
     ----------
     n_clusters : int
-        Number of clusters, (branching - 1) k + 1 for the codebook's branching.
+        Number of clusters, which has the form (branching - 1) k + 1 for the codebook's branching.
     n_neighbors : int
         K.
     smoothing : float
-        Added to every f(l, c), hence n_clusters times to f(l). The thesis does not give this. If 0, a cluster
-        vetoes every class that it does not contain; if all classes are vetoed, the result is uniform.
+        Number that is added to every f(l, c), and therefore n_clusters times to f(l). The thesis does not
+        give this. If it is 0, a cluster rules out every class that it does not contain. If all classes are
+        ruled out, the result is uniform.
     class_weighting : {"once", "per_region"}
-        "once" divides by f(l) once, like equations (2) and (4) and the text. "per_region" divides by f(l)^n,
-        which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). They agree for single points and
-        for balanced classes. Otherwise "once" favours frequent classes, and more so the more regions a frame
-        has.
+        "once" divides by f(l) once, like equations (2) and (4) and the text of the thesis. "per_region"
+        divides by f(l)^n, which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). Both agree for
+        single points and for balanced classes. Otherwise "once" favours frequent classes, and does so more
+        strongly the more regions a frame has.
     codebook : HierarchicalKMeans or FlatKMeans, optional
         A fitted codebook. By default, a new tree is grown to `n_clusters` on the training points.
     seed : int
@@ -71,7 +72,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     [0, 1]
     """
 
-    #: Attributes that prediction does not need; stored systems omit them.
+    #: Attributes that prediction does not need, so stored systems omit them.
     TRAINING_ONLY = ("codebook", "_pair_distances")
     codebook: Any = None
     _pair_distances: NDArray[np.float64] | None = None
@@ -95,8 +96,8 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Count the classes of the training points in each cluster.
 
-        `X` holds finite descriptors (n, D), and `y` (n,) classes, strings or whole numbers. Raises
-        PlacecatError if a setting is invalid, or for the reasons in `HierarchicalKMeans.centers`.
+        `X` holds finite (n, D) descriptors, and `y` holds (n,) classes, which are strings or whole numbers.
+        Raises PlacecatError if a setting is invalid, and in the same cases as `HierarchicalKMeans.centers`.
         """
         check_parameters(self)
         if self.n_neighbors > self.n_clusters:
@@ -119,7 +120,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(class | x) for single descriptors (n, D): (n, n_classes) float64; rows sum to 1."""
+        """Return (n, n_classes) probabilities p(class | x) for (n, D) descriptors; rows sum to 1."""
         check_is_fitted(self)
         points = self._read_points(X)
         return self._normalize(self._log_frequencies(points), np.ones(len(points), np.int64))
@@ -127,9 +128,9 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     def predict_proba_sets(self, X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.float64]:
         """Return p(class | x_1, ..., x_n) for each frame's set of descriptors.
 
-        `X` holds (frames, max_regions, D) descriptors; rows beyond a frame's number of regions in `counts`,
-        (frames,) integers, are ignored. Returns (frames, n_classes) float64; rows sum to 1, and are uniform
-        for a frame without regions (the thesis assumes uniform priors).
+        `X` holds (frames, max_regions, D) descriptors, and `counts` holds the (frames,) numbers of regions.
+        Rows beyond a frame's number of regions are ignored. Returns (frames, n_classes) float64, and rows sum
+        to 1. A frame without regions has a uniform distribution, because the thesis assumes uniform priors.
         """
         check_is_fitted(self)
         numbers = np.asarray(counts)
@@ -139,17 +140,18 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self._normalize(logs.sum(axis=1), numbers)
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the most probable class (n,) of each descriptor."""
+        """Return the (n,) most probable classes, one for each descriptor."""
         best = self.predict_proba(X).argmax(axis=1)
         return self.classes_[best]
 
     def update(self, x: ArrayLike, label: object) -> Self:
-        """Learn one more labelled point x (D,) at run time; `label` is one of `classes_`.
+        """Learn one more labelled point at run time.
 
-        If the point is at least as close to its nearest centre as the two closest centres are to each other,
-        it joins that centre's cluster, and the centre moves to the cluster's mean. Otherwise the two closest
-        clusters merge and the point starts a new cluster. The number of clusters and the codebook do not
-        change. Only the distances to centres that moved are recomputed.
+        `x` is the (D,) point, and `label` is one of `classes_`. If the point is at least as close to its
+        nearest centre as the two closest centres are to each other, it joins that centre's cluster, and the
+        centre moves to the cluster's mean. Otherwise the two closest clusters merge and the point starts a
+        new cluster. The number of clusters and the codebook do not change. Only the distances to centres that
+        moved are recomputed.
 
         Raises PlacecatError if the class is unknown or D differs from the training data.
         """
@@ -187,7 +189,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self
 
     def _measure(self, cluster: int) -> None:
-        """Update one centre's distances to all others; its distance to itself is infinite."""
+        """Update the distances of one centre to all others; its distance to itself is infinite."""
         assert self._pair_distances is not None
         distances = np.linalg.norm(self.centers_ - self.centers_[cluster], axis=1)
         distances[cluster] = np.inf
@@ -200,12 +202,12 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return points
 
     def _log_frequencies(self, points: NDArray[np.float32]) -> NDArray[np.float64]:
-        """Return log f(l, x_k) of equation (5), (n, n_classes), up to a term that all classes share."""
+        """Return (n, n_classes) values log f(l, x_k) of equation (5), up to a term common to all classes."""
         frequencies = self.frequencies_ + self.smoothing
         neighbors = nearest_centers(points, self.centers_, self.n_neighbors)
         with np.errstate(divide="ignore"):
             if self.n_neighbors == 1:
-                # All classes share one weight.
+                # The single weight is the same for all classes, so it can be left out.
                 return np.log(frequencies)[neighbors[:, 0]]
             interpolated = np.empty((len(points), len(self.classes_)))
             rows = max(1, _BLOCK // (self.n_neighbors * self.n_features_in_))

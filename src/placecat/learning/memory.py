@@ -1,4 +1,4 @@
-"""Cache intermediate results for classifiers that are trained one after another on the same data."""
+"""Cache intermediate results when several classifiers are trained in turn on the same data."""
 
 import hashlib
 from collections.abc import Callable, Iterator
@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 _Result = TypeVar("_Result")
 _by_value = (str, bytes, int, float, type(None))
-# Maps each kind of result to its keys, and each key to the key's objects (kept alive) and the result.
+# Maps each kind of result to its keys, and each key to the result and to the key's objects, which are thus
+# kept alive.
 _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("memory", default=None)
 
 
@@ -19,7 +20,7 @@ _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("
 def remembering() -> Iterator[None]:
     """Keep the results of :func:`remembered` until the end of the block. Other threads do not see them.
 
-    This only saves time; results are identical without it.
+    This only saves time. The results are identical without it.
     """
     token = _memory.set({})
     try:
@@ -31,19 +32,19 @@ def remembering() -> Iterator[None]:
 def remembered(
     name: str, key: tuple[Any, ...], compute: Callable[[], _Result], *, latest: bool = False
 ) -> _Result:
-    """Return a result from the cache, or compute and store it. Outside `remembering`, always compute it.
+    """Return a result from the cache, or compute and store it. Outside `remembering`, compute it every time.
 
     Parameters
     ----------
     name
         Name of this kind of result.
     key
-        Everything that the result depends on. Text, bytes and numbers are compared by value; other objects,
-        such as arrays, are compared by identity. Do not change these objects or the result in place.
+        Everything that the result depends on. Strings, bytes and numbers are compared by value. Other
+        objects, such as arrays, are compared by identity. Do not change these objects or the result in place.
     compute
         Function that computes the result.
     latest
-        Keep only the latest result with this name; for large results.
+        Whether to keep only the latest result with this name, which is useful for large results.
 
     Examples
     --------
@@ -68,12 +69,15 @@ def remembered(
 
 
 def bytes_of(array: NDArray[Any] | None) -> bytes | None:
-    """Return the content of an array with a known dtype and shape, for use in a key."""
+    """Return the bytes of an array whose dtype and shape are known, for use in a key."""
     return None if array is None else np.ascontiguousarray(array).tobytes()
 
 
 def content(array: NDArray[Any]) -> bytes:
-    """Return a checksum, as a key for an array that is created repeatedly; b"" outside `remembering`."""
+    """Return a checksum, which serves as the key of an array that is created repeatedly.
+
+    Outside `remembering`, return b"".
+    """
     if _memory.get() is None:
         return b""
     head = f"{array.dtype.str}{array.shape}".encode()

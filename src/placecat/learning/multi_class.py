@@ -1,4 +1,4 @@
-"""Common base class of the multi-class schemes, with one two-class classifier p(o_k|x) per class."""
+"""Common base class of the multi-class schemes, which have a two-class classifier p(o_k|x) per class."""
 
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
@@ -19,9 +19,9 @@ from placecat.schema.signatures import check_parameters
 
 
 class MultiClass:
-    """A scheme's K classifiers, fitted and calibrated together.
+    """The K classifiers of a scheme, fitted and calibrated together.
 
-    All schemes have the parameters and attributes annotated below; `OneAgainstAll` describes them.
+    All schemes have the parameters and attributes annotated below. `OneAgainstAll` describes them.
     """
 
     base: Any
@@ -35,7 +35,7 @@ class MultiClass:
     machine_class_: NDArray[np.intp]
     cv_outputs_: NDArray[np.float64]
 
-    #: Attributes that prediction does not need; stored systems omit them.
+    #: Attributes that prediction does not need, so stored systems omit them.
     TRAINING_ONLY = ("cv_outputs_",)
 
     def fit(
@@ -52,17 +52,17 @@ class MultiClass:
         X
             (n, D) real numbers.
         y
-            (n,) labels; every class occurs at least twice.
+            (n,) labels, where every class occurs at least twice.
         groups
-            (n,) the home of each sample, needed if the calibration holds out homes.
+            (n,) home of each sample. It is needed if the calibration holds out homes.
         class_names
             Name of each integer label, for messages only.
 
         Raises
         ------
         PlacecatError
-            If there are fewer than 2 classes, a class has only 1 sample, a setting is invalid, or nu leaves
-            no margin or, under the policy ``refuse``, is infeasible.
+            If there are fewer than 2 classes, if a class has only 1 sample, if a setting is invalid, or if nu
+            leaves no margin. With the policy ``refuse``, also if nu is infeasible.
         """
         check_parameters(self)
         base = as_two_class(NuSVM() if self.base is None else self.base)
@@ -91,7 +91,7 @@ class MultiClass:
         return self
 
     def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(o_k|x) (n, K) for samples (n, D), averaged over each class's machines."""
+        """Return the (n, K) outputs p(o_k|x) for (n, D) samples, averaged over the machines of each class."""
         check_is_fitted(self, "scorer_")
         samples = check_samples(X)
         check_width(samples, self)
@@ -102,20 +102,20 @@ class MultiClass:
         return np.add.reduceat(proba, starts, axis=1) / np.bincount(self.machine_class_)
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return distributions (n, K) float64 over `classes_` for samples (n, D); rows sum to 1."""
+        """Return (n, K) float64 distributions over `classes_` for (n, D) samples; rows sum to 1."""
         return self.combine(self.outputs(X))
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the classes (n,) that `decide` picks for samples (n, D)."""
+        """Return the (n,) classes that `decide` chooses for (n, D) samples."""
         decided = self.decide(self.outputs(X))
         return self.classes_[decided]
 
     @abstractmethod
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Combine outputs p(o_k|x) (n, K) into distributions (n, K)."""
+        """Combine (n, K) outputs p(o_k|x) into (n, K) distributions."""
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Decide from outputs p(o_k|x) (n, K), and return indices (n,) into `classes_`."""
+        """Decide from (n, K) outputs p(o_k|x), and return (n,) indices into `classes_`."""
         return self.combine(outputs).argmax(axis=1)
 
     def _uses_own_sigmoid(self, base: TwoClass) -> bool:
@@ -134,17 +134,17 @@ class MultiClass:
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Return the final fits; a subclass may fit some problems again."""
+        """Return the final fits, where a subclass may fit some problems again."""
         return fitted
 
     def _fit_combination(self, index: NDArray[np.intp]) -> None:
-        """Fit the combination; `index` holds each sample's class index."""
+        """Fit the combination, where `index` holds the class index of each sample."""
 
 
 def encode_classes(
     X: ArrayLike, y: ArrayLike, class_names: Sequence[str] | None
 ) -> tuple[NDArray[np.float32], NDArray[Any], NDArray[np.intp], list[str]]:
-    """Check training data and return float32 samples, classes, class indices, and names for messages."""
+    """Check training data, and return float32 samples, classes, class indices, and names for messages."""
     samples = check_samples(X)
     classes, index = np.unique(check_labels(y, len(samples)), return_inverse=True)
     names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]

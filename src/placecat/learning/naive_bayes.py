@@ -10,15 +10,15 @@ from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.learning.products import row_products
 from placecat.ranges import OneOf, Positive, Two
 
-# Table look-ups per block.
+# Number of table look-ups per block.
 _BLOCK = 1 << 18
 
 
 class NaiveBayes(DiscreteBayes):
     """Model of p(c_1 = q_1, ..., c_V = q_V | l_i) as the product of all p(c_k = q_k | l_i) (equation 12).
 
-    The variables are the codewords of the 16 image cells (section 4.2), or the activations of a codebook's
-    clusters (3.3.2). With activations, a *missing* cluster is evidence too.
+    The variables are either the codewords of the 16 image cells (section 4.2) or the activations of a
+    codebook's clusters (3.3.2). With activations, a cluster that is *missing* is evidence too.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ class NaiveBayes(DiscreteBayes):
             gain = self.feature_log_prob_[:, :, 1] - absent
             return row_products(codes, gain) + absent.sum(axis=1)
         n, n_variables = codes.shape
-        # One row per (variable, value), so that a look-up reads all classes at once.
+        # Use one row per (variable, value), so that a look-up reads all classes at once.
         table = np.ascontiguousarray(self.feature_log_prob_.reshape(len(self.classes_), -1).T)
         offsets = np.arange(n_variables) * self.n_values_
         result = np.empty((n, len(self.classes_)))

@@ -1,4 +1,4 @@
-"""Find points' exact nearest centres by blocked matrix products."""
+"""Find the exact nearest centres of points by matrix products in blocks."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -6,17 +6,19 @@ from numpy.typing import ArrayLike, NDArray
 from placecat.learning.memory import content, remembered
 from placecat.learning.products import RowProducts
 
-# Number of floats per block of scores: 4 MB of float32, about a level-2 cache plus a level-3 slice.
+# Number of floats per block of scores, which takes 4 MB in float32, about a level-2 cache plus a level-3
+# slice.
 _BLOCK = 1 << 20
 
 
 def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: int = 1) -> NDArray[np.int32]:
     """Find each point's nearest centres, nearest first.
 
-    All centres are compared in float32, after subtracting their mean. Distances that float32 cannot
-    distinguish count as equal; the lowest index wins ties. A point's result does not depend on other points.
+    All centres are compared in float32, after their mean is subtracted. Distances that float32 cannot
+    distinguish count as equal, and the lowest index wins ties. The result for a point does not depend on
+    other points.
 
-    `X` holds finite points (n, D), `centers` is (N, D), and `n_neighbors` is in [1, N]. Returns
+    `X` holds finite (n, D) points, `centers` is (N, D), and `n_neighbors` is in [1, N]. Returns
     (n, n_neighbors) int32 indices into `centers`.
 
     Examples

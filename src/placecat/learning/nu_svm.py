@@ -1,4 +1,4 @@
-"""Two-class nu-SVM with an RBF kernel on a shared Gram matrix."""
+"""Two-class nu-SVM with an RBF kernel, fitted on a shared Gram matrix."""
 
 import logging
 from typing import Annotated, Self
@@ -34,8 +34,8 @@ def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
 def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
     """Return `nu`, limited to just below the largest feasible nu.
 
-    At the limit, every sample of the smaller class is at its bound. To compute the margin, libsvm needs a
-    sample that is not at its bound; otherwise it would divide by zero or infinity.
+    At the limit, the weight of every sample of the smaller class is at its bound. To compute the margin,
+    libsvm needs a sample whose weight is not at its bound. Otherwise it would divide by zero or infinity.
     """
     return min(nu, largest_feasible_nu(n_positive, n_negative) * (1.0 - 1e-7))
 
@@ -43,27 +43,28 @@ def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
 class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary nu-SVM (thesis 3.3.1.2, [66]) with the kernel exp(-gamma ||x - y||^2).
 
-    The solver is libsvm, called through scikit-learn's NuSVC. `fit` takes samples, while `prepare` and
-    `fit_rows` let many fits share one Gram matrix.
+    The solver is libsvm, which is called through scikit-learn's NuSVC. `fit` takes samples. With `prepare`
+    and `fit_rows`, many fits can share one Gram matrix.
 
     Parameters
     ----------
     gamma
-        Inverse squared kernel width, > 0 (thesis 4.2: 2.0). `KernelScaling` sets the scale of X.
+        Inverse squared kernel width, > 0. Thesis 4.2 uses 2.0. `KernelScaling` sets the scale of X.
     nu
-        Share of margin errors, in (0, 1] (thesis 4.2: 0.2).
+        Share of margin errors, in (0, 1]. Thesis 4.2 uses 0.2.
     nu_policy
-        What to do if nu exceeds 2 min(n+, n-) / n: ``lower`` nu to this limit (thesis 4.2 and 4.3), or
-        ``refuse`` to fit.
+        What to do if nu exceeds 2 min(n+, n-) / n. ``lower`` lowers nu to this limit, as in thesis 4.2 and
+        4.3, and ``refuse`` raises PlacecatError.
     tol
         libsvm's stopping tolerance. The thesis does not give this.
     cache_mb
-        libsvm's cache size per fit in MB; affects only speed.
+        libsvm's cache size per fit in MB. It affects only the speed.
 
     Attributes
     ----------
     nu_
-        The nu in use: the lower of `nu` and the largest feasible nu, doubled until there is a margin.
+        The nu in use, which is the lower of `nu` and the largest feasible nu. It is doubled until there is a
+        margin.
     classes_, support_, support_vectors_, dual_coef_, intercept_
         See `KernelMachine`.
 
@@ -103,8 +104,8 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ) -> Self:
         """Fit on some rows of a Gram matrix without copying it; see `TwoClass.fit_rows`.
 
-        Under the policy ``refuse``, also raises PlacecatError if nu is infeasible or leaves no margin; under
-        ``lower``, only if even the largest feasible nu leaves no margin.
+        With the policy ``refuse``, this also raises PlacecatError if nu is infeasible or leaves no margin.
+        With ``lower``, it does so only if even the largest feasible nu leaves no margin.
         """
         import sklearn
         from sklearn.svm import NuSVC
@@ -143,8 +144,8 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                     machine.fit(shared, positive, sample_weight=weights)
                 break
             except ValueError as error:
-                # If samples of both classes coincide, a small nu leaves a margin of 0, by which libsvm
-                # divides.
+                # If samples of both classes coincide, a small nu leaves a margin of 0, and libsvm divides by
+                # it.
                 if "not finite" not in str(error):
                     raise
                 if self.nu_policy == "refuse" or nu >= largest:

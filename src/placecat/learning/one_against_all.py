@@ -1,4 +1,4 @@
-"""Parallel probabilistic scheme, which combines one two-class classifier per class."""
+"""The parallel probabilistic scheme, which combines one two-class classifier per class."""
 
 from typing import Annotated, Any
 
@@ -20,47 +20,47 @@ PRIORS = ("training", "uniform")
 class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     """Parallel probabilistic multi-class scheme (thesis 3.3.1.2, equations 6 to 9).
 
-    One base classifier per class estimates p(o_k|x). With reliabilities p(o_k|l_i) from cross-validation and
-    class frequencies p(l_i), p(l_i|o_k) = p(o_k|l_i) p(l_i) / p(o_k) and p(l_i|x) = sum_k p(l_i|o_k)
-    p(o_k|x), normalised.
+    One base classifier per class estimates p(o_k|x). Cross-validation yields the reliabilities p(o_k|l_i),
+    and the classes have the frequencies p(l_i). Then p(l_i|o_k) = p(o_k|l_i) p(l_i) / p(o_k), and p(l_i|x) is
+    sum_k p(l_i|o_k) p(o_k|x), normalised.
 
     Parameters
     ----------
     base
-        Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any scikit-learn classifier
-        (which shares no preparation).
+        Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any scikit-learn classifier.
+        Fits of the latter share no preparation.
     calibration
-        Which samples are held out for the sigmoids and reliabilities, see
-        :class:`~placecat.learning.calibration.Calibration`: ``samples`` (the default), ``consecutive``,
-        ``homes_centred`` or ``homes_averaged``.
+        Which samples are held out for the sigmoids and reliabilities: ``samples`` (the default),
+        ``consecutive``, ``homes_centred`` or ``homes_averaged``. See
+        :class:`~placecat.learning.calibration.Calibration`.
     sigmoid
-        Source of p(o_k|x): ``platt`` fits a sigmoid to held-out decision values; ``own`` uses the base's
-        probability, which is equation (8) for boosting and the logistic likelihood for the RVM. ``auto`` uses
-        equation (8) for boosting and ``platt`` for the nu-SVM and the RVM, like dlib and therefore the
-        thesis.
+        Source of p(o_k|x). ``platt`` fits a sigmoid to held-out decision values. ``own`` uses the base
+        classifier's probability, which is equation (8) for boosting and the logistic likelihood for the RVM.
+        ``auto`` uses equation (8) for boosting and ``platt`` for the nu-SVM and the RVM, like dlib and
+        therefore the thesis.
     sigmoid_weights
-        ``balanced`` gives positives and negatives equal total weight in Platt's sigmoid; ``none``, as in
-        Platt's paper, does not.
+        ``balanced`` gives positives and negatives equal total weight when Platt's sigmoid is fitted. ``none``
+        does not, as in Platt's paper.
     combination
-        ``parallel``: equation (6). ``certainty``: the normalised p(o_k|x), so the most certain classifier
-        decides (the simpler method of 3.3.1.2).
+        ``parallel`` uses equation (6). ``certainty`` normalises p(o_k|x), so the most certain classifier
+        decides, which is the simpler method of 3.3.1.2.
     exclusive
-        Divide each sample's p(o_k|x) by their sum before equations (6) and (7), since (6) is the law of total
-        probability only if exactly one o_k occurs.
+        Whether to divide each sample's p(o_k|x) by their sum before equations (6) and (7) are applied.
+        Equation (6) is the law of total probability only if exactly one o_k occurs.
     reliability
-        How to compute p(o_k|l_i) from held-out samples of class i: ``soft``, the mean of p(o_k|x); ``hard``,
-        the share with p(o_k|x) >= 0.5 or, if `exclusive`, the share where p(o_k|x) is the largest. The thesis
-        says only "statistics from cross-validating".
+        How to compute p(o_k|l_i) from held-out samples of class i. ``soft`` is the mean of p(o_k|x). ``hard``
+        is the share of samples with p(o_k|x) >= 0.5 or, with `exclusive`, the share for which p(o_k|x) is the
+        largest. The thesis says only "statistics from cross-validating".
     reliability_smoothing
-        Added to each count. With 0, p(l_i|o_k) is uniform if classifier k never answers yes. The thesis does
-        not give this.
+        Number that is added to each count. If it is 0, p(l_i|o_k) is uniform if classifier k never answers
+        yes. The thesis does not give this.
     prior
-        p(l_i): ``training`` for the training frequencies, as in the thesis, or ``uniform``, as in the
-        thesis's nearest neighbours (3.3.1.1). ``uniform`` suits the accuracy measure, which is a mean over
-        places.
+        How to choose p(l_i). ``training`` uses the class frequencies in training, as in the thesis.
+        ``uniform`` is the choice for the thesis's nearest neighbours (3.3.1.1). It suits the accuracy
+        measure, which is a mean over places.
     uncertainty
-        gamma in equation (9). beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the classes before
-        normalisation. 0 turns this off.
+        gamma in equation (9). A total of beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the
+        classes before normalisation. The value 0 turns this off.
     folds
         Number of parts for cross-validation. The thesis does not give this.
     n_jobs
@@ -71,24 +71,24 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     classes_
         (K,) labels, sorted.
     reliability_
-        (K, K) float64: p(o_k|l_i) in row i and column k.
+        (K, K) float64, with p(o_k|l_i) in row i and column k.
     prior_
         (K,) p(l_i).
     posterior_
-        (K, K): p(l_i|o_k) in row i and column k. Columns sum to 1.
+        (K, K), with p(l_i|o_k) in row i and column k. Columns sum to 1.
     sigmoid_
-        (M, 2): each machine's A <= 0 and B in p = 1 / (1 + exp(A d + B)).
+        (M, 2), A <= 0 and B in p = 1 / (1 + exp(A d + B)) for each machine.
     machine_class_
-        (M,) each machine's class index k, ascending; p(o_k|x) is the mean over the class's machines. Only
-        ``homes_averaged`` has several machines per class.
+        (M,) class index k of each machine, in ascending order. p(o_k|x) is the mean over the machines of
+        class k. Only ``homes_averaged`` has several machines per class.
     flat_
         (K,) number of flat sigmoids per class; see `FittedProblem`.
     cv_outputs_
         (n, K) held-out p(o_k|x) of the training samples.
     nu_
-        (K,) smallest nu in use for each class; NaN if the base has no nu.
+        (K,) smallest nu in use for each class, or NaN if the base classifier has no nu.
     fold_nu_
-        K arrays, each with the nu in use for every held-out part.
+        K arrays, each of which holds the nu in use for every held-out part.
     scorer_
         One object that evaluates all M decision functions.
     n_features_in_
@@ -164,7 +164,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         return np.divide(outputs, total, out=np.full_like(outputs, 1.0 / outputs.shape[1]), where=total > 0)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Combine outputs p(o_k|x) (n, K) into distributions p(l_i|x) (n, K), by equations (6), (7), (9)."""
+        """Combine (n, K) outputs p(o_k|x) into (n, K) distributions p(l_i|x) by equations (6), (7), (9)."""
         proba = outputs
         if self.combination == "parallel":
             proba = sum_products(self._exclude(outputs), self.posterior_)

@@ -6,28 +6,31 @@ from scipy.special import expit
 
 from placecat.errors import PlacecatError
 
-# Newton's method stops after this many steps, or at this gradient per sample, for standardised decisions.
+# Newton's method stops after this many steps, or when the gradient per sample falls to this value. The
+# decisions are standardised first.
 _STEPS, _TOLERANCE = 100, 1e-10
 
 
 def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = False) -> tuple[float, float]:
-    """Fit p(positive | d) = 1 / (1 + exp(A d + B)), A <= 0, by maximum likelihood on smoothed targets.
+    """Fit p(positive | d) = 1 / (1 + exp(A d + B)), where A <= 0, by maximum likelihood.
 
-    The targets are (n+ + 1) / (n+ + 2) and 1 / (n- + 2). Newton's method with step halving solves the convex
-    problem. The thesis (3.3.1.2) uses this method through dlib's probabilistic decision function.
+    The targets are smoothed to (n+ + 1) / (n+ + 2) for positives and 1 / (n- + 2) for negatives. Newton's
+    method with step halving solves the convex problem. The thesis (3.3.1.2) uses this method through dlib's
+    probabilistic decision function.
 
-    A larger decision value never makes the positive class less probable: if the best sigmoid falls, the
-    result is flat (A = 0). It is also flat if all decision values are equal.
+    A larger decision value never makes the positive class less probable. If the best sigmoid falls, the
+    result is flat (A = 0) instead. It is also flat if all decision values are equal.
 
     Parameters
     ----------
     decisions
-        (n,) real values, preferably held out by cross-validation. Raises PlacecatError if n is 0 or a value
-        is not finite.
+        (n,) decision values, preferably of samples held out by cross-validation. Raises PlacecatError if n is
+        0 or a value is not finite.
     positive
-        (n,) bool.
+        (n,) bool, true for positive samples.
     balanced
-        Give positives and negatives a total weight of n / 2 each, so p holds for equally frequent classes.
+        Whether to give positives and negatives a total weight of n / 2 each. Then p holds for equally
+        frequent classes.
 
     Returns
     -------
@@ -49,7 +52,9 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
     d = np.asarray(decisions, dtype=np.float64).ravel()
     is_positive = np.asarray(positive, dtype=bool).ravel()
     if len(d) == 0 or not np.isfinite(d).all():
-        raise PlacecatError("the sigmoid needs held-out decision values, all of them finite: check the folds")
+        raise PlacecatError(
+            "the sigmoid needs held-out decision values, and all must be finite: check the folds"
+        )
     n_positive = int(is_positive.sum())
     n_negative = len(d) - n_positive
     target = np.where(is_positive, (n_positive + 1.0) / (n_positive + 2.0), 1.0 / (n_negative + 2.0))
@@ -58,7 +63,7 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
     if balanced and n_positive and n_negative:
         weights = np.where(is_positive, 0.5 * len(d) / n_positive, 0.5 * len(d) / n_negative)
 
-    # Standardising the decisions makes the Hessian well conditioned in any units.
+    # Standardising the decisions makes the Hessian well conditioned, whatever their unit.
     shift, scale = float(d.mean()), float(d.std())
     rate = float(np.average(target, weights=weights))
     flat = 0.0, float(np.log((1.0 - rate) / rate))
@@ -95,13 +100,13 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
         else:
             break
         slope, offset, value = slope + step * d_slope, offset + step * d_offset, new
-    # By convexity, if the best sigmoid falls, the best sigmoid that does not fall is flat.
+    # The problem is convex, so if the best sigmoid falls, the best one that does not fall is flat.
     return flat if slope > 0.0 else (slope / scale, offset - slope * shift / scale)
 
 
 def apply_sigmoid(decisions: NDArray[np.float64], a: ArrayLike, b: ArrayLike) -> NDArray[np.float64]:
-    """Return 1 / (1 + exp(a d + b)) without overflow, in [0, 1]; NaN stays NaN.
+    """Return 1 / (1 + exp(a d + b)), in [0, 1], without overflow. NaN stays NaN.
 
-    `decisions` has shape (...,); `a` and `b` come from `fit_sigmoid` and are broadcast against it.
+    `decisions` may have any shape. `a` and `b` come from `fit_sigmoid` and are broadcast against `decisions`.
     """
     return expit(-(np.asarray(a) * decisions + np.asarray(b)))

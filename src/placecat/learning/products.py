@@ -1,10 +1,11 @@
-"""Matrix products in which each result row depends only on the matching input row, to the bit.
+"""Multiply matrices so that each row of the result depends only on the matching input row.
 
-BLAS does not guarantee this: it multiplies in tiles, sums in a different order at a matrix's edges, and uses
-different routines for one row and for many. With it, the last bits of a frame's result would depend on the
-other frames. Here every product has one of a few fixed row counts (the last product is padded with zeros),
-and zero margins surround the columns. Whether this works depends on the processor's kernels, so each shape is
-tested once; if the test fails, rows are multiplied one by one.
+This must hold even for the last bits, which BLAS does not guarantee. BLAS multiplies in tiles, sums in a
+different order at a matrix's edges, and uses different routines for one row and for many rows. So the last
+bits of a frame's result would depend on the other frames. Here every product has one of a few fixed row
+counts (the last product is padded with zeros), and zero margins surround the columns. Whether this works
+depends on the BLAS kernels for the processor, so each shape is tested once. If the test fails, rows are
+multiplied one by one.
 """
 
 from collections.abc import Iterator
@@ -16,20 +17,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from placecat.learning.single_thread import single_blas_thread
 
-# Columns per product without margins. With margins: 320, one block of OpenBLAS's AVX2 float32 kernels.
+# Number of columns per product, without margins. With margins, there are 320, one block of OpenBLAS's AVX2
+# float32 kernels.
 _COLUMNS = 304
-# Zero columns on each side (these kernels' tile size), and the multiple that columns are padded to.
+# Number of zero columns on each side, which is the tile size of these kernels. The total number of columns is
+# padded to a multiple of the second number.
 _MARGIN, _TILE = 8, 16
-# Row counts per product, preferred first: multiples of 12, the tile height of these kernels.
+# Numbers of rows per product, in order of preference. They are multiples of 12, the tile height of these
+# kernels.
 _ROWS = (48, 240, 12)
-# Minimum number of random columns for testing a shape.
+# Minimum number of random columns with which a shape is tested.
 _TRIED = 256
 
 
 class RowProducts:
-    """Compute left @ right.T for a fixed `right`; a row's bits do not depend on other rows.
+    """Compute left @ right.T for a fixed `right` such that rows do not affect each other's last bits.
 
-    `right`, (m, k) float32 or float64, is copied; m may be 0.
+    `right` is an (m, k) float32 or float64 matrix, which is copied. m may be 0.
 
     Examples
     --------
@@ -49,7 +53,7 @@ class RowProducts:
             self._tiles.append(padded)
 
     def __call__(self, left: ArrayLike) -> NDArray[Any]:
-        """Multiply (n, k) rows, converted to `right`'s dtype, and return (n, m); n may be 0."""
+        """Convert (n, k) rows to `right`'s dtype, multiply them, and return (n, m) products. n may be 0."""
         rows = np.ascontiguousarray(left, dtype=self.dtype)
         m, k = self.shape
         result = np.empty((len(rows), m), self.dtype)
@@ -65,14 +69,14 @@ class RowProducts:
 
 
 def row_products(left: ArrayLike, right: ArrayLike) -> NDArray[Any]:
-    """Multiply (n, k) rows by (m, k) rows: (n, m) in `right`'s dtype. See :class:`RowProducts`."""
+    """Multiply (n, k) by (m, k) rows and return (n, m) in `right`'s dtype. See :class:`RowProducts`."""
     return RowProducts(right)(left)
 
 
 def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Multiply (n, k) by (m, k) rows of float64 as :func:`row_products` does: (n, m) float64.
+    """Multiply (n, k) by (m, k) float64 rows as :func:`row_products` does, and return (n, m) float64.
 
-    It is meant for small k (at least 1), and adds term by term without BLAS.
+    This is meant for small k, at least 1. It adds term by term without BLAS.
     """
     result = left[:, :1] * right[:, 0]
     for term in range(1, right.shape[1]):
@@ -81,7 +85,7 @@ def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArr
 
 
 def squared_lengths(X: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Sum the squares in each row of (n, k): (n,) float64. Rows do not affect each other."""
+    """Return the (n,) sums of squares of (n, k) rows. Rows do not affect each other."""
     result = np.empty(len(X))
     for start in range(0, len(X), _ROWS[0]):
         # Convert first, because einsum's conversion buffers may end in the middle of a row.
@@ -102,7 +106,7 @@ def _padded(columns: int) -> int:
 def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
     """Return, in descending order, the row counts whose products agree in every row; empty if none do.
 
-    The test repeats one row of random numbers; all rows of the product must be equal to the bit.
+    The test repeats one row of random numbers. All rows of the product must then be exactly equal.
     """
     rng = np.random.default_rng(0)
     agreeing = list(_ROWS)
@@ -119,7 +123,7 @@ def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
 
 
 def _blocks(n: int, sizes: tuple[int, ...]) -> Iterator[tuple[int, int]]:
-    """Yield first rows and row counts of products that cover n rows; the last may extend past the end."""
+    """Yield the first row and the row count of each product needed for n rows; the last may go beyond n."""
     start = 0
     while start < n:
         rest = n - start

@@ -1,4 +1,4 @@
-"""Two-class relevance vector machine: fast marginal likelihood maximisation on a shared Gram matrix."""
+"""Two-class relevance vector machine, fitted by fast marginal likelihood maximisation on a Gram matrix."""
 
 import logging
 from typing import NamedTuple, Self
@@ -16,37 +16,39 @@ from placecat.ranges import Count, Positive
 
 logger = logging.getLogger(__name__)
 
-# Number of Gram matrix rows squared at a time: 4 MiB for 8000 samples.
+# Number of Gram matrix rows that are squared at a time, which takes 4 MiB for 8000 samples.
 SQUARE_ROWS = 128
-# Number of functions whose sparsity factors each round updates.
+# Number of functions whose sparsity factors are updated in each round.
 SHORTLIST = 1024
 
 
 class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary relevance vector machine (thesis 3.3.1.2) with the kernel exp(-gamma ||x - y||^2).
 
-    The model has a basis function per training sample and a bias, with weights w ~ N(0, diag(1/alpha)) and a
-    logistic likelihood. It maximises the evidence over alpha by adding, re-estimating or deleting one basis
-    function at a time (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the problem
-    Gaussian. Each approximation updates statistics that rank all functions, and is followed by many such
-    steps on the functions in the model and the most promising others.
+    The model has a basis function per training sample, a bias, a logistic likelihood, and weights w with the
+    prior N(0, diag(1/alpha)). Fitting maximises the evidence over alpha by adding, re-estimating or deleting
+    one basis function at a time (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the
+    problem Gaussian. After each approximation, the statistics that rank all functions are updated. Then many
+    additions, re-estimates and deletions follow, which involve the functions in the model and the most
+    promising ones outside it.
 
     Parameters
     ----------
     gamma
-        Inverse squared kernel width, > 0. The thesis gives no value for the RVM; the default is the nu-SVM's
-        2.0.
+        Inverse squared kernel width, > 0. The thesis gives no value for the RVM. The default 2.0 is that of
+        the nu-SVM.
     tol
-        Stop when further rounds raise the log evidence by less than this, in nats per sample.
+        Fitting stops when further rounds raise the log evidence by less than this, in nats per sample.
     max_iter
-        Maximum number of Laplace approximations; a warning is logged if it is reached.
+        Maximum number of Laplace approximations. A warning is logged if it is reached.
     candidates
         Maximum number of basis functions outside the model that each round considers.
 
     Attributes
     ----------
     support_, dual_coef_, intercept_
-        The relevance vectors' indices and weights, and the bias's weight (0 if it is not in the model).
+        Indices and weights of the relevance vectors, and the weight of the bias (0 if it is not in the
+        model).
     alpha_
         (s,) prior precisions of `dual_coef_`.
     evidence_
@@ -56,7 +58,8 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
 
     Notes
     -----
-    `predict_proba` is the sigmoid at the mode of w, without the posterior variance (Tipping 2001, section 3).
+    `predict_proba` returns the sigmoid at the mode of w and ignores the posterior variance (Tipping 2001,
+    section 3).
 
     References
     ----------
@@ -112,7 +115,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     def _maximise(
         self, gram: NDArray[np.float32], target: NDArray[np.float64], context: str
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64]]:
-        """Maximise the evidence over alpha; return active functions (n: the bias), weights and alpha."""
+        """Maximise the evidence over alpha. Return active functions (n is the bias), weights and alpha."""
         tol = self.tol * len(target)
         active = np.array([len(target)])
         basis = _basis(gram, active)
@@ -130,13 +133,14 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
                 mode = _laplace_mode(new_basis, target, alpha, start)
                 risen = mode.evidence - best.evidence
                 if risen <= 0 and steps > 1:
-                    # The steps on the Gaussian problem went too far, so go back and take fewer.
+                    # The steps on the Gaussian problem went too far, so go back and take fewer steps.
                     steps = max(steps // 4, 1)
                     continue
                 if risen > 0:
                     active, basis, best = new_active, new_basis, mode
                     steps = min(2 * steps, most)
-            # A small rise may be due to few steps, so convergence needs several small rises.
+            # One small rise may be due to a small number of steps, so convergence requires several small
+            # rises.
             small_rises = small_rises + 1 if risen < tol else 0
             if statistics.current and (expected < tol or small_rises > 2):
                 break
@@ -159,12 +163,12 @@ class _Mode(NamedTuple):
     curvature: NDArray[np.float64]
     # Lower Cholesky factor of basis B basis' + diag(alpha).
     factor: NDArray[np.float64]
-    # -inf if the functions are so similar that factorisation fails; such a mode is never kept.
+    # -inf if the functions are so similar that factorisation fails. Such a mode is never kept.
     evidence: float
 
 
 def _basis(gram: NDArray[np.float32], active: NDArray[np.intp]) -> NDArray[np.float64]:
-    """Return basis functions' values at the n samples, (m, n); function n is the bias."""
+    """Return the (m, n) values of the active basis functions at the n samples; function n is the bias."""
     n = len(gram)
     basis = np.ones((len(active), n))
     kernels = active < n
@@ -178,7 +182,10 @@ def _laplace_mode(
     alpha: NDArray[np.float64],
     start: NDArray[np.float64],
 ) -> _Mode:
-    """Find the mode of w by Newton's method; basis (m, n), target (n,) 0 or 1, alpha and start (m,)."""
+    """Find the mode of w by Newton's method.
+
+    `basis` is (m, n), `target` holds (n,) zeros and ones, and `alpha` and `start` are (m,).
+    """
     narrow = basis.astype(np.float32)
     diagonal = np.diag_indices(len(alpha))
 
@@ -190,7 +197,7 @@ def _laplace_mode(
     value, f = penalised(weights)
     for _ in range(50):
         p = expit(f)
-        # The direction may be approximate, but not the gradient or the value.
+        # The direction may be approximate, but the gradient and the value may not.
         rough = narrow * np.sqrt(p * (1.0 - p)).astype(np.float32)
         hessian = (rough @ rough.T).astype(np.float64)
         hessian[diagonal] += alpha
@@ -198,7 +205,7 @@ def _laplace_mode(
         try:
             factor = cho_factor(hessian, lower=True)
         except LinAlgError:
-            # If functions are nearly identical, float32 is too inaccurate, so use float64.
+            # If functions are nearly identical, float32 is too imprecise, so use float64.
             factor = _factor(basis, p * (1.0 - p), alpha)
             if factor is None:
                 return _Mode(weights, alpha, target - p, p, hessian, -np.inf)
@@ -239,11 +246,11 @@ def _factor(
 
 
 class _Statistics:
-    """Sparsity and quality factors of the n kernels and the bias, for finding promising functions.
+    """Sparsity and quality factors of the n kernels and the bias, which show promising functions.
 
     The quality factors are always current. The sparsity factors require a product of Gram matrix rows with
-    all functions in the model, so they are updated only for the most promising functions, and for all before
-    convergence is declared.
+    all functions in the model. So in most rounds, they are updated only for the most promising functions.
+    Before convergence is declared, they are updated for all functions.
     """
 
     def __init__(self, gram: NDArray[np.float32]) -> None:
@@ -252,7 +259,7 @@ class _Statistics:
         self.current = False
 
     def promising(self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool) -> NDArray[np.intp]:
-        """Return the (at most `count`) functions whose addition raises the evidence most, ascending."""
+        """Return at most `count` functions, in ascending order, whose addition raises the evidence most."""
         gram, n = self.gram, len(self.gram)
         squared_quality = np.empty(n + 1)
         squared_quality[:n] = gram @ mode.error.astype(np.float32)
@@ -281,10 +288,11 @@ class _Statistics:
 class _Surrogate:
     """Gaussian problem at a Laplace mode, for the functions in the model and other promising ones.
 
-    With C = B^-1 + sum_a phi_a phi_a' / alpha_a, changing 1/alpha_i by d is a rank-one change of
+    Let C = B^-1 + sum_a phi_a phi_a' / alpha_a. Changing 1/alpha_i by d causes a rank-one change of
     R = Phi' C^-1 Phi and Q = Phi' C^-1 z for the pool's functions Phi:
     R -= R_i R_i' d / (1 + d R_ii), Q -= R_i Q_i d / (1 + d R_ii), and the log evidence gains
-    (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting differ only in d.
+    (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting a function differ
+    only in d.
 
     The pool holds u basis functions, beginning with those in the model.
     """
@@ -310,12 +318,13 @@ class _Surrogate:
     def ascend(
         self, alpha: NDArray[np.float64], steps: int
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64], float]:
-        """Change one alpha after another, each time the one with the greatest gain, at most `steps` times.
+        """Change the alpha with the greatest gain, and repeat this at most `steps` times.
 
-        `alpha` holds the (m,) precisions of the functions in the model. Returns the new model's (m',)
-        functions, precisions, and mean weights in the Gaussian problem, and the sum of the gains in nats.
+        `alpha` holds the (m,) precisions of the functions in the model. Returns the (m',) functions of the
+        new model, their precisions, their mean weights in the Gaussian problem, and the sum of the gains in
+        nats.
         """
-        # A step needs only R's diagonal and one column.
+        # A step needs only the diagonal and one column of R.
         q, r_diagonal = self.q.copy(), self.r.diagonal().copy()
         columns, scaled, terms = (np.empty((steps + 1, len(q))) for _ in range(3))
         inverse = np.zeros(len(self.pool))

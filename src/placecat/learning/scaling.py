@@ -1,4 +1,4 @@
-"""Scale descriptors before they enter the kernel; this fixes the unit of gamma."""
+"""Scale descriptors before they enter the kernel, which fixes the unit of gamma."""
 
 from typing import Annotated, Self
 
@@ -16,18 +16,18 @@ KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 
 
 class KernelScaling(TransformerMixin, BaseEstimator):
-    """Scale descriptors so that the same gamma fits descriptors of any unit and length.
+    """Scale descriptors so that the same gamma suits descriptors of any unit and length.
 
-    The thesis gives gamma = 2 but not its scale. These are the kinds of scaling, each with the resulting mean
-    m of ||x - y||^2 over pairs of different training samples (D is the number of dimensions that vary):
+    The thesis gives gamma = 2 but not its scale. In the following list of kinds, m is the resulting mean of
+    ||x - y||^2 over pairs of different training samples, and D is the number of dimensions that vary:
 
     - ``none``: leave x unchanged.
     - ``minmax``: scale each dimension to [0, 1] on the training data; m depends on the data.
     - ``standard``: scale each dimension to mean 0 and variance 1 / D; m is 2 n / (n - 1).
-    - ``root``: divide each dimension by the root of its standard deviation, halfway between ``standard`` and
-      ``distance``, then scale like ``distance``; m is 1.
-    - ``distance``: subtract the mean of x, then divide by the root of the mean ||x - y||^2, which keeps the
-      dimensions' relative weights; m is 1.
+    - ``root``: divide each dimension by the square root of its standard deviation, which is halfway between
+      ``standard`` and ``distance``, then scale as for ``distance``; m is 1.
+    - ``distance``: subtract the mean of x, then divide by the square root of the mean ||x - y||^2, which
+      preserves the relative weights of the dimensions; m is 1.
     - ``unit``: scale each sample to Euclidean length 1 (a zero sample stays zero); m is at most 4.
 
     Test samples outside the training range are not clipped.
@@ -37,15 +37,16 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     kind
         One of the kinds above.
     gamma_scale
-        Additional factor for squared distances, > 0; 1 keeps the values of m above.
+        Additional factor for squared distances, > 0. With 1, the values of m above hold.
 
     Attributes
     ----------
     offset_
-        (D,) float64, subtracted first.
+        (D,) float64, which is subtracted first.
     factor_
-        (D,) float64, multiplied next. It is 0 for a dimension that is constant in training, because its test
-        values could dominate; but ``none``, ``distance`` and ``unit`` keep constant dimensions.
+        (D,) float64, by which the difference is multiplied. It is 0 for a dimension that is constant in
+        training, because its test values could dominate. But ``none``, ``distance`` and ``unit`` keep
+        constant dimensions.
     n_features_in_
         D.
 
@@ -60,7 +61,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         self.gamma_scale = gamma_scale
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Learn the offset and factor from training data X, (n, D) real and finite. `y` is ignored.
+        """Learn the offset and factor from real, finite (n, D) training data X. `y` is ignored.
 
         Raises PlacecatError if a setting or X is invalid.
         """
@@ -109,6 +110,6 @@ class KernelScaling(TransformerMixin, BaseEstimator):
 
 
 def _inverse(spread: NDArray[np.float64], size: NDArray[np.float64]) -> NDArray[np.float64]:
-    # A spread as small as float32 rounding counts as 0.
+    # A spread that is as small as float32 rounding errors counts as 0.
     varies = spread > 1e-6 * size
     return np.divide(1.0, spread, out=np.zeros_like(spread), where=varies)

@@ -1,4 +1,4 @@
-"""Mozos's sequential multi-class scheme: a list of two-class decisions, strongest first."""
+"""Mozos's sequential multi-class scheme, which is a list of two-class decisions, strongest first."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -23,32 +23,34 @@ OUTPUTS = ("product", "decision")
 class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     """Decision list over two-class classifiers, the baseline of thesis 4.8.
 
-    Each node of the list is one class's classifier, the strongest first. If a node rejects a sample, the next
-    one decides; if all nodes reject the sample, it is assigned the last class. The probability-like output
-    for the class at position k is p(o_k|x) prod_{j before k} (1 - p(o_j|x)); the last class receives the
-    remainder.
+    Each node of the list is the classifier of one class, and the strongest comes first. If a node rejects a
+    sample, the next node decides. If all nodes reject the sample, it is assigned to the last class. The
+    probability-like output for the class at position k is p(o_k|x) prod_{j before k} (1 - p(o_j|x)). The last
+    class receives the remainder.
 
     Parameters
     ----------
     base, calibration, sigmoid, sigmoid_weights, folds, n_jobs
         See `OneAgainstAll`.
     order
-        How to measure the strength of a class's one-against-all classifier from held-out decisions:
-        ``balanced_accuracy``, the mean of its two per-class accuracies, or ``error``, the share of wrong
-        decisions (lowest first), which favours rare classes. Ties follow the order of `classes_`. The thesis
-        says only "strongest".
+        How to measure the strength of a class's one-against-all classifier from held-out decisions.
+        ``balanced_accuracy`` is the mean of its two per-class accuracies. ``error`` is the share of wrong
+        decisions (lowest first), which favours rare classes. In a tie, the order of `classes_` is kept. The
+        thesis says only "strongest".
     training
-        Training samples of a node. With ``all``, both schemes use the same classifiers (thesis 4.8 compares
-        ways of combining their outputs); ``remaining`` leaves out the classes of earlier nodes. The thesis
-        does not give this.
+        Training samples of a node. With ``all``, this scheme uses the same classifiers as `OneAgainstAll`,
+        since thesis 4.8 compares ways of combining their outputs. ``remaining`` leaves out the classes of
+        earlier nodes. The thesis does not give this.
     decision
-        Rule of `predict`. ``sign`` and ``probability`` pick the first class whose node accepts the sample, or
-        else the last class; a node accepts a sample with a positive decision value, or with p(o_k|x) above
-        0.5. ``product`` picks the class with the largest probability-like output. The thesis mentions
-        negative decisions, which implies the sign.
+        How `predict` decides. ``sign`` and ``probability`` choose the first class whose node accepts the
+        sample, or the last class if there is none. With ``sign``, a node accepts a sample whose decision
+        value is positive. With ``probability``, p(o_k|x) must be above 0.5. ``product`` chooses the class
+        with the largest probability-like output. The thesis mentions negative decisions, which implies
+        ``sign``.
     output
-        Result of `predict_proba`: the probability-like ``product``, whose largest entry may differ from
-        `predict`, or ``decision``, 1 for the class that `predict` returns and 0 for the others.
+        What `predict_proba` returns. ``product`` is the probability-like output, whose largest entry may
+        differ from the result of `predict`. ``decision`` is 1 for the class that `predict` returns and 0 for
+        the others.
 
     Attributes
     ----------
@@ -57,7 +59,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     order_
         (K,) indices into `classes_`, strongest first. The last class has no node.
     strength_
-        (K,) each class's strength; larger is stronger.
+        (K,) strength of each class, where larger means stronger.
     sigmoid_, machine_class_, flat_, cv_outputs_, nu_, fold_nu_, scorer_, n_features_in_
         See `OneAgainstAll`.
 
@@ -106,7 +108,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Order the nodes; if `training` is ``remaining``, fit later nodes on the remaining classes."""
+        """Order the nodes, and if `training` is ``remaining``, fit later nodes on the remaining classes."""
         self.strength_ = np.array(
             [
                 self._strength(f.outputs, self._threshold(f.sigmoids), p.positive)
@@ -129,8 +131,8 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return fitted
 
     def _threshold(self, sigmoids: NDArray[np.float64]) -> float:
-        # For the sign, the threshold is p at decision value 0. A flat sigmoid returns exactly this for every
-        # sample, so its node never accepts one.
+        # For ``sign``, the threshold is the probability at the decision value 0. A flat sigmoid returns
+        # exactly this value for every sample, so its node never accepts one.
         return float(expit(-sigmoids[:, 1]).mean()) if self.decision == "sign" else 0.5
 
     def _strength(self, outputs: NDArray[np.float64], threshold: float, positive: NDArray[np.bool_]) -> float:
@@ -140,7 +142,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return float((right[positive].mean() + right[~positive].mean()) / 2.0)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Combine outputs p(o_k|x) (n, K) into the `output` (n, K); rows sum to 1."""
+        """Combine (n, K) outputs p(o_k|x) into (n, K) distributions of the kind `output`."""
         if self.output == "decision":
             return np.eye(len(self.order_))[self.decide(outputs)]
         return self._product(outputs)
@@ -155,7 +157,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return proba
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Return the indices (n,) into `classes_` that `decision` picks from outputs p(o_k|x) (n, K)."""
+        """Choose classes from (n, K) outputs p(o_k|x) by `decision`; return (n,) indices into `classes_`."""
         if self.decision == "product":
             return self._product(outputs).argmax(axis=1)
         of_class = [self.sigmoid_[self.machine_class_ == k] for k in range(len(self.order_))]

@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from functools import cache
 from typing import Any
 
-# numpy's and scipy's BLAS libraries must be loaded before they are listed.
+# The BLAS libraries of numpy and scipy must be loaded before they can be listed.
 import numpy as np  # noqa: F401
 import scipy.linalg  # noqa: F401
 from threadpoolctl import ThreadpoolController
@@ -26,7 +26,8 @@ def _libraries() -> ThreadpoolController:
 def single_blas_thread() -> Iterator[None]:
     """Limit BLAS to one thread, so that sums do not depend on the number of cores.
 
-    The limit is per process: the first of several concurrent users sets it, and the last one removes it.
+    The limit applies to the whole process. The first of several concurrent users sets it, and the last one
+    removes it.
     """
     global _users, _limit
     with _lock:

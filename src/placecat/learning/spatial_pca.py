@@ -1,4 +1,4 @@
-"""PCA per image cell; with one cell, plain PCA."""
+"""A separate PCA for each image cell, which is plain PCA if there is only one cell."""
 
 from typing import Self
 
@@ -26,11 +26,12 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     cells
         Number of equal, consecutive parts into which the D dimensions are divided.
     components
-        Number of dimensions kept per cell; 64 of 256 in the thesis.
+        Number of dimensions that are kept per cell. The thesis keeps 64 of 256.
     factor
-        Alternative to `components`: keep 1 / factor of each cell's dimensions, rounded to a whole number.
+        Alternative to `components`, which keeps 1 / factor of each cell's dimensions, rounded to a whole
+        number.
     whiten
-        Divide each component by its standard deviation. Off by default; the thesis does not give this.
+        Whether to divide each component by its standard deviation. The thesis does not give this.
 
     Attributes
     ----------
@@ -42,7 +43,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     explained_variance_
         (cells, components) float64.
     explained_variance_ratio_
-        (cells, components) float64, shares of the cell's variance.
+        (cells, components) float64, share of the cell's variance that each component explains.
     n_features_in_
         D.
 
@@ -80,10 +81,10 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         return kept
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Learn one PCA per cell from real X (n, D). `y` is ignored.
+        """Learn one PCA per cell from real (n, D) samples X. `y` is ignored.
 
-        Raises PlacecatError if D is not divisible by `cells`, or the number of components is invalid or not
-        below n.
+        Raises PlacecatError if D is not divisible by `cells`, or if the number of components is invalid or
+        not below n.
         """
         check_parameters(self)
         samples = check_samples(X)
@@ -119,7 +120,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
-        """Project finite samples (n, D) to (n, cells * components) float32, cell after cell.
+        """Project finite (n, D) samples to (n, cells * components) float32, cell after cell.
 
         Raises PlacecatError for other input.
         """

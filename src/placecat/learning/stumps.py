@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-# Number of features per block, so that the histograms of a few machines fit in the level-2 cache.
+# Number of features per block. The histograms of a few machines then fit in the level-2 cache.
 BLOCK_FEATURES = 32
 # Histograms with more columns than this are accumulated row by row.
 _NARROW = 192
@@ -17,20 +17,22 @@ _NARROW = 192
 class BinnedFeatures:
     """Binned features, with sparse matrices that sum samples by bin."""
 
-    #: (D, n) uint8 or uint16, each sample's bin in each feature: the number of thresholds below its value.
+    #: (D, n) uint8 or uint16, the bin of each sample in each feature, which is the number of thresholds below
+    #: its value.
     bins: NDArray[Any]
-    #: D ascending arrays of at most max_bins - 1 values; x > thresholds[d][b] means bin > b.
+    #: D ascending arrays of at most max_bins - 1 values, where x > thresholds[d][b] means that the bin is
+    #: above b.
     thresholds: list[NDArray[np.float32]]
-    #: scipy CSR matrices of ones, one per `BLOCK_FEATURES` features. A matrix for B features has the shape
-    #: (width * B, n), starting with every feature's first bin. Its product with weights (n, m) contains all
-    #: weighted histograms of these features.
+    #: scipy CSR matrices of ones, one for every `BLOCK_FEATURES` features. A matrix for B features has the
+    #: shape (width * B, n), and its first B rows are the first bins of the features. Its product with weights
+    #: (n, m) contains all weighted histograms of these features.
     blocks: list[Any]
     #: Number of bins per feature in `blocks`.
     width: int
 
 
 class Stump(NamedTuple):
-    """A function of one feature: `low` up to bin `cut`, `high` above it."""
+    """A function of one feature, which is `low` up to the bin `cut` and `high` above it."""
 
     feature: int
     cut: int
@@ -41,7 +43,7 @@ class Stump(NamedTuple):
 def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
     """Cut each feature at the midpoints between its distinct values, or at quantiles if there are too many.
 
-    `X` is (n, D); `max_bins` is the maximum number of bins per feature, 2 to 65536.
+    `X` is (n, D), and `max_bins` is the maximum number of bins per feature, 2 to 65536.
     """
     n, n_features = X.shape
     bins = np.empty((n_features, n), dtype=np.uint8 if max_bins <= 256 else np.uint16)
@@ -59,7 +61,7 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
             place = place[place > 0]
             cuts = _midpoints(distinct[place - 1], distinct[place])
         thresholds.append(cuts)
-        # Searching the values for the few thresholds is faster than searching the thresholds for every value.
+        # Finding the few thresholds among the values is faster than finding each value among the thresholds.
         ends = np.searchsorted(values, cuts, side="right")
         sizes = np.diff(ends, prepend=0, append=n)
         bins[feature, order] = np.repeat(np.arange(len(sizes), dtype=bins.dtype), sizes)
@@ -77,14 +79,14 @@ def _midpoints(below: NDArray[np.float32], above: NDArray[np.float32]) -> NDArra
 
 
 def _sums(bins: NDArray[Any], width: int) -> Any:
-    """Build the matrix (width * B, n) that sums n samples by the bins (B, n) of B features."""
+    """Build the (width * B, n) matrix that sums n samples by the (B, n) bins of B features."""
     from scipy.sparse import csr_matrix
 
     n_features, n = bins.shape
     order = np.argsort(bins, axis=1, kind="stable").astype(np.int32)
     counts = np.stack([np.bincount(row, minlength=width) for row in bins], axis=1)
     pointers = np.concatenate([[0], np.cumsum(counts.ravel())])
-    # Row (bin, feature) contains the samples in one run of `order`.
+    # The samples of row (bin, feature) are consecutive in `order`.
     starts = (np.cumsum(counts, axis=0) - counts) + n * np.arange(n_features)
     sizes = counts.ravel()
     places = np.repeat(starts.ravel() - pointers[:-1], sizes) + np.arange(order.size)
@@ -96,8 +98,9 @@ def best_stumps(
 ) -> list[Stump | None]:
     """Find the stump with the smallest weighted squared error for each of G weightings of the samples.
 
-    `weight` and `signed` are (n, G), C-contiguous: weights of at least 0, and weights times labels of -1 or
-    1. Returns the G best stumps, the first in a tie; None if no feature can be cut.
+    `weight` and `signed` are C-contiguous (n, G) arrays. `weight` holds weights of at least 0, and `signed`
+    holds these weights multiplied by the labels -1 or 1. Returns the best stump for each weighting, which is
+    the first in a tie, or None if no feature can be cut.
     """
     machines = range(weight.shape[1])
     highest = np.full(len(machines), -np.inf)
@@ -133,16 +136,16 @@ def best_stumps(
 def _histograms(
     sums: Any, weight: NDArray[np.float64], signed: NDArray[np.float64]
 ) -> Iterable[NDArray[np.float64]]:
-    """Return the products of a matrix of `BinnedFeatures` with two (n, G) arrays."""
+    """Multiply a matrix of `BinnedFeatures` by two (n, G) arrays, and return both products."""
     if weight.shape[1] == 1:
-        # SciPy's product with one column is more than twice as fast as that with two columns.
+        # SciPy multiplies by one column more than twice as fast as by two columns.
         return sums @ weight, sums @ signed
-    # One product reads the matrix once.
+    # A single product reads the matrix only once.
     return np.hsplit(sums @ np.hstack([weight, signed]), 2)
 
 
 def _cumulated(histogram: NDArray[np.float64], width: int) -> NDArray[np.float64]:
-    """Accumulate the bins of histograms (width * B, G), and return the sums as (width, B * G)."""
+    """Accumulate the bins of (width * B, G) histograms, and return the sums as (width, B * G)."""
     bins = histogram.reshape(width, -1)
     if bins.shape[1] <= _NARROW:
         return np.add.accumulate(bins, axis=0)
@@ -159,7 +162,7 @@ def _gain(
     total_signed: NDArray[np.float64],
     dust: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Return the fall in weighted squared error at each cut, plus a constant; -inf if one side is empty."""
+    """Return each cut's reduction of the weighted squared error, plus a constant; -inf if a side is empty."""
     above = total - below
     impossible = np.minimum(below, above) <= dust
     above_signed = total_signed - below_signed

@@ -1,4 +1,4 @@
-"""The toy problem of thesis 4.8: four disjoint circles in the plane, and the area around them."""
+"""The toy problem of thesis 4.8, with four disjoint circles in the plane and the area around them."""
 
 import math
 
@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 # Class names, in the order of the labels.
 NAMES = ("circle_1", "circle_2", "circle_3", "circle_4", "around")
-# The circles' centres in half sides of the square, in the order of the classes.
+# The centres of the circles in the order of the classes. The unit is half the side of the square.
 _MIDDLES = ((-0.5, -0.5), (-0.5, 0.5), (0.5, -0.5), (0.5, 0.5))
 
 
@@ -16,7 +16,7 @@ def toy_circles(
 ) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
     """Draw points uniformly from a square that has a circle in the middle of each quarter.
 
-    The thesis does not give the centres, radii, area or counts; conf/toy explains our choices.
+    The thesis does not give the centres, radii, area or counts. conf/toy explains our choices.
 
     Parameters
     ----------
@@ -27,14 +27,14 @@ def toy_circles(
     radius
         Radius of each circle, above 0.
     inside
-        Share of the square that the circles cover, above 0 and below pi / 4 (where they touch). Half the
-        square's side is ``radius sqrt(pi / inside)``.
+        Share of the square that the circles cover, above 0 and below pi / 4 (where they touch). Half the side
+        of the square is ``radius sqrt(pi / inside)``.
 
     Returns
     -------
     X, y
-        (n, 2) float64, and (n,) int16: 0 to 3 for the circles (lower left, upper left, lower right, upper
-        right), 4 for the area around them.
+        (n, 2) float64 points and (n,) int16 labels. Labels 0 to 3 are the circles (lower left, upper left,
+        lower right, upper right), and 4 is the area around them.
 
     Examples
     --------

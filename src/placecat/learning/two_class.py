@@ -23,12 +23,12 @@ class TwoClass:
     Attributes
     ----------
     classes_
-        The two labels, sorted; the second is the positive class. Set by `fit`.
+        The two labels in sorted order, where the second is the positive class. `fit` sets this.
     n_features_in_
         D.
     """
 
-    #: A and B of the classifier's own probability 1 / (1 + exp(A d + B)) for decision value d, or None.
+    #: A and B of the classifier's own probability 1 / (1 + exp(A d + B)) for the decision value d, or None.
     own_sigmoid: tuple[float, float] | None = None
     #: Whether a multi-class scheme with sigmoid ``auto`` uses `own_sigmoid`, if there is one.
     prefers_own_sigmoid = True
@@ -43,9 +43,9 @@ class TwoClass:
         return tags
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
-        """Fit on real samples (n, D) and labels (n,) of exactly two classes.
+        """Fit on real (n, D) samples and (n,) labels of exactly two classes.
 
-        Raises PlacecatError if there are not two classes, or a setting is invalid.
+        Raises PlacecatError if there are not exactly two classes, or if a setting is invalid.
         """
         check_parameters(self)
         samples = check_samples(X)
@@ -55,7 +55,7 @@ class TwoClass:
 
     @abstractmethod
     def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> Any:
-        """Compute what depends only on the samples (n, D), in `n_jobs` threads, for all classes and folds."""
+        """Compute in `n_jobs` threads what depends only on the (n, D) samples, for all classes and folds."""
 
     @abstractmethod
     def fit_rows(
@@ -74,7 +74,7 @@ class TwoClass:
         shared
             The result of `prepare` for n samples.
         positive
-            (n,) bool.
+            (n,) bool, true for positive samples.
         rows
             Ascending indices of the training samples, all by default.
         context
@@ -83,32 +83,32 @@ class TwoClass:
 
     @abstractmethod
     def decide_rows(self, shared: Any, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Return decision values, (len(rows),), for some of the prepared samples."""
+        """Return (len(rows),) decision values for some of the prepared samples."""
 
     @staticmethod
     @abstractmethod
     def collect(machines: Sequence[Any], X: NDArray[np.float32]) -> Any:
-        """Combine machines fitted on the same samples (n, D) into an object with the method `decisions`."""
+        """Combine machines fitted on the same (n, D) samples into an object with the method `decisions`."""
 
     @abstractmethod
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return decision values (n,) of samples (n, D), positive for ``classes_[1]``. Needs `fit`."""
+        """Return (n,) decision values of (n, D) samples, positive for ``classes_[1]``. Call `fit` first."""
 
     @available_if(lambda self: self.own_sigmoid is not None)
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return the two classes' probabilities (n, 2) for samples (n, D), by `own_sigmoid`. Needs `fit`."""
+        """Return (n, 2) class probabilities for (n, D) samples by `own_sigmoid`. Call `fit` first."""
         assert self.own_sigmoid is not None
         positive = apply_sigmoid(self.decision_function(X), *self.own_sigmoid)
         return np.stack([1.0 - positive, positive], axis=1)
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the labels (n,) of samples (n, D). Needs `fit`."""
+        """Return the (n,) predicted labels of (n, D) samples. Call `fit` first."""
         positive = self.decision_function(X) > 0
         return self.classes_[positive.astype(int)]
 
 
 class _GenericBase(TwoClass):
-    """Adapter for any scikit-learn two-class classifier; its fits share no preparation."""
+    """Adapter for any two-class classifier of scikit-learn, whose fits share no preparation."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
@@ -157,7 +157,7 @@ class _GenericScorer:
 
 
 def as_two_class(base: Any) -> TwoClass:
-    """Return `base` after checking its settings, or in an adapter if its fits share no preparation."""
+    """Check the settings of `base` and return it, or return an adapter if its fits share no preparation."""
     if not hasattr(base, "fit_rows"):
         return _GenericBase(base)
     check_parameters(base)

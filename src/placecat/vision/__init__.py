@@ -1,1 +1,1 @@
-"""Salient regions and descriptors of a frame. This package does not use labels or open files."""
+"""Salient regions and descriptors of a frame, computed without labels and without opening files."""

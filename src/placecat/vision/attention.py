@@ -1,4 +1,4 @@
-"""Visual attention: compute a frame's maps and salient regions (thesis 3.1.1)."""
+"""Compute a frame's maps and salient regions, as a model of visual attention (thesis 3.1.1)."""
 
 from collections.abc import Collection, Sequence
 from typing import Any
@@ -34,23 +34,26 @@ def compute_maps(
     frame_bgr
         (H, W, 3) uint8, BGR.
     fields
-        Fields of `FrameMaps` to compute; the others stay empty. This choice does not affect a field's values.
-        `find_regions` needs all fields except ``color``.
+        Fields of `FrameMaps` to compute. All other fields stay empty. The values of a field do not depend on
+        this choice. `find_regions` needs all fields except ``color``.
     scales
-        Pyramid levels to use, at least 1, in ascending order; (2, 3, 4, 5) in the thesis.
+        Pyramid levels to use, each at least 1, in ascending order. The thesis uses (2, 3, 4, 5).
     radii
-        Radii of the centre-surround neighbourhoods, in pixels of the level; 1 and 3 in the thesis (3x3, 7x7).
+        Radii of the centre-surround neighbourhoods, in pixels of the level. The thesis uses 1 and 3, which
+        means 3x3 and 7x7 pixels.
     clip_color
-        Set each pixel's negative colour values to 0, as Itti et al. do. The thesis does not specify this.
+        Whether to set each pixel's negative colour values to 0, as Itti et al. do. The thesis does not
+        specify this.
     use_residual
-        Compute the spectral residual; if false, `residual` is empty.
+        Whether to compute the spectral residual. If false, `residual` is empty.
     **settings
         Settings of `placecat.vision.orientation.orientation_maps`, such as ``gabor_size``, and of
         `placecat.vision.spectral_residual.spectral_residual`, such as ``residual_box``.
 
     Returns
     -------
-    The requested maps, float32 and finite; black pixels have no colour (0).
+    The requested maps, which are float32 and finite. Black pixels have no colour, so their colour values are
+    0.
 
     Raises
     ------
@@ -67,7 +70,8 @@ def compute_maps(
     check_scales(levels, width, height)
     in_color = "color" in fields or "color_contrast" in fields
     total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
-    # The colours' sum is a whole number, so a flat frame stays exactly flat. Divide it by 3 only at the end.
+    # The sum of the colours is a whole number, so a flat frame stays exactly flat. Divide it by 3 only at the
+    # end.
     totals = gaussian_pyramid(total, 1, levels[-1] + 1)
     grey = {s: totals[s] / np.float32(3) for s in sorted({*levels, *(s + 1 for s in levels)})}
     pyramids = [gaussian_pyramid(plane, 1, levels[-1]) for plane in planes]
@@ -97,12 +101,13 @@ def compute_maps(
 def find_regions(maps: FrameMaps, **settings: Any) -> FloatArray:
     """Find a frame's salient regions (thesis 3.1.1.3).
 
-    `maps` is the result of `compute_maps`. Settings are those of
+    `maps` is the result of `compute_maps`. Valid settings are those of
     `placecat.vision.regions.select_regions`, such as ``max_regions``, and of
-    `placecat.vision.saliency.saliency`, such as ``use_residual``; an invalid one raises PlacecatError.
+    `placecat.vision.saliency.saliency`, such as ``use_residual``. An invalid setting raises PlacecatError.
 
-    Returns (n, 4) float32: the centre's x and y in frame pixels, scale, saliency; sorted by decreasing
-    saliency. n is at most ``max_regions``, and 0 for a flat frame.
+    Returns an (n, 4) float32 array. Its columns are the x and y of the centre in frame pixels, the scale and
+    the saliency, and its rows are sorted by decreasing saliency. n is at most ``max_regions``, and 0 for a
+    flat frame.
     """
     selection, distances, fusion = parts_of("regions", settings, select_regions, accept, saliency)
     return select_regions(maps, saliency(maps, **fusion), **selection | distances)

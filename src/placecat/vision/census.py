@@ -1,4 +1,4 @@
-"""The census transform, its histograms, and the 3x3 Laplacian that may precede it."""
+"""Compute the census transform, its histograms, and the 3x3 Laplacian that may precede it."""
 
 from functools import lru_cache
 from itertools import pairwise, product
@@ -12,10 +12,11 @@ from placecat.errors import PlacecatError
 
 CODES = 256
 
-# Up to this many pixels per cell, one joint histogram over cells and codes beats one histogram per cell.
+# Up to this number of pixels per cell, one joint histogram over cells and codes is faster than one histogram
+# per cell.
 _FEW = 10_000
 
-# Left to right, top to bottom; the first neighbour sets the highest bit.
+# Neighbours run from left to right and from top to bottom, and the first one sets the highest bit.
 _NEIGHBOURS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1))
 
 LAPLACIANS = {
@@ -26,13 +27,13 @@ LAPLACIANS = {
 
 
 def census(images: NDArray[Any]) -> NDArray[np.uint8]:
-    """Compute the census transform: one bit for each of a pixel's eight neighbours.
+    """Compute the census transform, which has one bit for each of a pixel's eight neighbours.
 
     A bit is set if the centre is at least as bright as the neighbour. Neighbours run from left to right and
-    top to bottom, from the highest bit (top left, 128) to the lowest (bottom right, 1). Border pixels have no
-    code.
+    from top to bottom. The top left neighbour sets the highest bit (128), and the bottom right one the lowest
+    (1). Border pixels have no code.
 
-    `images` is (..., h, w) of any real type; PlacecatError is raised if h or w is below 3. Returns
+    `images` is (..., h, w) of any real dtype. Raises PlacecatError if h or w is below 3. Returns
     (..., h - 2, w - 2) uint8.
 
     References
@@ -44,7 +45,8 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
         raise PlacecatError(
             f"the census transform needs at least 3x3 pixels, not {width}x{height}: use larger frames"
         )
-    # In the flat array each neighbour is a constant step away, even across images; only borders are wrong.
+    # In the flat array, each neighbour is a constant step away, even across images. Only border pixels are
+    # wrong.
     flat = np.ascontiguousarray(images).reshape(-1)
     margin = width + 1
     inner = slice(margin, max(margin, flat.size - margin))
@@ -60,7 +62,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """Compute histograms of (n, h, w) uint8 codes from `census`: (n, 256) float32; rows sum to 1."""
+    """Return (n, 256) float32 histograms of (n, h, w) uint8 codes from `census`; rows sum to 1."""
     count = len(codes)
     if count == 0:
         return np.zeros((0, CODES), np.float32)
@@ -72,11 +74,12 @@ def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
 def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]:
     """Compute a histogram of the codes in each cell of a ``cells`` x ``cells`` grid.
 
-    Cells consist of whole pixels: cell k of n covers the pixels from floor(k length / n) up to, but
+    Cells consist of whole pixels. Cell k of n covers the pixels from floor(k length / n) up to, but
     excluding, floor((k + 1) length / n). The thesis does not specify this.
 
-    `codes` is (h, w) uint8, from `census`; `cells` is at most 16. Returns (cells**2, 256) float32, cells row
-    by row from the top left; each row sums to 1, or to 0 for a cell without pixels.
+    `codes` holds (h, w) uint8 codes from `census`, and `cells` is at most 16. Returns a (cells**2, 256)
+    float32 array with a row for each cell, row by row from the top left of the grid. Each row sums to 1, or
+    to 0 for a cell without pixels.
     """
     number = cells * cells
     places, sizes = _places(*codes.shape, cells)
@@ -95,7 +98,10 @@ def _edges(length: int, cells: int) -> NDArray[np.intp]:
 
 @lru_cache(maxsize=8)
 def _places(height: int, width: int, cells: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-    """Return each pixel's cell index, (h, w), and each cell's pixel count, at least 1, (cells**2, 1)."""
+    """Return the (h, w) cell indices of the pixels, and the (cells**2, 1) pixel counts of the cells.
+
+    Counts of 0 are replaced by 1.
+    """
     rows, columns = (
         np.repeat(np.arange(cells), np.diff(_edges(length, cells))) for length in (height, width)
     )
@@ -105,7 +111,7 @@ def _places(height: int, width: int, cells: int) -> tuple[NDArray[np.uint8], NDA
 
 
 def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
-    """Convolve an image with a 3x3 Laplacian; the border is mirrored about the outermost pixels.
+    """Convolve an image with a 3x3 Laplacian, where the border is mirrored about the outermost pixels.
 
     Parameters
     ----------
@@ -117,7 +123,7 @@ def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
 
     Returns
     -------
-    (h, w) int16 for a uint8 image, float32 for a float32 image.
+    (h, w) array, which is int16 for a uint8 image and float32 for a float32 image.
     """
     depth = cv2.CV_16S if image.dtype == np.uint8 else cv2.CV_32F
     return cv2.filter2D(image, depth, LAPLACIANS[kernel], borderType=cv2.BORDER_REFLECT_101)

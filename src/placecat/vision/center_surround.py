@@ -1,4 +1,4 @@
-"""Centre-surround responses (thesis 3.1.1.1)."""
+"""Compute centre-surround responses (thesis 3.1.1.1)."""
 
 from collections.abc import Sequence
 
@@ -8,16 +8,17 @@ import numpy as np
 from placecat.vision.color import blue_yellow
 from placecat.vision.maps import FloatArray
 
-# Responses up to these limits are float32 rounding errors, which would create local maxima in flat areas.
+# Responses up to these limits are float32 rounding errors. They would create local maxima in flat areas.
 GREY_ROUNDING = 1e-3
 COLOR_ROUNDING = 1e-5
 
 
 def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> None:
-    """Subtract from each pixel the mean of the others in its k x k neighbourhood, k = 2 radius + 1.
+    """Subtract from each pixel the mean of the other pixels in its k x k neighbourhood.
 
-    If m is the mean of all k^2 pixels, this is (centre - m) k^2 / (k^2 - 1), so a box blur suffices. The
-    border is mirrored without repeating the edge pixel (reflect-101; the thesis does not specify this).
+    The side k is 2 radius + 1. With the mean m of all k^2 pixels, the difference is (centre - m)
+    k^2 / (k^2 - 1), so a box blur suffices. The border is mirrored without repeating the edge pixel
+    (reflect-101), which the thesis does not specify.
     """
     size = 2 * radius + 1
     cv2.blur(plane, (size, size), dst=out, borderType=cv2.BORDER_REFLECT_101)
@@ -26,11 +27,11 @@ def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> Non
 
 
 def intensity_contrast(grey: FloatArray, radii: Sequence[int]) -> FloatArray:
-    """Return the intensity's bright-spot and dark-spot responses (thesis 3.1.1.1).
+    """Return the responses of the intensity to bright spots and to dark spots (thesis 3.1.1.1).
 
-    `grey` is (h, w) float32, 0 to 255; `radii` are those of the centre-surround neighbourhoods. Returns
-    (radii, 2, h, w) float32, 0 to 255: how far the centre is above and below the surround. Values up to
-    `GREY_ROUNDING` become 0.
+    `grey` is (h, w) float32, from 0 to 255, and `radii` are the radii of the centre-surround neighbourhoods.
+    The result is (radii, 2, h, w) float32, from 0 to 255, and tells how far the centre is above and below the
+    surround. Values up to `GREY_ROUNDING` become 0.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)
     for (on, off), radius in zip(out, radii, strict=True):
@@ -42,8 +43,9 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int]) -> FloatArray:
 def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int]) -> FloatArray:
     """Return how far R, G, B and Y in the centre exceed the surround (thesis 3.1.1.1).
 
-    `planes` are one level's colour planes, as in `placecat.vision.color.channels`. Returns (radii, 4, h, w)
-    float32, dimensionless, >= 0. Values up to `COLOR_ROUNDING` become 0.
+    `planes` are the colour planes of one level, as in `placecat.vision.color.channels`. Returns
+    (radii, 4, h, w) float32. The values are dimensionless and not negative. Values up to `COLOR_ROUNDING`
+    become 0.
     """
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
     difference = np.empty_like(planes[0])
@@ -57,7 +59,7 @@ def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int]) -> FloatA
 
 
 def without_rounding(maps: FloatArray, rounding: float) -> FloatArray:
-    """Set values up to `rounding` to 0 in place."""
+    """Set values up to `rounding` to 0, in place."""
     rows = maps.reshape(-1, maps.shape[-1])
     cv2.threshold(rows, rounding, 0, cv2.THRESH_TOZERO, dst=rows)
     return maps

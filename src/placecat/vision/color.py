@@ -1,13 +1,13 @@
-"""A frame's intensity and intensity-normalised opponent colours, reduced in one pass.
+"""Compute a frame's intensity and its intensity-normalised opponent colours, reduced in one pass.
 
-After division by the intensity i = (r + g + b) / 3 the three colours sum to 3, so the thesis's channels
-R, G, B, Y follow from three planes, R, G and D = |R - G|::
+After division by the intensity i = (r + g + b) / 3, the three colours sum to 3. So the thesis's channels R,
+G, B, Y follow from three planes, R, G and D = |R - G|::
 
     R = 1.5 (r/i - 1)        G = 1.5 (g/i - 1)        B = -(R + G)        Y = 2 (R + G) - 4/3 D
 
-Reduction and centre-surround are linear, so they are applied to R, G, D; B and Y are computed only where
-needed. A black pixel has no colour and counts as grey: R = G = D = 0 yields B = Y = 0, so the identities
-still hold.
+Reduction and centre-surround differences are linear, so they are applied to R, G, D. B and Y are computed
+only where needed. A black pixel has no colour and counts as grey. Then R = G = D = 0 yields B = Y = 0, so the
+identities still hold.
 """
 
 from collections.abc import Sequence
@@ -20,7 +20,8 @@ from placecat.errors import PlacecatError
 from placecat.vision.maps import FloatArray
 from placecat.vision.pyramid import level_size
 
-# Fewer rows would fit a core's cache, but the extra calls would cost more time than this saves.
+# Strips with fewer rows would fit into a core's cache, but the extra calls would cost more time than this
+# saves.
 STRIP_ROWS = 144
 SHIFT = np.float32(1.5)
 
@@ -28,7 +29,8 @@ SHIFT = np.float32(1.5)
 def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Return an (H, W, 3) uint8 BGR frame as a C-contiguous array.
 
-    Raises TypeError if it is not a uint8 array, and PlacecatError if it is empty or not (H, W, 3).
+    Raises TypeError if it is not a uint8 array, and PlacecatError if it is empty or its shape is not
+    (H, W, 3).
     """
     if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8:
         kind = frame.dtype if isinstance(frame, np.ndarray) else type(frame).__name__
@@ -43,17 +45,17 @@ def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def reduced_planes(
     frame: NDArray[np.uint8], *, color: bool = True, clip: bool = False, strip_rows: int = STRIP_ROWS
 ) -> tuple[FloatArray, list[FloatArray]]:
-    """Return level 1 of the sum r + g + b and of the colour planes (thesis 3.1.1.1).
+    """Return the sum r + g + b and the colour planes at pyramid level 1 (thesis 3.1.1.1).
 
-    The frame is processed in strips of `strip_rows` rows (even, at least 4) to save memory; the strips do not
-    affect the result.
+    To save memory, the frame is processed in strips of `strip_rows` rows, an even number of at least 4. The
+    strips do not affect the result.
 
     Parameters
     ----------
     frame
         (H, W, 3) uint8, BGR.
     color
-        If false, compute only the sum.
+        If false, only the sum is computed.
     clip
         If false, the planes are R, G, D. If true, each pixel's negative colour values become 0, as in Itti et
         al., and the planes are R, G, B, Y. The thesis does not specify this.
@@ -61,16 +63,16 @@ def reduced_planes(
     Returns
     -------
     total
-        (ceil(H / 2), ceil(W / 2)) float32, three times the intensity, 0 to 765.
+        (ceil(H / 2), ceil(W / 2)) float32, three times the intensity, from 0 to 765.
     planes
-        3 or 4 float32 planes of the same size: R and G from -1.5 to 3, D from 0 to 4.5; or R, G, B, Y from 0
-        to 3. Empty if `color` is false.
+        3 or 4 float32 planes of the same size. They are either R and G from -1.5 to 3 and D from 0 to 4.5, or
+        R, G, B, Y from 0 to 3. Empty if `color` is false.
     """
     height, width = frame.shape[:2]
     out_width, out_height = level_size(width, height, 1)
     number = 1 if not color else 5 if clip else 4
     reduced = [np.empty((out_height, out_width), np.float32) for _ in range(number)]
-    # Two more rows above and below for the 5x5 kernel.
+    # The 5x5 kernel needs two more rows above and below.
     work = np.empty((4, min(strip_rows + 4, height), width), np.float32)
     split = np.empty((3, *work.shape[1:]), np.uint8)
     for start in range(0, height, strip_rows):
@@ -80,8 +82,8 @@ def reduced_planes(
         planes = _full_planes(frame[top:bottom], list(split[:, :count]), work[:, :count], color, clip)
         rows = slice(top // 2, (bottom + 1) // 2)
         for target, plane in zip(reduced, planes, strict=True):
-            # The strip's outermost rows lack neighbours. The next strip rewrites the lower one; the upper one
-            # is already correct.
+            # The outermost rows of the strip lack neighbours. The next strip rewrites the lower row, and the
+            # upper row is already correct.
             above = target[top // 2].copy()
             cv2.pyrDown(plane, dst=target[rows])
             if top:
@@ -96,8 +98,9 @@ def reduced_planes(
 def channels(planes: Sequence[FloatArray]) -> FloatArray:
     """Compute R, G, B, Y from the planes of `reduced_planes`, or from linear functions of these planes.
 
-    `planes` are R, G, D (combined by the identities above) or R, G, B, Y (only stacked), (h, w) float32 each.
-    Returns (4, h, w) float32. In each pixel R, G and B lie between -1.5 and 3, and Y between -6 and 3.
+    `planes` are (h, w) float32 each. R, G, D are combined by the identities above, while R, G, B, Y are only
+    stacked. Returns (4, h, w) float32. In each pixel, R, G and B lie between -1.5 and 3, and Y lies between
+    -6 and 3.
     """
     out = np.empty((4, *planes[0].shape), np.float32)
     out[0], out[1] = planes[:2]
@@ -114,7 +117,7 @@ def blue_yellow(
 ) -> None:
     """Write B = -(R + G) and Y = 2 (R + G) - 4/3 D to `blue` and `yellow`.
 
-    All planes are (h, w) float32; `blue` and `yellow` must be contiguous.
+    All planes are (h, w) float32, and `blue` and `yellow` must be contiguous.
     """
     np.add(red, green, out=blue)
     cv2.addWeighted(blue, 2, difference, -4 / 3, 0, dst=yellow)
@@ -126,7 +129,7 @@ def reduced_grey(
 ) -> NDArray[np.uint8]:
     """Convert an (H, W, 3) uint8 BGR frame to grey as OpenCV does, and reduce it to a width in pixels.
 
-    Returns (max(1, round(H width / W)), width) uint8; a frame no wider than `width` keeps its size.
+    Returns (max(1, round(H width / W)), width) uint8. A frame that is not wider than `width` keeps its size.
     """
     grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     height, full = grey.shape
@@ -138,7 +141,7 @@ def reduced_grey(
 def _full_planes(
     strip: NDArray[np.uint8], colors: list[NDArray[np.uint8]], work: FloatArray, color: bool, clip: bool
 ) -> list[FloatArray]:
-    """Return full-size r + g + b and, if `color`, also R + 1.5, G + 1.5, D (or, if `clip`, R, G, B, Y)."""
+    """Return r + g + b in full size and, if `color`, also R + 1.5, G + 1.5, D (with `clip`, R, G, B, Y)."""
     cv2.split(strip, colors)
     b, g, r = colors
     total, red, green, difference = work

@@ -1,4 +1,4 @@
-"""Find the modules of descriptors, and the settings of functions."""
+"""Find the modules of descriptors and the settings of functions."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -12,9 +12,10 @@ from placecat.schema import signatures
 
 @lru_cache(maxsize=256)
 def settings_of(function: Callable[..., Any]) -> Mapping[str, Any]:
-    """Return a function's settings (its keyword-only parameters) with their defaults, in order.
+    """Return the settings of a function and their defaults, in order.
 
-    A required setting has the default `inspect.Parameter.empty`.
+    The settings are its keyword-only parameters. A required setting has the default
+    `inspect.Parameter.empty`.
     """
     parameters = inspect.signature(function).parameters.values()
     return {one.name: one.default for one in parameters if one.kind is one.KEYWORD_ONLY}
@@ -23,7 +24,7 @@ def settings_of(function: Callable[..., Any]) -> Mapping[str, Any]:
 def parts_of(
     section: str, settings: Mapping[str, Any], *functions: Callable[..., Any]
 ) -> list[dict[str, Any]]:
-    """Check a section's settings, and return, for each function, the settings that it takes.
+    """Check the settings of a section, and return those that each function takes.
 
     Raises PlacecatError if a setting is unknown or invalid.
     """
@@ -32,9 +33,9 @@ def parts_of(
 
 
 def load(kind: str, name: str) -> ModuleType:
-    """Import a descriptor; `kind` is ``local`` or ``holistic``.
+    """Import a descriptor, whose `kind` is ``local`` or ``holistic``.
 
-    Raises PlacecatError with the valid names if the descriptor is unknown.
+    If the descriptor is unknown, this raises PlacecatError, which lists the valid names.
     """
     return lookup.module(f"placecat.vision.{kind}", name, f"{kind} descriptor", "describe")
 
@@ -42,8 +43,8 @@ def load(kind: str, name: str) -> ModuleType:
 def entry(kind: str, name: str, settings: Mapping[str, Any]) -> tuple[ModuleType, dict[str, Any]]:
     """Return the module and the settings of ``describe`` for an entry ``name: settings``.
 
-    The entry has the module's name. A variant may have any name; ``descriptor`` then names the module:
-    ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
+    The entry has the name of the module. A variant may have any name. Then ``descriptor`` names the module,
+    as in ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
     """
     own = dict(settings)
     return load(kind, own.pop("descriptor", name)), own

@@ -1,4 +1,4 @@
-"""Compute all features of a frame: maps, regions, descriptors, information."""
+"""Compute all features of a frame, which are its maps, regions, descriptors and information."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,10 +18,11 @@ SECTIONS = ("attention", "regions", "local", "holistic", "information", "variant
 
 
 def check(features: Mapping[str, Mapping[str, Any]]) -> None:
-    """Refuse unknown sections, descriptors and settings, and invalid values, before any frame is read.
+    """Check sections, descriptors, settings and their values before any frame is read.
 
-    `features` has the form of the settings of `describe_frame`. The PlacecatError names the wrong setting,
-    and lists the valid ones if it is unknown.
+    `features` has the same form as the settings of `describe_frame`. If something is unknown or invalid, this
+    raises PlacecatError, which names the wrong setting. If the setting is unknown, the error lists the valid
+    ones.
     """
     settings.refuse_unknown(features, list(SECTIONS), "the part of the settings for features")
     for section in ("attention", "regions", "information"):
@@ -37,36 +38,38 @@ def describe_frame(
     *,
     regions: NDArray[np.float32] | None = None,
 ) -> dict[str, NDArray[Any]]:
-    """Compute a frame's maps once, and all requested features from them (thesis 3.1, 3.2, 4.6).
+    """Compute a frame's maps once, and derive all requested features from them (thesis 3.1, 3.2, 4.6).
 
     Parameters
     ----------
     frame_bgr
         (H, W, 3) uint8 BGR.
     settings
-        Sections, each optional, that `check` accepts: ``attention`` (settings of `compute_maps`), ``regions``
-        (of `find_regions`), ``information`` (of `information`), ``local`` and ``holistic`` (each maps
-        descriptor names to their settings; only these descriptors are computed). A descriptor's variant may
-        have any name; its setting ``descriptor`` names the original:
-        ``{"centrist_full": {"descriptor": "centrist", "width": None}}``. ``variants`` maps names to region
-        variants: ``scales`` (a subset of the maps' scales, None for all), ``regions`` (changed settings) and
-        ``descriptors`` (names in ``local``).
+        Optional sections that `check` accepts. ``attention``, ``regions`` and ``information`` hold the
+        settings of `compute_maps`, `find_regions` and `information`. ``local`` and ``holistic`` list the
+        descriptors to compute, and map each name to its settings. A variant of a descriptor may have any
+        name, and its setting ``descriptor`` names the original, as in
+        ``{"centrist_full": {"descriptor": "centrist", "width": None}}``. ``variants`` maps names to variants
+        of the regions. A variant has ``scales`` (some of the maps' scales, or None for all), ``regions``
+        (changed settings) and ``descriptors`` (names in ``local``).
     regions
-        (n, 4) float32 regions to describe, at most ``max_regions``, such as tracked regions (thesis 4.7);
-        None to find them. If regions are passed, variants and maps that no descriptor reads are not computed.
+        (n, 4) float32 regions to describe, at most ``max_regions`` of them, such as tracked regions (thesis
+        4.7). If this is None, the regions are found in the frame. If regions are passed, variants are not
+        computed, nor are maps that no descriptor reads.
 
     Returns
     -------
-    Arrays that have the same shapes for every frame: ``count`` () int16, the number of regions; ``regions``
-    (max_regions, 4) float32: x, y (frame pixels), scale, strength, strongest first; ``local_<name>``
-    (max_regions, D) float32; ``information`` () float32, see `placecat.vision.information.information`;
-    ``holistic_<name>`` (D,) float32; then, for each variant, ``variant_<name>/count``, ``.../regions`` and
-    ``.../local_<name>``. Regions and their descriptors are zero from ``count`` on.
+    Arrays whose shapes are the same for every frame. ``count`` is an int16 scalar, the number of regions.
+    ``regions``, (max_regions, 4) float32, holds x, y (in frame pixels), scale and strength, with the
+    strongest region first. ``local_<name>`` is (max_regions, D) float32, and ``holistic_<name>`` is (D,)
+    float32. ``information`` is a float32 scalar, which is explained in
+    `placecat.vision.information.information`. Each variant adds ``variant_<name>/count``, ``.../regions`` and
+    ``.../local_<name>``. Rows of regions and of their descriptors are zero from ``count`` on.
 
     Raises
     ------
     PlacecatError
-        If the settings do not fit the frame or each other.
+        If the settings do not suit the frame or each other.
     """
     own = {section: settings.get(section, {}) for section in SECTIONS}
     most = most_regions(own["regions"])

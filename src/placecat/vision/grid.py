@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
     """Return weights that average ``length`` pixels into ``cells`` equal cells.
 
-    A pixel cut by a cell border counts proportionally in both cells, so all cells have the same size. The
-    thesis does not say how it divides a length that is not a multiple of the number of cells.
+    If a cell border cuts a pixel, the pixel counts proportionally in both cells, so all cells have the same
+    size. The thesis does not say how it divides a length that is not a multiple of the number of cells.
 
-    Both numbers count along one axis and are at least 1; ``length`` may be less than ``cells``. Returns
-    (cells, length) float64, read-only; each row sums to 1.
+    Both numbers apply to one axis and are at least 1. ``length`` may be less than ``cells``. Returns a
+    read-only (cells, length) float64 array whose rows sum to 1.
     """
     edges = np.arange(cells + 1) * (length / cells)
     pixels = np.arange(length)
@@ -25,9 +25,9 @@ def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
 
 
 def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
-    """Average each (..., h, w) float32 map in a ``cells`` x ``cells`` grid with two small matrix products.
+    """Average each (..., h, w) float32 map in a ``cells`` x ``cells`` grid by two small matrix products.
 
-    Returns (..., cells, cells) float32: rows from the top, columns from the left.
+    Returns (..., cells, cells) float32, with rows from the top and columns from the left.
     """
     height, width = maps.shape[-2:]
     rows, columns = (cell_weights(length, cells).astype(np.float32) for length in (height, width))
@@ -35,15 +35,15 @@ def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
 
 
 def mean_variance(patches: NDArray[np.float32], grid: int) -> NDArray[np.float32]:
-    """Compute each patch channel's mean and variance over the full patch and in the cells of a grid.
+    """Compute the mean and variance of each channel, over each full patch and in the cells of a grid.
 
-    `patches` is (n, c, h, w) float32; `grid` is the number of cells along each axis, 0 for the full patch
-    only. Returns (n, 2 c (1 + grid**2)) float32, one area after another: the full patch, then the cells row
-    by row from the top left. Each area has c means, then c non-negative variances (divisor N).
+    `patches` is (n, c, h, w) float32. `grid` is the number of cells along each axis, or 0 for the full patch
+    only. Returns (n, 2 c (1 + grid**2)) float32. The full patch comes first, then the cells row by row from
+    the top left. Each of these areas has c means, then c non-negative variances (with divisor N).
     """
     count, channels = patches.shape[:2]
     values = patches.astype(np.float64)
-    # Variances are differences of squares; centring the values preserves their precision.
+    # Variances are differences of squares, so the values are centred first to preserve their precision.
     centre = values.mean(axis=(2, 3), keepdims=True)
     values -= centre
     areas = [_moments(values, centre[:, :, 0, 0], 1)]
@@ -54,7 +54,7 @@ def mean_variance(patches: NDArray[np.float32], grid: int) -> NDArray[np.float32
 
 
 def _moments(values: NDArray[np.float64], centre: NDArray[np.float64], cells: int) -> NDArray[np.float64]:
-    """Return the moments, (n, cells**2, 2c), of (n, c, h, w) centred values."""
+    """Return the (n, cells**2, 2c) moments of (n, c, h, w) centred values."""
     count, channels, height, width = values.shape
     rows, columns = cell_weights(height, cells), cell_weights(width, cells).T
     mean = rows @ values @ columns

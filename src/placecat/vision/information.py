@@ -1,4 +1,4 @@
-"""Measure the information in a view with a band-pass, for the information filter."""
+"""Measure the information in a view with a band-pass filter, for use in the information filter."""
 
 import cv2
 
@@ -10,25 +10,27 @@ from placecat.vision.pyramid import expand, level_size
 def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, unit: float = 256 / 3) -> float:
     """Measure a frame's energy at intermediate frequencies (thesis 4.6).
 
-    The measure is the mean absolute difference between the intensity pyramid's level ``fine`` and its
-    expanded level ``coarse``. The thesis gives no unit. Its thresholds 0.09766 and 0.13021 are 25 / 256 and
-    25 / 192. With intensities from 0 to 1, the threshold 0.09766 would reject nearly every indoor view. By
-    default, 256 levels of the sum r + g + b count as 1; then 0.09766 rejects a quarter of the views and
-    0.13021 two fifths.
+    The measure is the mean absolute difference between two levels of the intensity pyramid, the level
+    ``fine`` and the expanded level ``coarse``. The thesis gives no unit. Its thresholds 0.09766 and 0.13021
+    are 25 / 256 and 25 / 192. With intensities from 0 to 1, the threshold 0.09766 would reject nearly every
+    indoor view. By default, 256 levels of the sum r + g + b count as 1. Then 0.09766 rejects a quarter of the
+    views, and 0.13021 rejects two fifths.
 
     Parameters
     ----------
     fine
         The finer level, which the thesis calls the "second" scale.
     coarse
-        The coarser level, above ``fine``; None selects the last level.
+        The coarser level, above ``fine``. None selects the last level.
     unit
-        How many grey levels of intensity, (r + g + b) / 3, count as 1, > 0; 256 for intensities from 0 to 1.
+        How many grey levels of the intensity (r + g + b) / 3 count as 1. It must be above 0. Use 256 for
+        intensities from 0 to 1.
 
     Returns
     -------
     float
-        0 to 255 / unit. Raises PlacecatError if a level is missing, or `coarse` is not above `fine`.
+        A number from 0 to 255 / unit. Raises PlacecatError if a level is missing, or if `coarse` is not above
+        `fine`.
     """
     last = maps.scales[-1] if coarse is None else coarse
     if fine not in maps.grey or last not in maps.grey or last <= fine:

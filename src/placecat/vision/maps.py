@@ -1,4 +1,4 @@
-"""A frame's maps, computed once and shared by all descriptors."""
+"""The maps of a frame, which are computed once and shared by all descriptors."""
 
 from __future__ import annotations
 
@@ -19,29 +19,31 @@ FIELDS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation"
 
 @dataclass(frozen=True)
 class FrameMaps:
-    """A frame's pyramids and feature maps (thesis 3.1.1); all arrays are float32.
+    """A frame's pyramids and feature maps (thesis 3.1.1), all in float32.
 
-    Level ``s`` has size (ceil(height / 2**s), ceil(width / 2**s)). Fields that were not requested are empty.
+    Level ``s`` has the shape (ceil(height / 2**s), ceil(width / 2**s)). Fields that were not requested are
+    empty.
 
     Attributes
     ----------
     width, height
-        The frame's size in pixels (level 0).
+        Size of the frame in pixels (level 0).
     scales
-        Pyramid levels in use, ascending; (2, 3, 4, 5) in the thesis. Every dict below has these keys.
+        Pyramid levels in use, in ascending order. The thesis uses (2, 3, 4, 5). Every dict below has these
+        keys.
     grey
-        (h_s, w_s), the intensity pyramid, 0 to 255.
+        (h_s, w_s), the intensity pyramid, from 0 to 255.
     color
         (4, h_s, w_s), the channels R, G, B, Y of intensity-normalised colour, dimensionless.
     intensity_contrast
-        (2 radii, 2, h_s, w_s), the intensity's centre-surround responses in 3x3 and 7x7 neighbourhoods; the
-        sub-channels are on (bright spot) and off (dark spot), both >= 0.
+        (2 radii, 2, h_s, w_s), the centre-surround responses of the intensity in 3x3 and 7x7 neighbourhoods.
+        The sub-channels are on (bright spot) and off (dark spot), both >= 0.
     color_contrast
         (2 radii, 4, h_s, w_s), how far R, G, B, Y in the centre exceed the surround, >= 0.
     orientation
         (4, h_s, w_s), Gabor magnitudes at 0, 45, 90, 135 degrees on the Laplacian pyramid, >= 0.
     residual
-        (h_s, w_s), the intensity's spectral residual saliency (3.1.1.2), >= 0.
+        (h_s, w_s), the spectral residual saliency of the intensity (3.1.1.2), >= 0.
     """
 
     width: int
@@ -58,7 +60,7 @@ class FrameMaps:
     )
 
     def at_scales(self, scales: Collection[int]) -> FrameMaps:
-        """Return the maps at some scales only, as if no other scales had been computed.
+        """Return the maps at some scales only, as if no others had been computed.
 
         Raises PlacecatError if `scales` is empty or contains a scale without maps.
         """
@@ -73,7 +75,7 @@ class FrameMaps:
         return replace(self, scales=wanted, **some)
 
     def remembered(self, key: tuple[Hashable, ...], compute: Callable[[], Any]) -> Any:
-        """Return the result of `compute`, which runs once per frame and key; do not modify the result."""
+        """Return the result of `compute`, which runs once per frame and key. Do not modify the result."""
         if key not in self._kept:
             self._kept[key] = compute()
         return self._kept[key]

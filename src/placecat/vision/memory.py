@@ -1,4 +1,4 @@
-"""Keep freed memory in the process so that each frame reuses the same pages."""
+"""Keep freed memory in the process, so that each frame reuses the same pages."""
 
 import numpy as np
 
@@ -6,10 +6,10 @@ import numpy as np
 def keep_freed_memory() -> None:
     """Let glibc keep up to 62 MiB of freed memory instead of returning it to the system.
 
-    A frame's maps need about ten megabytes and are freed before the next frame. glibc returns blocks this
-    large to the system, and touching 3,000 new pages per frame takes as long as computing their content.
-    Freeing one large, untouched block raises glibc's threshold (mallopt(3), M_MMAP_THRESHOLD: it adapts up to
-    32 MiB, and glibc keeps twice as much). With other C libraries, nothing changes.
+    The maps of a frame need about ten megabytes and are freed before the next frame. glibc returns blocks of
+    this size to the system, and touching 3,000 new pages per frame takes as long as computing their content.
+    Freeing one large, untouched block raises glibc's threshold. It adapts up to 32 MiB, and glibc keeps twice
+    as much (see M_MMAP_THRESHOLD in mallopt(3)). With other C libraries, nothing changes.
     """
     block = np.empty(31 << 20, np.uint8)
     del block

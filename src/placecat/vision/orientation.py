@@ -1,4 +1,4 @@
-"""The oriented pyramid: Gabor magnitudes on the Laplacian pyramid (thesis 3.1.1.1)."""
+"""The oriented pyramid, which holds Gabor magnitudes on the Laplacian pyramid (thesis 3.1.1.1)."""
 
 from functools import lru_cache
 
@@ -25,39 +25,42 @@ def orientation_maps(
 ) -> FloatArray:
     """Return the Gabor magnitude at 0, 45, 90 and 135 degrees (thesis 3.1.1.1).
 
-    The thesis does not specify the parameters. The defaults follow the steerable pyramid of Itti et al.: a
-    quarter cycle per pixel, where the Laplacian level has its energy, under a round envelope.
+    The thesis does not specify the parameters. The defaults follow the steerable pyramid of Itti et al. It
+    uses a round envelope and a quarter of a cycle per pixel, where the Laplacian level has its energy.
 
-    With x right, y down from the centre, u = x cos(angle) + y sin(angle), v = -x sin(angle) + y cos(angle), a
-    kernel is (after cv2.getGaborKernel; the thesis mentions only Gabor filters and four angles)::
+    From the centre, x points right and y points down. With u = x cos(angle) + y sin(angle) and
+    v = -x sin(angle) + y cos(angle), the kernel follows cv2.getGaborKernel, because the thesis mentions only
+    Gabor filters and four angles::
 
         2 exp(-(u^2 + aspect^2 v^2) / (2 sigma^2)) cos(2 pi u / wavelength + phase) / sum of the exponentials
 
-    so a quadrature pair's magnitude is the amplitude of a matching wave. Its angle is the direction of the
-    wave: 0 responds to vertical edges, 90 to horizontal edges, 45 to edges that rise to the right.
+    so the magnitude of a quadrature pair is the amplitude of a matching wave. The angle is the direction in
+    which the wave travels. A kernel at 0 responds to vertical edges, at 90 to horizontal edges, and at 45 to
+    edges that rise to the right.
 
     Parameters
     ----------
     laplacian
         (h, w) float32, one level of the Laplacian pyramid, in grey levels.
     gabor_size
-        The kernel's side in pixels, odd.
+        Side of the kernel in pixels, which must be odd.
     gabor_sigma, gabor_wavelength
-        The envelope's standard deviation and the wave's length, in pixels.
+        Standard deviation of the envelope, and length of the wave, both in pixels.
     gabor_aspect
-        Ratio of the envelope's extent along the wave to its extent along the wave's crests.
+        Ratio of the extent of the envelope along the wave to its extent along the crests.
     gabor_phase
-        Radians; 0 is even (lines), pi / 2 odd (edges). None combines the responses of these two; otherwise
-        the magnitude is the absolute response.
+        Phase in radians. A kernel with phase 0 is even and responds to lines, and one with pi / 2 is odd and
+        responds to edges. None combines these two responses. Otherwise the magnitude is the absolute value of
+        the response.
 
     Returns
     -------
-    (4, h, w) float32, >= 0, amplitudes in grey levels; values within float32's rounding error become 0. The
-    border is mirrored (reflect-101; the thesis does not specify this).
+    (4, h, w) float32 amplitudes in grey levels, >= 0. Values within the rounding error of float32 become 0.
+    The border is mirrored (reflect-101), which the thesis does not specify.
     """
     bank = _bank(gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect, gabor_phase)
     responses = [_respond(laplacian, parts) for parts in bank]
-    # Work in place: the last bit of cv2.magnitude depends on where its arrays lie in memory.
+    # Work in place, because the last bit of cv2.magnitude depends on where its arrays lie in memory.
     out = responses[0]
     if len(responses) == 1:
         np.abs(out, out=out)
@@ -72,7 +75,11 @@ def orientation_maps(
 def _bank(
     size: int, sigma: float, wavelength: float, aspect: float, phase: float | None
 ) -> tuple[tuple[Separable, ...], ...]:
-    """Return each phase's kernels at 0 and 90 degrees, and the even and odd parts (in x) of the one at 45."""
+    """Return the separated kernels of each phase.
+
+    For each phase, these are the kernels at 0 and 90 degrees, and the even and odd parts (in x) of the kernel
+    at 45 degrees.
+    """
     phases = (0.0, np.pi / 2) if phase is None else (phase,)
     bank = []
     for shift in phases:
@@ -98,12 +105,12 @@ def _gabor_kernel(
 
 
 def _respond(plane: FloatArray, parts: tuple[Separable, ...]) -> FloatArray:
-    """Return the responses at the four angles, (4, h, w)."""
+    """Return the (4, h, w) responses at the four angles."""
     out = np.empty((len(ANGLES), *plane.shape), np.float32)
     level, rising, upright, falling = out
     _filter(plane, parts[0], level)
     _filter(plane, parts[1], upright)
-    # The kernel at 135 degrees is the kernel at 45 degrees mirrored in x.
+    # The kernel at 135 degrees is the kernel at 45 degrees, mirrored in x.
     even, odd = _filter(plane, parts[2]), _filter(plane, parts[3])
     np.add(even, odd, out=rising)
     np.subtract(even, odd, out=falling)
@@ -111,7 +118,7 @@ def _respond(plane: FloatArray, parts: tuple[Separable, ...]) -> FloatArray:
 
 
 def _separate(kernel: NDArray[np.float64]) -> Separable:
-    """Write a kernel as a sum of outer products; a round envelope needs one."""
+    """Write a kernel as a sum of outer products. A round envelope needs only one."""
     columns, strength, rows = np.linalg.svd(kernel)
     kept = np.flatnonzero(strength > max(1e-7 * strength[0], 1e-12))
     return tuple(
@@ -120,7 +127,7 @@ def _separate(kernel: NDArray[np.float64]) -> Separable:
 
 
 def _clean(factor: NDArray[np.float64]) -> FloatArray:
-    """Remove rounding errors from an even or odd factor: exact symmetry halves OpenCV's work."""
+    """Remove rounding errors from an even or odd factor, because exact symmetry halves OpenCV's work."""
     for sign in (1, -1):
         if np.abs(factor - sign * factor[::-1]).max() < 1e-9 * np.abs(factor).max():
             factor = (factor + sign * factor[::-1]) / 2

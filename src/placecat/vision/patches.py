@@ -1,4 +1,4 @@
-"""Cut square patches around salient regions, each from the pyramid level of the region's scale."""
+"""Cut a square patch around each salient region, from the pyramid level at the region's scale."""
 
 from collections.abc import Mapping
 from functools import lru_cache
@@ -11,10 +11,11 @@ BORDERS = ("replicate", "reflect")
 
 
 def region_side(width: int) -> int:
-    """Return the side of a region's patch: the region's diameter, 2 width / 128 (thesis 3.1.1.3).
+    """Return the side of a region's patch, which is the region's diameter, 2 width / 128 (thesis 3.1.1.3).
 
-    `width` is the frame's width in pixels (level 0). The side, in pixels of the region's level, is rounded to
-    a whole number and is at least 4. It is the same at every scale, since the radius doubles with each level.
+    `width` is the width of the frame in pixels (level 0). The side is in pixels of the region's level,
+    rounded to a whole number, and at least 4. It is the same at every scale, because the radius doubles with
+    each level.
     """
     return max(MIN_SIDE, round(width / 64))
 
@@ -36,12 +37,12 @@ def cut(
     levels
         A dict of `FrameMaps`, which maps each scale s to a (..., h_s, w_s) float32 array.
     regions
-        (n, 4) float32, columns x, y (pixels of level 0), scale (a key of `levels`), strength.
+        (n, 4) float32 with the columns x, y (in pixels of level 0), scale (a key of `levels`) and strength.
     side
-        Side of the squares in pixels of the level.
+        Side of the squares, in pixels of the level.
     border
-        How to fill pixels outside the image: ``replicate`` repeats the outermost pixels, ``reflect`` mirrors
-        the image about them. The thesis does not specify this.
+        How to fill pixels outside the image. ``replicate`` repeats the outermost pixels, and ``reflect``
+        mirrors the image about them. The thesis does not specify this.
 
     Returns
     -------
@@ -57,16 +58,16 @@ def cut(
     return patches
 
 
-# Most descriptors cut the same squares from a frame.
+# Cache the places, because most descriptors cut the same squares from a frame.
 @lru_cache(maxsize=4)
 def _places(
     shapes: tuple[tuple[int, int, int], ...], regions: bytes, side: int, border: str
 ) -> list[tuple[int, NDArray[np.intp], NDArray[np.intp]]]:
-    """Find each level's regions and their pixels.
+    """Find the regions on each level, and their pixels.
 
-    `shapes` are each level's scale, height and width; `regions` are the bytes of an (n, 4) float32 array.
-    Returns, for each level with regions: its scale, the regions' indices (m,), and flat pixel indices
-    (m, side, side).
+    `shapes` holds the scale, height and width of each level, and `regions` holds the bytes of an (n, 4)
+    float32 array. Returns the scale, the (m,) indices of the regions, and the (m, side, side) flat indices of
+    the pixels for each level that has regions.
     """
     x, y, scales, _ = np.frombuffer(regions, np.float32).reshape(-1, 4).astype(np.float64).T
     order = np.argsort(scales, kind="stable")
@@ -88,7 +89,7 @@ def _places(
 
 
 def _inside(index: NDArray[np.intp], length: NDArray[np.intp], border: str) -> NDArray[np.intp]:
-    """Replace pixel indices (n, side) outside the image with indices inside it; `length` is (n, 1)."""
+    """Replace (n, side) pixel indices outside the image by indices inside it; `length` is (n, 1)."""
     if border == "replicate":
         return np.minimum(np.maximum(index, 0), length - 1)
     period = np.maximum(2 * length - 2, 1)

@@ -1,4 +1,4 @@
-"""Gaussian and Laplacian pyramids and their geometry."""
+"""Gaussian and Laplacian pyramids, and their geometry."""
 
 import cv2
 import numpy as np
@@ -8,7 +8,7 @@ from placecat.vision.maps import FloatArray
 
 
 def level_size(width: int, height: int, level: int) -> tuple[int, int]:
-    """Return a pyramid level's (width, height) in pixels, each ceil(n / 2**level)."""
+    """Return the (width, height) of a pyramid level in pixels, each of which is ceil(n / 2**level)."""
     return -(-width >> level), -(-height >> level)
 
 
@@ -24,7 +24,7 @@ def check_scales(scales: tuple[int, ...], width: int, height: int) -> None:
 def reduce(plane: FloatArray) -> FloatArray:
     """Blur with the 5x5 binomial kernel and keep every second row and column (thesis 3.1.1.1).
 
-    An (h, w) float32 plane becomes (ceil(h / 2), ceil(w / 2)) float32; pixel (x, y) of the result lies at
+    An (h, w) float32 plane becomes (ceil(h / 2), ceil(w / 2)) float32. Pixel (x, y) of the result lies at
     (2x, 2y) in the input. The border is mirrored without repeating the edge pixel (reflect-101).
     """
     return np.asarray(cv2.pyrDown(plane), np.float32)
@@ -33,14 +33,14 @@ def reduce(plane: FloatArray) -> FloatArray:
 def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
     """Expand a (ceil(height / 2), ceil(width / 2)) float32 level by two with the kernel of `reduce`.
 
-    Returns (height, width) float32; pixel (x, y) of the input moves to (2x, 2y). OpenCV mirrors the left and
+    Returns (height, width) float32. Pixel (x, y) of the input moves to (2x, 2y). OpenCV mirrors the left and
     upper borders, and repeats the last pixel at the right and lower borders.
     """
     return np.asarray(cv2.pyrUp(plane, dstsize=(width, height)), np.float32)
 
 
 def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, FloatArray]:
-    """Reduce an (h, w) float32 plane, which is level `first`, repeatedly (thesis 3.1.1.1).
+    """Repeatedly reduce an (h, w) float32 plane, which is level `first` (thesis 3.1.1.1).
 
     Returns a dict that maps each level from `first` to `last` to its float32 plane.
     """
@@ -51,9 +51,10 @@ def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, Floa
 
 
 def laplacian(gaussian: dict[int, FloatArray], level: int) -> FloatArray:
-    """Return one level of the approximate Laplacian pyramid, (h, w) float32, signed (thesis 3.1.1.1).
+    """Return one level of the approximate Laplacian pyramid (thesis 3.1.1.1).
 
-    The result is the Gaussian pyramid's `level` minus its expanded next level, in the pyramid's units.
+    The signed (h, w) float32 result is the Gaussian pyramid's `level` minus its expanded next level, in the
+    units of the pyramid.
     """
     plane = gaussian[level]
     height, width = plane.shape

@@ -8,15 +8,15 @@ from numpy.typing import NDArray
 from placecat.vision.maps import FloatArray, FrameMaps
 from placecat.vision.saliency import Saliency, feature_maps, local_maxima
 
-# Points per block.
+# Number of points per block.
 BLOCK = 128
 
 
 def radius(scale: FloatArray | float, width: int) -> FloatArray:
     """Return a region's radius in frame pixels, width / 128 * 2^s (thesis 3.1.1.3).
 
-    `scale` is s; it may have any shape, and the float32 result has the same shape. `width` is the frame's
-    width in pixels.
+    `scale` is s. It may have any shape, and the float32 result has the same shape. `width` is the width of
+    the frame in pixels.
     """
     return np.asarray(width / 128 * np.exp2(np.asarray(scale, np.float64)), np.float32)
 
@@ -24,14 +24,14 @@ def radius(scale: FloatArray | float, width: int) -> FloatArray:
 def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> NDArray[np.intp]:
     """Find the scale of the strongest feature at each salient point (thesis 3.1.1.3).
 
-    At each point, the function chooses the conspicuity map with the highest response, then its sub-channel,
-    then the scale. It compares conspicuity maps and sub-channels after normalisation and weighting, as they
-    are summed. A scale's response is its expanded feature map at the stronger radius (our reading; the thesis
-    says only "highest response"). Ties go to the first of intensity, color, orientation and residual, and to
-    the lower scale.
+    At each point, the function first chooses the conspicuity map with the highest response, then the
+    sub-channel, then the scale. It compares conspicuity maps and sub-channels after normalisation and
+    weighting, in the form in which they are summed. The response at a scale is its expanded feature map at
+    the stronger radius. This is our interpretation, because the thesis says only "highest response". Ties go
+    to the first of intensity, color, orientation and residual, and to the lower scale.
 
-    `fused` is the fusion of `maps`; `points` are (n,) flat indices into the saliency map. Returns (n,)
-    scales, each one of `maps.scales`.
+    `fused` is the fusion of `maps`, and `points` are (n,) flat indices into the saliency map. Returns (n,)
+    scales from `maps.scales`.
     """
     channels = fused.channels.values()
     terms = [one.conspicuity.ravel()[points] * np.float32(one.weight) for one in channels]
@@ -73,9 +73,10 @@ def accept(
     Parameters
     ----------
     points
-        (n, 3): x and y in frame pixels, and scale; the most salient point comes first.
+        (n, 3) array with the columns x, y (in frame pixels) and scale, where the most salient point comes
+        first.
     width
-        The frame's width in pixels.
+        Width of the frame in pixels.
     max_regions
         Maximum number of points, at least 1.
     scale_distance, min_distance
@@ -83,7 +84,7 @@ def accept(
 
     Returns
     -------
-    The accepted points' indices, in ascending order.
+    Indices of the accepted points in ascending order.
     """
     place = np.array(points, np.float64).reshape(-1, 3).T
     least = (place[2] * width * min_distance) ** 2
@@ -93,7 +94,8 @@ def accept(
         block = np.arange(start, min(start + BLOCK, least.size))
         if accepted:
             block = block[_far(place, least, accepted, block).all(axis=0)]
-        # One integer per point, with a bit for each point far enough away, makes intersections fast.
+        # Intersections are fast with one integer per point, which has a bit for each point that is far enough
+        # away.
         far = np.packbits(_far(place, least, block, block), axis=1, bitorder="little")
         open_ = (1 << block.size) - 1
         while open_ and len(accepted) < max_regions:
@@ -111,7 +113,7 @@ def _far(
     old: Sequence[int] | NDArray[np.intp],
     new: NDArray[np.intp],
 ) -> NDArray[np.bool_]:
-    """Mark the pairs of points that are far enough apart: (old, new); a point paired with itself is false."""
+    """Mark the (old, new) pairs of points that are far enough apart. A point paired with itself is false."""
     apart = np.zeros((len(old), len(new)))
     for axis in place:
         difference = axis[old][:, None] - axis[new]
@@ -130,11 +132,12 @@ def select_regions(
 ) -> FloatArray:
     """Find a frame's salient regions from its saliency map (thesis 3.1.1.3).
 
-    `fused` is the fusion of `maps`. `maximum_window` is explained in
-    `placecat.vision.saliency.local_maxima`, the other settings in `accept`.
+    `fused` is the fusion of `maps`. `maximum_window` is explained in `placecat.vision.saliency.local_maxima`,
+    and the other settings are explained in `accept`.
 
-    Returns (n, 4) float32, 0 <= n <= `max_regions`: the centre's x and y in frame pixels, scale, saliency;
-    sorted by decreasing saliency, then by y, then by x.
+    Returns an (n, 4) float32 array, where 0 <= n <= `max_regions`. Its columns are the x and y of the centre
+    in frame pixels, the scale and the saliency. The rows are sorted by decreasing saliency, then by y, then
+    by x.
     """
     points = local_maxima(fused.saliency, maximum_window)
     strength = fused.saliency.ravel()[points]
@@ -156,11 +159,11 @@ def select_regions(
 def _corners(
     rows: NDArray[np.intp], columns: NDArray[np.intp], sizes: NDArray[np.intp], ups: NDArray[np.intp]
 ) -> tuple[NDArray[np.intp], FloatArray]:
-    """Return indices and weights, each (maps, 4, n), to interpolate maps at n pixels of a finer level.
+    """Return (maps, 4, n) indices and weights, to interpolate maps at n pixels of a finer level.
 
-    Interpolation is bilinear; a map's last pixel extends beyond its edge. `rows` and `columns` are (n,)
-    positions in the finer level; `sizes` is (maps, 2), each map's height and width; `ups` is (maps,), how
-    many doublings lead from each map to the finer level.
+    Interpolation is bilinear, and the last pixel of a map extends beyond its edge. `rows` and `columns` are
+    the (n,) positions in the finer level. `sizes` is (maps, 2), the height and width of each map. `ups` is
+    (maps,), the number of doublings that lead from each map to the finer level.
     """
     up = ups[:, None]
     height, width = sizes.T[:, :, None]

@@ -15,19 +15,19 @@ CHANNELS = ("intensity", "color", "orientation", "residual")
 
 
 class Channel(NamedTuple):
-    """One channel of a frame's saliency; all maps are float32.
+    """One channel of a frame's saliency, whose maps are all float32.
 
     Attributes
     ----------
     conspicuity
         (h, w), from 0 to the largest local maximum of `subchannels`, divided by the channel's unit.
     weight
-        The conspicuity map's weight, 1 / sqrt(m).
+        Weight of the conspicuity map, 1 / sqrt(m).
     subchannels
-        (k, h, w), the feature maps, added across scales and radii: I' (2: bright, dark), C' (4: R, G, B, Y),
-        O' (4: 0, 45, 90, 135 degrees) or the residual (1).
+        (k, h, w), the feature maps, added across scales and radii. They are I' (k = 2: bright, dark), C'
+        (k = 4: R, G, B, Y), O' (k = 4: 0, 45, 90, 135 degrees) or the residual (k = 1).
     subchannel_weights
-        (k,), the sub-channels' weights, 1 / sqrt(m).
+        (k,), weights of the sub-channels, 1 / sqrt(m).
     """
 
     conspicuity: FloatArray
@@ -37,9 +37,10 @@ class Channel(NamedTuple):
 
 
 class Saliency(NamedTuple):
-    """A frame's saliency map, (h, w) float32, >= 0: the weighted sum of its channels, listed by name.
+    """A frame's saliency map, and its channels by name.
 
-    The maps are as large as pyramid level `scale`: their pixel (x, y) is the frame's (x, y) * 2**scale.
+    The saliency map is the weighted sum of the channels, (h, w) float32, >= 0. All maps are as large as the
+    pyramid level `scale`, so their pixel (x, y) lies at (x, y) * 2**scale in the frame.
     """
 
     scale: int
@@ -48,9 +49,10 @@ class Saliency(NamedTuple):
 
 
 def feature_maps(maps: FrameMaps, channel: str) -> dict[int, FloatArray]:
-    """Map each scale to the feature maps of one of the `CHANNELS`: a (radii, subchannels, h, w) view.
+    """Return a dict from each scale to the feature maps of one of the `CHANNELS`.
 
-    Channels without centre-surround have one radius.
+    The feature maps are a (radii, subchannels, h, w) view. Channels without centre-surround differences have
+    one radius.
     """
     if channel == "intensity":
         return maps.intensity_contrast
@@ -74,30 +76,31 @@ def saliency(
 ) -> Saliency:
     """Fuse a frame's feature maps (thesis 3.1.1.1).
 
-    Maps are added across scales and radii within each sub-channel. Sub-channels are added, with weights
-    1 / sqrt(m), into conspicuity maps. Each conspicuity map is stretched linearly to [0, largest local
-    maximum of its sub-channels] and divided by its unit; the maps are then added, again with weights
-    1 / sqrt(m). m counts a map's local maxima that are strictly above their median. If m is 0, so is the
-    weight: a map with a single peak does not count.
+    Within each sub-channel, maps are added across scales and radii. Sub-channels are added, with weights
+    1 / sqrt(m), to form conspicuity maps. Each conspicuity map is stretched linearly to [0, largest local
+    maximum of its sub-channels] and divided by its unit. Then the conspicuity maps are added, again with
+    weights 1 / sqrt(m). Here m is the number of a map's local maxima that are strictly above their median. If
+    m is 0, the weight is also 0, so a map with a single peak does not count.
 
     Parameters
     ----------
     fusion_scale
-        Pyramid level of the sums, at most the lowest scale. The thesis does not specify this.
+        Pyramid level on which maps are added, at most the lowest scale. The thesis does not specify this.
     use_residual
-        Use the spectral residual as a fourth channel (3.1.1.2).
+        Whether to use the spectral residual as a fourth channel (3.1.1.2).
     maximum_window
-        Side of the neighbourhood that a local maximum dominates, odd. The thesis does not specify this.
+        Side of the neighbourhood that a local maximum dominates, which must be odd. The thesis does not
+        specify this.
     intensity_unit, color_unit, orientation_unit, residual_unit
-        Divisors of the conspicuity maps, since each channel's largest local maximum has the channel's units.
-        By default, the units are black against white, pure red, and a wave from black to white. Unlike the
-        others, the residual reaches 1 in every frame and at every scale; 4 makes it comparable in photographs
-        of homes. The thesis does not specify these.
+        Divisors of the conspicuity maps. They are needed because the largest local maximum of each channel
+        has the units of the channel. The defaults correspond to black against white, pure red, and a wave
+        from black to white. Unlike the others, the residual reaches 1 in every frame and at every scale. The
+        divisor 4 makes it comparable in photographs of homes. The thesis does not specify these.
 
     Raises
     ------
     PlacecatError
-        If the fusion scale is above the lowest scale, or the residual is missing.
+        If the fusion scale is above the lowest scale, or if the residual is missing.
     """
     if fusion_scale > maps.scales[0]:
         raise PlacecatError(
@@ -113,7 +116,7 @@ def saliency(
     total = np.zeros((height, width), np.float32)
     for channel in CHANNELS if use_residual else CHANNELS[:-1]:
         settings = (channel, fusion_scale, maximum_window, units[channel])
-        # Region variants may sum different channels, but each channel is the same.
+        # Region variants may add up different channels, but each channel is the same for all of them.
         one = maps.remembered((_fuse, *settings), partial(_fuse, maps, *settings))
         total += np.float32(one.weight) * one.conspicuity
         channels[channel] = one
@@ -137,14 +140,14 @@ def _fuse(maps: FrameMaps, channel: str, fusion_scale: int, window: int, unit: f
 def add_across_scales(
     levels: dict[int, FloatArray], width: int, height: int, fusion_scale: int
 ) -> FloatArray:
-    """Expand maps of several scales to one level and add them (thesis 3.1.1.1).
+    """Expand maps of several scales to one level, and add them (thesis 3.1.1.1).
 
-    Expansion is bilinear: pixel (x, y) of level s lies at (x, y) 2**(s - fusion_scale), as in the pyramid,
-    and a map's last pixel extends beyond its edge. Repeated doubling equals direct expansion, so the sum of
-    the coarser levels is expanded step by step.
+    Expansion is bilinear. As in the pyramid, pixel (x, y) of level s lies at (x, y) 2**(s - fusion_scale).
+    The last pixel of a map extends beyond its edge. Repeated doubling gives the same result as direct
+    expansion, so the sum of the coarser levels is expanded step by step.
 
-    `levels` maps each scale to its (k, h_s, w_s) float32 maps; `width` and `height` are the frame's size in
-    pixels; `fusion_scale`, at most the lowest scale, is the level of the (k, h, w) float32 result.
+    `levels` maps each scale to its (k, h_s, w_s) float32 maps. `width` and `height` are the size of the frame
+    in pixels. `fusion_scale`, at most the lowest scale, is the level of the (k, h, w) float32 result.
     """
     last = max(levels)
     total = levels[last]
@@ -158,13 +161,13 @@ def add_across_scales(
 def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     """Find a map's local maxima.
 
-    A local maximum is above zero and not below any pixel in the window around it; pixels outside the map
-    count as low. Adjacent pixels of equal value count once, at the first of them in row order,
-    and only if all of them are local maxima. So a flat area next to a higher pixel has no maximum, nor does a
-    constant map.
+    A local maximum is above zero and not below any pixel in the window around it. Pixels outside the map
+    count as low. Adjacent pixels of equal value count only once, at the first of them in row order. They do
+    not count unless all of them are local maxima. So a flat area next to a higher pixel has no maximum, and
+    neither does a constant map.
 
-    `plane` is (h, w) float32 and finite; `window` is the neighbourhood's side, odd, at least 3 (the thesis
-    does not specify it). Returns flat indices in ascending order.
+    `plane` is (h, w) float32 and finite. `window` is the side of the neighbourhood, odd and at least 3. The
+    thesis does not specify it. Returns flat indices in ascending order.
     """
     if plane.size < 2:
         return np.zeros(0, np.intp)
@@ -182,9 +185,9 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
 
 
 def weight(peaks: FloatArray) -> float:
-    """Compute a map's weight from the strengths (n,) of its local maxima (thesis 3.1.1.1).
+    """Compute a map's weight from the (n,) strengths of its local maxima (thesis 3.1.1.1).
 
-    The weight is 1 / sqrt(m), where m counts the strengths strictly above their median, or 0 if m is 0.
+    The weight is 1 / sqrt(m), where m is the number of strengths strictly above their median, or 0 if m is 0.
     """
     if peaks.size == 0:
         return 0.0
@@ -196,7 +199,7 @@ def weight(peaks: FloatArray) -> float:
 
 
 def stretch(plane: FloatArray, high: float) -> FloatArray:
-    """Map an (h, w) float32 plane linearly to [0, high]; a flat plane becomes 0.
+    """Map an (h, w) float32 plane linearly to [0, high], where a flat plane becomes 0.
 
     This normalises the conspicuity maps (thesis 3.1.1.1).
     """
@@ -216,7 +219,7 @@ def _sum_radii(stack: FloatArray) -> FloatArray:
 
 
 def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
-    # Add plane by plane: a matrix product's summation order may depend on the number of threads.
+    # Add plane by plane, because the summation order of a matrix product may depend on the number of threads.
     total = stack[0] * weights[0]
     for plane, own in zip(stack[1:], weights[1:], strict=True):
         total += plane * own
@@ -224,7 +227,7 @@ def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
 
 
 def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
-    """Expand (k, ceil(height / 2), ceil(width / 2)) bilinearly by two; even pixels keep their values."""
+    """Expand (k, ceil(height / 2), ceil(width / 2)) bilinearly by two. Even pixels keep their values."""
     count, rows, columns = stack.shape
     flat = stack.reshape(-1, columns)
     between = np.empty_like(flat)
@@ -234,7 +237,7 @@ def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
     out = np.empty((count, 2 * rows, 2 * columns), np.float32)
     pairs = out.reshape(count * rows, 2, 2 * columns)
     pairs[:, 0] = wide.reshape(count * rows, 2 * columns)
-    # Treat all planes as one; rows that mix two planes are overwritten later.
+    # Treat all planes as one. Rows that mix two planes are overwritten later.
     _halfway(pairs[:-1, 0], pairs[1:, 0], pairs[:-1, 1])
     out[:, -1] = out[:, -2]
     return np.ascontiguousarray(out[:, :height, :width])
@@ -247,13 +250,16 @@ def _halfway(first: FloatArray, second: FloatArray, out: FloatArray) -> None:
 
 
 def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Return the flat index of each flat top's first pixel; `tied` pixels equal their highest neighbour."""
+    """Return the flat index of the first pixel of each flat top.
+
+    `tied` marks the pixels that equal their highest neighbour.
+    """
     height, width = plane.shape
     found = np.flatnonzero(tied)
     if found.size == plane.size:  # The plane is constant.
         return found[:0]
     rows, columns = np.divmod(found, width)
-    # A tied pixel next to an equal, untied pixel leads uphill.
+    # If a tied pixel is next to an equal pixel that is not tied, there is a way uphill.
     near = np.arange(-1, 2)[:, None]
     down = np.clip(rows + near, 0, height - 1) * width
     around = down[:, None] + np.clip(columns + near, 0, width - 1)
@@ -261,7 +267,7 @@ def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
     uphill = others.any(axis=(0, 1))
     if uphill.all():
         return found[:0]
-    # Label only the ties' bounding box: except in drawn images, ties are rare and close together.
+    # Label only the bounding box of the ties. Except in drawn images, ties are rare and close together.
     rows -= rows.min()
     columns -= columns.min()
     mask = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)

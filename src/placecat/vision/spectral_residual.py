@@ -19,30 +19,32 @@ def spectral_residual(
     """Return the spectral residual saliency of an image (thesis 3.1.1.2).
 
     The function subtracts the box mean from the log amplitude spectrum, restores the original phase and
-    inverts the transform. It smooths the squared magnitude and stretches it to [0, 1], as the authors' code
-    does, so that scales can be added. The box is periodic like the spectrum, so the inverse transform is
+    inverts the transform. Like the authors' code, it smooths the squared magnitude and stretches it to
+    [0, 1], so that scales can be added. The box is periodic like the spectrum, so the inverse transform is
     real.
 
     Parameters
     ----------
     grey
-        (h, w) float32, 0 to 255, at least 2x2.
+        (h, w) float32, from 0 to 255, with at least 2x2 pixels.
     residual_box
-        Side of the box filter over the log amplitude, odd; 3 in Hou and Zhang, not specified in the thesis.
+        Side of the box filter over the log amplitude, which must be odd. Hou and Zhang use 3. The thesis does
+        not specify this.
     residual_sigma
-        Standard deviation, in pixels, of the Gaussian that smooths the squared magnitude; 0 turns it off. The
-        thesis does not specify this. The authors' code uses 2.5 for a single image 64 pixels wide; several
+        Standard deviation, in pixels, of the Gaussian that smooths the squared magnitude. 0 turns it off. The
+        thesis does not specify this. The authors' code uses 2.5 for a single image 64 pixels wide. Several
         scales need less.
     residual_width
-        Width in pixels to which a wider image is reduced; the authors use 64. None for no reduction, which is
-        how the thesis treats pyramid levels.
+        Width in pixels to which a wider image is reduced. The authors use 64. With None, images are not
+        reduced, which is how the thesis treats pyramid levels.
     residual_floor
-        Floor f, in grey levels: the logarithm is of sqrt(amplitude^2 + f^2). Smaller amplitudes are float32
-        rounding errors, which the method would amplify. The thesis does not specify this.
+        Lower limit f of the amplitude, in grey levels. The logarithm is taken of sqrt(amplitude^2 + f^2).
+        Smaller amplitudes are float32 rounding errors, which the method would amplify. The thesis does not
+        specify this.
 
     Returns
     -------
-    (h, w) float32, 0 to 1; all zeros for a flat image.
+    (h, w) float32, from 0 to 1, with only zeros for a flat image.
 
     References
     ----------
@@ -56,7 +58,7 @@ def spectral_residual(
     if float(small.max()) - float(small.min()) <= GREY_ROUNDING:
         return np.zeros_like(grey)
     spectrum = scipy.fft.rfft2(small)
-    # Twice the log amplitude; exp(log a - mean) e^(i phase) is the spectrum times exp(-mean).
+    # This is twice the log amplitude. exp(log a - mean) e^(i phase) equals the spectrum times exp(-mean).
     logarithm = np.square(spectrum.real)
     logarithm += np.square(spectrum.imag)
     logarithm += np.float32(residual_floor**2)
@@ -64,7 +66,7 @@ def spectral_residual(
     mean = _periodic_mean(logarithm, small.shape[1], residual_box)
     spectrum *= np.exp(np.float32(-0.5) * mean)
     power = np.square(scipy.fft.irfft2(spectrum, s=small.shape))
-    # Stretch before the blur, since the whitened image has values of about 1 / number of pixels.
+    # Stretch before the blur, because the values of the whitened image are about 1 / number of pixels.
     power /= power.max()
     if residual_sigma > 0:
         power = cv2.GaussianBlur(power, (0, 0), residual_sigma, borderType=cv2.BORDER_REFLECT_101)
@@ -78,7 +80,7 @@ def spectral_residual(
 
 
 def _periodic_mean(half: FloatArray, width: int, box: int) -> FloatArray:
-    """Compute the box mean of an even periodic map, stored only as its columns 0 to width // 2."""
+    """Compute the box mean of an even periodic map, of which only the columns 0 to width // 2 are stored."""
     height, stored = half.shape
     reach = box // 2
     padded = np.empty((height + 2 * reach, stored + 2 * reach), np.float32)

@@ -15,46 +15,49 @@ class RegionTracker:
     """Track salient regions through one uncut sequence until they leave the image (thesis 4.7).
 
     The thesis does not describe its tracker. This one applies the pyramidal Lucas-Kanade method to the grey
-    frame at a reduced width. In every frame
+    frame at a reduced width. In every frame, it takes these steps:
 
-    1. the tracker moves each region. It drops a region that is not found, whose centre leaves the image, or
-       that does not return to its old position when tracked back (forward-backward check). Within half a
-       window of the border, a region may be lost shortly before its centre leaves;
-    2. tracked regions (longest tracked first), then new regions (strongest first), must satisfy the
-       acceptance inequality of 3.1.1.3. So a new region enters only where nothing is tracked, and if two
-       tracked regions come too close, the younger one is dropped;
-    3. at most `max_regions` regions remain. A tracked region never makes room for a stronger new one: an
-       object keeps its file (Kahneman and Treisman) as long as it is visible.
+    1. It moves each region. It drops a region that is not found, or whose centre leaves the image. It also
+       drops a region that does not return to its old position when it is tracked back (forward-backward
+       check). Within half a window of the border, a region may be lost shortly before its centre leaves.
+    2. It tests the acceptance inequality of 3.1.1.3, first for tracked regions (longest tracked first), then
+       for new regions (strongest first). So a new region enters only where nothing is tracked. If two tracked
+       regions come too close, the younger one is dropped.
+    3. It keeps at most `max_regions` regions. A tracked region never makes room for a stronger new one, since
+       an object keeps its file (Kahneman and Treisman) as long as it is visible.
 
-    A region keeps its initial scale and strength. Its appearance may change over time, since each frame is
+    A region keeps its initial scale and strength. Its appearance may change over time, because each frame is
     compared only with the previous one.
 
     Parameters
     ----------
     max_regions
-        Maximum number of regions; 25 in the thesis.
+        Maximum number of regions. The thesis uses 25.
     width
-        Width in pixels to which a wider frame is reduced, with its aspect ratio preserved.
+        Width in pixels to which a wider frame is reduced, while its aspect ratio is preserved.
     window
-        Side of the window to compare, in pixels of the reduced frame, odd, at least 3. At a width of 320, 21
-        is about the size of the smallest regions.
+        Side of the window to compare, in pixels of the reduced frame. It must be odd and at least 3. At a
+        width of 320, 21 is about the size of the smallest regions.
     levels
-        How many times the reduced frame is halved, for large motions; fewer if a level would be smaller than
-        the window.
+        How many times the reduced frame is halved, so that large motions are found. It is halved fewer times
+        if a level would be smaller than the window.
     iterations, epsilon
-        The search on each level ends after `iterations` steps or a step shorter than `epsilon` pixels.
+        The search on each level ends after `iterations` steps, or after a step that is shorter than `epsilon`
+        pixels.
     min_eigenvalue
-        Minimum for the gradient matrix's smaller eigenvalue, per window pixel; flatter windows are lost.
+        Minimum of the smaller eigenvalue of the gradient matrix, per window pixel. Regions with flatter
+        windows are lost.
     forward_backward
-        Maximum distance, in pixels of the reduced frame, between a region and where it lands when tracked
-        back.
+        Maximum distance, in pixels of the reduced frame, between a region and the point where it ends up when
+        it is tracked back.
     scale_distance, min_distance
-        Factors in the acceptance inequality; see `placecat.vision.regions.accept`.
+        Factors in the acceptance inequality (see `placecat.vision.regions.accept`).
 
     Attributes
     ----------
     ages
-        (m,) int64: how many frames each region in the last frame has been tracked for, 0 for a new region.
+        (m,) int64, the number of frames for which each region in the last frame has been tracked. It is 0 for
+        a new region.
 
     References
     ----------
@@ -96,11 +99,12 @@ class RegionTracker:
     def step(self, frame: NDArray[np.uint8], found: FloatArray) -> FloatArray:
         """Track the regions into the next frame, and fill free places with new regions.
 
-        `frame` is (H, W, 3) uint8 BGR, of the same size throughout a sequence. `found` is (n, 4) float32, the
-        frame's salient regions: x, y (frame pixels), scale, strength; sorted by decreasing strength.
+        `frame` is (H, W, 3) uint8 BGR, and its size must be the same throughout a sequence. `found` is (n, 4)
+        float32 and holds the salient regions of the frame, sorted by decreasing strength. Its columns are x,
+        y (in frame pixels), scale and strength.
 
-        Returns (m, 4) float32, m <= `max_regions`, with the same columns: tracked regions, longest tracked
-        first, then new regions, strongest first.
+        Returns an (m, 4) float32 array with the same columns, where m <= `max_regions`. Tracked regions come
+        first, those tracked longest at the beginning. New regions follow, with the strongest first.
         """
         image = reduced_grey(frame, self.width)
         size = np.array(frame.shape[1::-1])
@@ -114,7 +118,7 @@ class RegionTracker:
 
     def _move(self, last: NDArray[np.uint8], image: NDArray[np.uint8], size: NDArray[np.int64]) -> None:
         """Move the regions, and drop those that are lost or have left the image."""
-        # Pixels are areas, so scale their centres, not their corners.
+        # Pixels are areas, so scale the positions of their centres, not of their corners.
         factor = np.array(image.shape[::-1]) / size
         points = ((self._regions[:, :2] + 0.5) * factor - 0.5).astype(np.float32)
         moved, seen = self._flow(last, image, points)
@@ -130,6 +134,6 @@ class RegionTracker:
     def _flow(
         self, first: NDArray[np.uint8], second: NDArray[np.uint8], points: FloatArray
     ) -> tuple[FloatArray, NDArray[np.bool_]]:
-        """Find one image's (n, 2) points in another: their positions, and whether they were found."""
+        """Find (n, 2) points of one image in another; return their positions and whether they were found."""
         moved, status, _ = self._follow(first, second, points[:, None], np.empty_like(points[:, None]))
         return np.asarray(moved, np.float32).reshape(-1, 2), np.asarray(status).reshape(-1) == 1

@@ -1,4 +1,4 @@
-"""Find and describe salient regions of the same maps with several settings (thesis 3.1.1, 4.4)."""
+"""Find and describe the salient regions of the same maps with several settings (thesis 3.1.1, 4.4)."""
 
 from collections.abc import Collection, Hashable, Mapping, Sequence
 from functools import partial
@@ -14,7 +14,7 @@ from placecat.vision.regions import select_regions
 
 
 class Request(NamedTuple):
-    """Requested salient regions: scales (None for all), settings for `find_regions`, local descriptors."""
+    """Requested regions: their scales (None for all), settings for `find_regions`, local descriptors."""
 
     scales: Sequence[int] | None
     regions: Mapping[str, Any]
@@ -40,13 +40,14 @@ def most_regions(regions: Mapping[str, Any]) -> int:
 def describe_requested(
     maps: FrameMaps, requests: Mapping[str, Request], local: Mapping[str, Mapping[str, Any]]
 ) -> dict[str, dict[str, NDArray[Any]]]:
-    """Find and describe each request's regions; return their `region_arrays` by the request's name.
+    """Find and describe the regions of each request; return their `region_arrays` by the request's name.
 
-    With the same settings, a smaller set of regions is always the start of a larger one: weaker points do not
-    affect stronger ones (`placecat.vision.regions.accept`), and a region's descriptor does not depend on
-    other regions. So regions are found and described once, for the largest requested number.
+    With the same settings, a smaller set of regions is always the beginning of a larger one. The reason is
+    that weaker points do not affect stronger ones (see `placecat.vision.regions.accept`), and that the
+    descriptor of a region does not depend on other regions. So regions are found and described once, for the
+    largest number that is requested.
 
-    `maps` has all fields; `local` maps each local descriptor to its settings. A scale without maps raises
+    `maps` has all fields, and `local` maps each local descriptor to its settings. A scale without maps raises
     PlacecatError.
     """
     groups: dict[Hashable, list[Request]] = {}

@@ -1,4 +1,4 @@
-"""A frame's CENTRIST: census histograms in the cells of a grid."""
+"""The CENTRIST of a frame, which consists of census histograms in the cells of a grid."""
 
 from functools import partial
 from typing import Annotated
@@ -33,13 +33,13 @@ def describe(
     Parameters
     ----------
     frame
-        (H, W, 3) uint8 BGR, converted to grey as OpenCV does, 0.299 r + 0.587 g + 0.114 b (not specified in
-        the thesis).
+        (H, W, 3) uint8 BGR. It is converted to grey as in OpenCV, 0.299 r + 0.587 g + 0.114 b, which the
+        thesis does not specify.
     maps
-        Caches the resized image, so that variants share it; no map is used.
+        Used only to cache the resized image, so that variants share it. No map is read.
     width
-        Width to which the frame is reduced, with its aspect ratio preserved; a narrower frame is unchanged.
-        None for the full size (a variant in thesis 4.3).
+        Width to which the frame is reduced, while its aspect ratio is preserved. A narrower frame is
+        unchanged. None keeps the full size, which is a variant in thesis 4.3.
     image
         The image to transform: ``laplacian``, or ``intensity`` (a variant in thesis 4.3).
     kernel
@@ -49,9 +49,9 @@ def describe(
 
     Returns
     -------
-    (4096,) float32: a histogram of 256 codes for each of the 16 cells, row by row from the top left. Each
-    histogram sums to 1 (the thesis does not specify the normalisation). The cells divide the pixels that have
-    a code.
+    (4096,) float32, with a histogram of 256 codes for each of the 16 cells, row by row from the top left.
+    Each histogram sums to 1, although the thesis does not specify the normalisation. Only pixels that have a
+    code are divided into cells.
 
     Raises
     ------

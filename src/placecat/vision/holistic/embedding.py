@@ -1,4 +1,4 @@
-"""Embedding: a pretrained network's features of a frame (not in the thesis)."""
+"""Embedding of a frame, which a pretrained network computes (not in the thesis)."""
 
 from collections.abc import Sequence
 from typing import Annotated
@@ -15,7 +15,7 @@ from placecat.vision.maps import FrameMaps
 from placecat.vision.networks import efficientnet_lite
 
 MAPS: tuple[str, ...] = ()
-# Packages that this module imports by default, all from the extra `deep`.
+# Packages that this module imports by default. All belong to the extra `deep`.
 PACKAGES = efficientnet_lite.PACKAGES
 
 _OWNER = "holistic descriptor 'embedding'"
@@ -35,40 +35,42 @@ def describe(
     pool: Annotated[str, OneOf(POOLS)] | None = None,
     sha256: str | None = None,
 ) -> NDArray[np.float32]:
-    """Describe a frame by a pretrained network's pooled features.
+    """Describe a frame by the pooled features of a pretrained network.
 
     Parameters
     ----------
     frame
-        (H, W, 3) uint8 BGR; no map is used.
+        (H, W, 3) uint8 BGR. No map is used.
     network
-        ``efficientnet_lite0``, ``efficientnet_lite1``, ``efficientnet_lite2``, or the path of an ONNX file,
+        ``efficientnet_lite0``, ``efficientnet_lite1``, ``efficientnet_lite2``, or the path of an ONNX file
         relative to the project.
     width, height
         Size in pixels to which the frame is scaled, even if this changes its aspect ratio. If both are None,
         the network's training size is used (224x224 for an ONNX file). If one is None, the aspect ratio is
         preserved.
     mean, std
-        Values for red, green and blue, on a scale from 0 to 1: `mean` is subtracted, then the result is
-        divided by `std`. None for the values used to train the network (ImageNet's for an ONNX file).
+        Values for red, green and blue, on a scale from 0 to 1. `mean` is subtracted, and the result is
+        divided by `std`. None stands for the values with which the network was trained. For an ONNX file,
+        these are assumed to be ImageNet's.
     output
-        Name of the ONNX file's output to use; None for the first.
+        Name of the output of the ONNX file to use, or None for the first output.
     pool
-        How to turn an output with positions, (D, rows, columns), or tokens, (tokens, D), into a vector: the
-        ``mean`` over all of them, or the ``first`` token. None if the output is already a vector.
+        How to turn an output with positions, (D, rows, columns), or with tokens, (tokens, D), into a vector.
+        ``mean`` averages over all of them, and ``first`` takes the first token. None means that the output is
+        already a vector.
     sha256
-        The ONNX file's required checksum, in hexadecimal; None accepts any. Without a checksum, the stages do
-        not notice if the file changes.
+        The required checksum of the ONNX file in hexadecimal, or None to accept any file. Without a checksum,
+        the stages do not notice if the file changes.
 
     Returns
     -------
-    (size,) float32, the network's output, after pooling if `pool` is set.
+    (size,) float32, the output of the network, which is pooled if `pool` is set.
 
     Raises
     ------
     PlacecatError
-        If the network or a package is missing, a setting does not fit the network, or the network rejects the
-        image or does not return a vector of finite numbers.
+        If the network or a package is missing, if a setting does not suit the network, or if the network
+        rejects the image or does not return a vector of finite numbers.
     """
     rows, columns = frame.shape[:2]
     own = networks.preparation(network)

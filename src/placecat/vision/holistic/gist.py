@@ -1,4 +1,4 @@
-"""Gist: each feature map's means in the cells of a grid."""
+"""The gist of a frame, which consists of the means of each feature map in the cells of a grid."""
 
 from functools import partial
 
@@ -16,18 +16,18 @@ CELLS = 4
 def describe(
     frame: NDArray[np.uint8], maps: FrameMaps, *, color: bool = True, center_surround: bool = True
 ) -> NDArray[np.float32]:
-    """Describe a frame by its feature maps' means in a 4x4 grid (thesis 3.2).
+    """Describe a frame by the means of its feature maps in a 4x4 grid (thesis 3.2).
 
-    `color` includes the colour maps (thesis 4.2 has a variant without them). `center_surround` uses the
-    centre-surround maps of intensity and colour instead of their pyramids (a variant in thesis 4.2);
-    orientation has no centre-surround maps. The frame itself is not read.
+    `color` includes the colour maps. Thesis 4.2 has a variant without them. With `center_surround`, the
+    centre-surround maps of intensity and colour are used. Without it, which is a variant in thesis 4.2, their
+    pyramids are used. Orientation has no centre-surround maps. The frame itself is not read.
 
     Returns
     -------
-    (size,) float32: a block for each of the 16 cells, row by row from the top left. A block contains
-    intensity (on, off), colour (R, G, B, Y) and orientation (0, 45, 90, 135 degrees). Within a channel the
-    order is sub-channel, scale, radius (radius varies fastest). By default the channels have 16, 32 and 16
-    values.
+    (size,) float32, with a block for each of the 16 cells, row by row from the top left. A block contains
+    intensity (on, off), colour (R, G, B, Y) and orientation (0, 45, 90, 135 degrees). Within a channel,
+    values are sorted by sub-channel, then by scale, then by radius. By default, the channels have 16, 32 and
+    16 values.
 
     References
     ----------
@@ -38,7 +38,7 @@ def describe(
     blocks = []
     for field in (*fields[: 1 + color], "orientation"):
         levels = getattr(maps, field)
-        # (scale, ..., sub-channel, row, column); radii come before sub-channels.
+        # The axes are (scale, ..., sub-channel, row, column), and radii come before sub-channels.
         means = np.stack(
             [maps.remembered(("means", field, s), partial(_means, levels[s])) for s in maps.scales]
         )
@@ -47,6 +47,6 @@ def describe(
 
 
 def _means(level: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return cell means as (radii, sub-channels, 4, 4); a missing axis has length 1."""
+    """Return cell means as (radii, sub-channels, 4, 4), where a missing axis has the length 1."""
     means = cell_means(level, CELLS)
     return means.reshape((1,) * (4 - means.ndim) + means.shape)

@@ -1,4 +1,4 @@
-"""CENTRIST of salient regions: each region's census histogram."""
+"""The CENTRIST of salient regions, which is the census histogram of each region."""
 
 from typing import Annotated
 
@@ -35,13 +35,13 @@ def describe(
     kernel
         The Laplacian's kernel, as in `placecat.vision.census.laplacian`.
     quantise
-        Round intensities to whole grey levels first, as in an 8-bit image, so that flat areas produce ties
-        instead of noise. The thesis does not specify this.
+        Whether to round intensities to whole grey levels first, as in an 8-bit image. Flat areas then produce
+        ties instead of noise. The thesis does not specify this.
 
     Returns
     -------
-    (n, 256) float32; each row sums to 1 (the thesis does not specify this). Only pixels with all neighbours
-    inside the patch have a code. Adding a whole number to the intensities does not change the result.
+    (n, 256) float32. Each row sums to 1, which the thesis does not specify. Only pixels whose neighbours are
+    all inside the patch have a code. Adding a whole number to the intensities does not change the result.
 
     References
     ----------
@@ -55,7 +55,7 @@ def describe(
 
 
 def _laplacians(patches: NDArray[np.generic], kernel: str) -> NDArray[np.generic]:
-    """Return the 3x3 Laplacians, (n, h - 2, w - 2), of (n, h, w) patches; borders are dropped."""
+    """Return the (n, h - 2, w - 2) Laplacians of (n, h, w) patches. Borders are dropped."""
     height, width = patches.shape[1] - 2, patches.shape[2] - 2
     total = np.zeros((len(patches), height, width), patches.dtype)
     for (down, right), weight in np.ndenumerate(LAPLACIANS[kernel].astype(patches.dtype)):

@@ -1,4 +1,4 @@
-"""Means and variances of the colour channels in salient regions."""
+"""The means and variances of the colour channels in salient regions."""
 
 from typing import Annotated
 
@@ -21,13 +21,13 @@ def describe(
     grid: Index = 3,
     border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
-    """Describe regions by means and variances of the channels R, G, B, Y (thesis 3.1.2).
+    """Describe regions by the means and variances of the channels R, G, B, Y (thesis 3.1.2).
 
-    `grid` is the number of cells along each axis, 0 for the full region only. The thesis uses 3, and 0 (8
-    dimensions) in a variant in 4.4.2.
+    `grid` is the number of cells along each axis, or 0 for the full region only. The thesis uses 3. A variant
+    in 4.4.2 uses 0, which yields 8 dimensions.
 
     Returns (n, 8 (1 + grid**2)) float32. The full region comes first, then the cells row by row from the top
-    left. Each area has 4 means, then 4 variances (>= 0). All cells have the same size; cell borders may cut
-    pixels.
+    left. Each of these areas has 4 means, then 4 variances (>= 0). All cells have the same size, so cell
+    borders may cut pixels.
     """
     return mean_variance(cut(maps.color, regions, region_side(maps.width), border=border), grid)

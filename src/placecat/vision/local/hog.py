@@ -19,7 +19,7 @@ INTERPOLATIONS = {"nearest": cv2.INTER_NEAREST, "linear": cv2.INTER_LINEAR, "cub
 _HOG = cv2.HOGDescriptor((WINDOW, WINDOW), (64, 64), (32, 32), (16, 16), 8)
 _SIZE = int(_HOG.getDescriptorSize())
 
-# Patches per row of a mosaic, few enough for the cache.
+# Number of patches per row of a mosaic, which is small enough for the cache.
 _COLUMNS = 5
 
 
@@ -30,18 +30,20 @@ def describe(
     interpolation: Annotated[str, OneOf(INTERPOLATIONS)] = "linear",
     border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
-    """Describe regions by OpenCV's HOG: window 64, block 64, stride 32, cell 16, 8 bins (thesis 3.1.2).
+    """Describe regions by OpenCV's HOG (thesis 3.1.2).
 
-    Each intensity patch, in whole grey levels, is resized to 64x64. The result equals
-    `cv2.HOGDescriptor.compute` on each patch, but one call handles all patches, placed side by side with
-    mirrored borders.
+    The window and the block are 64 pixels wide, the stride is 32, the cell is 16, and there are 8 bins. Each
+    intensity patch is rounded to whole grey levels and resized to 64x64. The result equals that of
+    `cv2.HOGDescriptor.compute` on each patch. But a single call handles all patches, which are placed side by
+    side with mirrored borders.
 
-    `interpolation` is the method of resizing; the thesis does not specify this.
+    `interpolation` is the method of resizing, which the thesis does not specify.
 
     Returns
     -------
-    (n, 128) float32 in [0, 1]: the columns from the left, each column's 4 cells from the top, each cell's 8
-    bins over 180 degrees. L2-Hys normalised; 0 for a patch without gradients.
+    (n, 128) float32 in [0, 1], L2-Hys normalised. Columns of cells run from left to right. Each column has 4
+    cells from top to bottom, and each cell has 8 bins over 180 degrees. All values are 0 for a patch without
+    gradients.
 
     References
     ----------
@@ -54,7 +56,7 @@ def describe(
 
 
 def _mosaic_hog(patches: NDArray[np.uint8], interpolation: int) -> NDArray[Any]:
-    """Compute HOG on (n, side, side) patches in one mosaic; each is resized and framed by mirrored pixels."""
+    """Compute HOG on (n, side, side) patches, resized and framed by mirrored pixels in one mosaic."""
     tile = WINDOW + 2
     places = [divmod(index, _COLUMNS) for index in range(len(patches))]
     mosaic = np.zeros((places[-1][0] + 1, tile, _COLUMNS, tile), np.uint8)

@@ -1,4 +1,4 @@
-"""Means and variances of the orientation maps in salient regions."""
+"""The means and variances of the orientation maps in salient regions."""
 
 from typing import Annotated
 
@@ -21,8 +21,9 @@ def describe(
     grid: Index = 3,
     border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
-    """Describe regions by means and variances of the orientation maps (thesis 3.1.2).
+    """Describe regions by the means and variances of the orientation maps (thesis 3.1.2).
 
-    Like `color_mv`, but with the Gabor responses at 0, 45, 90 and 135 degrees instead of colour channels.
+    This works like `color_mv`, but with the Gabor responses at 0, 45, 90 and 135 degrees instead of colour
+    channels.
     """
     return mean_variance(cut(maps.orientation, regions, region_side(maps.width), border=border), grid)

@@ -1,4 +1,4 @@
-"""One SIFT descriptor for each salient region."""
+"""A SIFT descriptor for each salient region."""
 
 from functools import lru_cache
 from typing import Annotated, Any
@@ -30,19 +30,19 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe each region with one SIFT descriptor whose 4x4 cells cover it (thesis 3.1.2).
 
-    A cell's side is a quarter of the region's side. As in the programs by Lowe, Hess and OpenCV, a gradient
-    votes for the nearest cells and bins with trilinear weights, so gradients up to half a cell outside the
-    region also count. A Gaussian with a sigma of half the region's side weights the gradients. The pyramid
-    level is not blurred again.
+    The side of a cell is a quarter of the region's side. As in the programs by Lowe, Hess and OpenCV, a
+    gradient votes for the nearest cells and bins with trilinear weights. So gradients up to half a cell
+    outside the region also count. The gradients are weighted by a Gaussian whose sigma is half the region's
+    side. The pyramid level is not blurred again.
 
-    `orientation` is ``upright``, or ``dominant``: relative to the strongest direction (`dominant_angles`).
-    The thesis does not specify this.
+    `orientation` is ``upright`` or ``dominant``, where the latter is relative to the strongest direction (see
+    `dominant_angles`). The thesis does not specify this.
 
     Returns
     -------
-    (n, 128) float32, whole numbers from 0 to 255; cells row by row, each with 8 bins over 360 degrees
-    counter-clockwise from the x axis (or from the dominant angle). Values are clipped at 0.2 of the norm,
-    then scaled to the norm 512; they are 0 for a patch without gradients.
+    (n, 128) float32 with whole numbers from 0 to 255. The cells are listed row by row. Each cell has 8 bins
+    over 360 degrees, counter-clockwise from the x axis or from the dominant angle. Values are clipped at 0.2
+    of the norm and then scaled to the norm 512. They are 0 for a patch without gradients.
 
     References
     ----------
@@ -63,7 +63,10 @@ def describe(
 
 
 def _gradients(patches: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return central differences' magnitudes and angles (0 to 2 pi, counter-clockwise), (n, h - 2, w - 2)."""
+    """Return the (n, h - 2, w - 2) magnitudes and angles of central differences.
+
+    Angles range from 0 to 2 pi, counter-clockwise.
+    """
     right = patches[:, 1:-1, 2:] - patches[:, 1:-1, :-2]
     up = patches[:, :-2, 1:-1] - patches[:, 2:, 1:-1]
     polar = cv2.cartToPolar(right.reshape(len(right), -1), up.reshape(len(up), -1))
@@ -76,12 +79,12 @@ def dominant_angles(
 ) -> NDArray[np.float64]:
     """Find the strongest gradient direction around each patch's centre (Lowe 2004, section 5).
 
-    `magnitude` and `angle` (radians) are (n, 2 R + 1, 2 R + 1) float32. `scale` is the region's scale as Lowe
-    defines it, in pixels: a third of a cell. The window is a Gaussian with a sigma of 1.5 scales, cut off at
-    4.5 scales or at the patch's edge.
+    `magnitude` and `angle` (in radians) are (n, 2 R + 1, 2 R + 1) float32. `scale` is the scale of the region
+    in pixels, which Lowe defines as a third of a cell. The window is a Gaussian with a sigma of 1.5 scales.
+    It is cut off at 4.5 scales or at the edge of the patch.
 
-    Returns (n,) float64 radians in [0, 2 pi): the highest of 36 smoothed bins, refined by parabolic
-    interpolation; 0 for a patch without gradients.
+    Returns (n,) float64 angles in radians, in [0, 2 pi). The angle is that of the highest of 36 smoothed
+    bins, refined by parabolic interpolation, or 0 for a patch without gradients.
     """
     count, centre = len(magnitude), magnitude.shape[1] // 2
     radius = min(round(4.5 * scale), centre)
@@ -105,7 +108,7 @@ def dominant_angles(
 
 
 def _weights(radius: int, cell: float, turn: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Return each pixel's weight in each cell, (n, 16, pixels), for cells turned by (n,) angles."""
+    """Return the (n, 16, pixels) weights of the pixels in each cell, for cells rotated by (n,) angles."""
     offset = np.arange(-radius, radius + 1) / cell
     down, right = (axis.reshape(1, -1) for axis in np.meshgrid(offset, offset, indexing="ij"))
     cosine, sine = np.cos(turn)[:, None], np.sin(turn)[:, None]
@@ -128,7 +131,7 @@ def _upright_weights(radius: int, cell: float) -> NDArray[np.float32]:
 def _votes(
     magnitude: NDArray[np.float32], angle: NDArray[np.float32], turn: NDArray[np.float64]
 ) -> NDArray[np.float32]:
-    """Return each pixel's vote for each bin, (n, pixels, 8), split linearly between the two nearest bins."""
+    """Split each pixel's vote linearly between the two nearest bins, and return (n, pixels, 8) votes."""
     count = len(magnitude)
     magnitude = magnitude.reshape(count, -1)
     position = (angle.reshape(count, -1) - turn[:, None].astype(np.float32)) * np.float32(BINS / (2 * np.pi))
@@ -152,7 +155,7 @@ def _votes(
 
 @lru_cache(maxsize=8)
 def _starts(count: int, pixels: int) -> NDArray[np.intp]:
-    """Return the flat index of each pixel's first bin, (n, pixels)."""
+    """Return the (n, pixels) flat indices of the first bin of each pixel."""
     starts = np.arange(count * pixels).reshape(count, pixels) * BINS
     starts.flags.writeable = False
     return starts

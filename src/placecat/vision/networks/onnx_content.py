@@ -1,7 +1,7 @@
 """Check an ONNX file's operators and weight files before it runs.
 
-This module parses the file itself, since protocol buffers are just numbered fields and nothing else needs the
-package onnx.
+This module parses the file itself, because protocol buffers are just numbered fields, and nothing else would
+need the package onnx.
 """
 
 import hashlib
@@ -22,7 +22,7 @@ _VALUES, _INDICES = 1, 2
 _EXTERNAL = 13
 _KEY, _VALUE = 1, 2
 
-# Maps each kind of message to its nested message fields and their kinds.
+# Maps each kind of message to the fields that hold nested messages, and to the kinds of these messages.
 _INSIDE = {
     "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
     "function": {_FUNCTION_NODE: "node"},
@@ -45,18 +45,18 @@ _TEXTS = {"node": (_INPUT, _OPERATOR), "entry": (_KEY, _VALUE)}
 
 # Operators whose output differs between runs.
 _RANDOM = ("Random", "Multinomial", "Bernoulli", "Sampling")
-# Operators that may loop for ever.
+# Operators that may loop forever.
 _ENDLESS = ("Loop", "BeamSearch", "GreedySearch", "WhisperBeamSearch")
-# A third input switches Dropout to training mode, where it is random.
+# A third input switches Dropout to training mode, in which it is random.
 _DROPOUT, _TRAINING = "Dropout", 2
 
 
 def check(path: Path, sha256: str | None) -> None:
     """Reject a network that is random, may never end, or is not the expected file.
 
-    `sha256` is the expected :func:`fingerprint`; None accepts any. Raises PlacecatError if the file cannot be
-    read, is not an ONNX file, has an operator that is random or may loop for ever, has a different checksum,
-    or has weight files that are missing or outside its folder.
+    `sha256` is the expected :func:`fingerprint`, or None to accept any. Raises PlacecatError if the file
+    cannot be read or is not an ONNX file, if it has an operator that is random or may loop forever, if its
+    checksum is different, or if its weight files are missing or outside its folder.
     """
     try:
         operators, weights = _content(path)
@@ -80,8 +80,8 @@ def check(path: Path, sha256: str | None) -> None:
 def fingerprint(path: Path, weights: list[Path]) -> str:
     """Return a network's SHA-256 in hexadecimal, computed over all its files.
 
-    For several files, this is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...``, run in their
-    folder with the weights sorted by name.
+    If there are several files, this is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...``, which
+    is run in their folder with the weight files sorted by name.
     """
     if not weights:
         return checksum(path)
@@ -91,7 +91,7 @@ def fingerprint(path: Path, weights: list[Path]) -> str:
 
 
 def _weights(path: Path, name: str) -> Path:
-    """Return a weight file's path, which must be in the network's folder."""
+    """Return the path of a weight file, which must be in the folder of the network."""
     relative, folder = PurePosixPath(name), path.parent
     file = folder / relative
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
@@ -114,7 +114,7 @@ def _content(path: Path) -> tuple[list[tuple[str, list[str]]], list[str]]:
         if not file.seek(0, 2):
             raise PlacecatError(f"{path} is not an ONNX file: it is empty")
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-            # Visit nested messages of any depth without recursion.
+            # Visit nested messages at any depth without recursion.
             waiting = [("model", 0, len(content))]
             try:
                 while waiting:
@@ -139,7 +139,10 @@ def _content(path: Path) -> tuple[list[tuple[str, list[str]]], list[str]]:
 
 
 def _fields(content: mmap.mmap, at: int, end: int) -> Iterator[tuple[int, int, int]]:
-    """Yield each length-delimited field's number, start and end; raise ValueError if the file is damaged."""
+    """Yield the number, start and end of each length-delimited field.
+
+    Raises ValueError if the file is damaged.
+    """
     while at < end:
         key, at = _varint(content, at, end)
         number, kind = key >> 3, key & 7

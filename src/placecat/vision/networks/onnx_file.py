@@ -1,4 +1,4 @@
-"""Run networks in ONNX files with onnxruntime."""
+"""Run networks that are stored in ONNX files, with onnxruntime."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -20,16 +20,17 @@ def load(
 ) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
     """Load the network in an ONNX file and return a function that applies it to an image.
 
-    The network must have one input, an image, (1, 3, height, width) float32. `output` is the name of the
-    output to use, None for the first. `sha256` is the expected checksum (see `onnx_content.fingerprint`);
-    None accepts any. The function maps an image, (1, 3, H, W) float32, to the output, float32 of any shape.
+    The network must have exactly one input, a (1, 3, height, width) float32 image. `output` is the name of
+    the output to use, or None for the first output. `sha256` is the expected checksum (see
+    `onnx_content.fingerprint`), or None to accept any. The function maps a (1, 3, H, W) float32 image to the
+    output, which is float32 of any shape.
 
     Raises
     ------
     PlacecatError
-        If onnxruntime or the file is missing, if `onnx_content.check` rejects the file, or if the file is not
-        an ONNX file, does not take one image or lacks the output. The returned function raises it if it
-        cannot process an image, for example because of its size.
+        If onnxruntime or the file is missing, if `onnx_content.check` rejects the file, if it is not an ONNX
+        file, or if the network does not take one image or lacks the output. The returned function raises this
+        error if it cannot process an image, for example because of its size.
     """
     with reading(path):
         is_there = path.is_file()
@@ -42,11 +43,11 @@ def load(
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.use_deterministic_compute = True
-    # Log only fatal errors; other errors are raised, and each becomes one message.
+    # Log only fatal errors. All other errors are raised, and each becomes one message.
     options.log_severity_level = 4
     try:
         session = onnxruntime.InferenceSession(path, options, providers=["CPUExecutionProvider"])
-    # onnxruntime's errors do not share a base class.
+    # The errors of onnxruntime do not have a common base class.
     except Exception as error:
         raise PlacecatError(f"{path} is not an ONNX file that onnxruntime can run: {_short(error)}") from None
     name = _input(session, path)
@@ -69,7 +70,7 @@ def load(
 
 
 def _input(session: Any, path: Path) -> str:
-    """Return the single input's name; the input must accept an image."""
+    """Return the name of the single input, which must accept an image."""
     inputs = session.get_inputs()
     kinds = [f"{one.type.removeprefix('tensor')} {one.shape}" for one in inputs]
     if len(inputs) != 1 or inputs[0].type != "tensor(float)" or not _takes_image(inputs[0].shape):
