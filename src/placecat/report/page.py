@@ -41,7 +41,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Report:
-    """The content of the page; tables and figures may be in any order.
+    """The content of the page, with tables and figures in any order.
 
     `dataset` has the run's ``title``, ``homes``, ``classes`` and ``thesis_data``. `frames` maps each home to
     its number of frames in each place and of those that are ``unlabelled``. `data_version` is the checksum of

@@ -18,7 +18,7 @@ _HOME = r"Home \d+"
 def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figure | None:
     """Draw a filled table's averages (see `bars_of`); return None if there are none.
 
-    `published` says whether to draw the published numbers too; they must be from the same data.
+    `published` says whether to draw the published numbers, too. They must be from the same data.
     """
     bars = bars_of(cells)
     if not bars:

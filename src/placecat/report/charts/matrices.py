@@ -102,7 +102,7 @@ def _blocks(of_row: Mapping[str, Measured]) -> dict[str, NDArray[np.float64]]:
 
 
 def _paper(height: int, width: int, title: str, caption: str) -> NDArray[np.uint8]:
-    # White needs only one value; filling in a colour takes 90 times as long.
+    # White needs only one value, whereas filling in a colour takes 90 times as long.
     picture = np.full((height, width, 3), _PAPER[0], np.uint8)
     write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
     write(picture, caption, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)

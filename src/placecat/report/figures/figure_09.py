@@ -128,7 +128,9 @@ def _query(
     if frame is None:
         able = (labels >= 0) & (counts == regions)
         if not able.any():
-            raise PlacecatError(f"{home} has no labelled frame with {regions} salient regions: use fewer")
+            raise PlacecatError(
+                f"{home} has no labelled frame with {regions} salient regions: use fewer regions"
+            )
         apart = np.array([len(np.unique(row)) == regions for row in nearest])
         flat = nearest_centers(pca.transform(x.reshape(-1, x.shape[2])), pca.transform(model.centers_))
         agree = (flat[:, 0].reshape(nearest.shape) == nearest).all(axis=1)

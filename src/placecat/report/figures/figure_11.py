@@ -77,8 +77,8 @@ def most_smoothed(
     Returns the number of changes that smoothing removes (before minus after), and the window. A change counts
     only if both frames are labelled and there is no cut between them. `before` and `after` are (n, classes)
     distributions on the same frames. `truth` has their (n,) class indices, -1 if unlabelled. `sequences` are
-    the stretches without a cut. A window has `frames` frames and lies within one stretch; a shorter stretch
-    is a window as a whole.
+    the stretches without a cut. A window has `frames` frames and lies within one stretch. A stretch that is
+    shorter is itself a window.
     """
     removed = changes(before, truth) - changes(after, truth)
     best: tuple[int, slice] | None = None

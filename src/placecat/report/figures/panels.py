@@ -143,7 +143,7 @@ def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]
 
 
 def stretches(places: NDArray[np.integer]) -> list[slice]:
-    """Return, in order, the stretches in which (n,) places stay the same."""
+    """Return, in order, the stretches of (n,) places in which the place stays the same."""
     if not len(places):
         return []
     starts = np.flatnonzero(np.r_[True, places[1:] != places[:-1]]).tolist()
