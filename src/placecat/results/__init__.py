@@ -8,7 +8,7 @@ if TYPE_CHECKING:
 
 
 def load(project: Path | str = ".") -> "pd.DataFrame":
-    """Load every number of the tables and of the text as one table, one row per cell.
+    """Load all numbers in the tables and in the text as one table with one row per cell.
 
     `project` is the project's folder. Raises PlacecatError if the stage `report` has not run there.
 
