@@ -139,7 +139,7 @@ def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
 
 
 def _best(pattern: str, results: Results) -> tuple[str, str]:
-    """Find the trial of a pattern that is best on average over homes; return its name and a note."""
+    """Find the trial that matches a pattern and is best on average over homes; return its name and a note."""
     if BEST not in pattern:
         return pattern, ""
     wanted = re.compile(re.escape(pattern).replace(re.escape(BEST), "([^|]*)"))

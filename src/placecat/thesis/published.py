@@ -92,7 +92,9 @@ class Published:
     @staticmethod
     def _only(found: list[float], asked: object) -> float:
         if len(found) != 1:
-            raise PlacecatError(f"the thesis has {len(found) or 'no'} numbers for {asked}, not just one")
+            raise PlacecatError(
+                f"the thesis has {len(found) or 'no'} numbers for {asked}: expected exactly one"
+            )
         return found[0]
 
 

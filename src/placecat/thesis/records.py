@@ -119,7 +119,7 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:
-    """Return the nu in a classifier's settings; None unless the classifier is a nu-SVM."""
+    """Return the requested nu in a classifier's settings, or None if it is not a nu-SVM."""
     base = classifier.get("base", {})
     return float(base["nu"]) if base.get("name") == "nu_svm" else None
 
