@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import pandas as pd
 
 NONE = "none"
-# Columns with a row's content or the table's number; the remaining columns identify the row's cell.
+# Columns with a row's content or the table's number; the remaining columns identify the cell.
 _CONTENT = ("table", "published", "measured", "spread", "seeds", "note", "data")
 # Maximum numbers of tables, verdicts and settings that the report lists.
 _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
@@ -17,10 +17,11 @@ _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 class TableDifference:
     """The differences in one table, such as ``table_26``.
 
-    `cells` is the number of compared cells, those with an old or a new number; in `differing` of them, the
-    number or the spread over seeds has changed. `largest` is the largest difference in points, and `where`
-    has the labels of its cell; they are 0 and "" if no two numbers differ. `appeared` counts the cells with
-    only a new number, and `disappeared` those with only an old one.
+    `cells` is the number of compared cells, which are those with an old or a new number. In `differing` of
+    them, the number or the spread over seeds has changed. `largest` is the largest difference in points, and
+    `where` has the labels of the cell with this difference. They are 0 and "" if no two numbers differ.
+    `appeared` counts the cells that have only a new number, and `disappeared` those that have only an old
+    one.
     """
 
     name: str
@@ -40,7 +41,7 @@ class TableDifference:
 
 @dataclass(frozen=True)
 class Turned:
-    """A finding whose verdict has changed; a side that lacks the finding has the verdict `NONE`."""
+    """A finding whose verdict has changed; the verdict is `NONE` in a run that lacks the finding."""
 
     finding: str
     kept: str
@@ -95,10 +96,11 @@ def compare(
     """Compare new tables with old ones.
 
     Cells whose two numbers come from different data sets are not compared; if there are any, verdicts are not
-    compared either. `now` and `kept` map the names of the new and the old tables to the tables. Their
-    numbers may be text, empty if missing. Their columns are measured (percent), spread (points, optional),
-    data (the data set, "" if unknown), and those that identify a row's cell, such as group, row and column. A
-    table of findings has a row per finding, with the columns number and verdict, and is None if missing.
+    compared either. `now` and `kept` map the names of the new and the old tables to the tables. Numbers in
+    the tables may be text, which is empty if a number is missing. The columns are measured (percent), spread
+    (points, optional), data (the data set, "" if unknown), and those that identify the cell of a row, such as
+    group, row and column. A table of findings has one row per finding, with the columns number and verdict.
+    It is None if missing.
     """
     pairs = {
         name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))
@@ -120,7 +122,10 @@ def compare(
 
 
 def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
-    """Index each cell's number, spread (NaN if missing) and data set ("" without a number) by its labels."""
+    """Return the number, the spread and the data set of each cell, indexed by the labels of the cell.
+
+    A missing spread is NaN. The data set is "" if the number is missing.
+    """
     if table is None:
         table = pd.DataFrame(columns=["measured", "data"])
     labels = table[[column for column in table.columns if column not in _CONTENT]].fillna("").astype(str)
@@ -131,7 +136,7 @@ def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
 
 
 def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
-    """Join a new and an old table by cell; the cells that only the old one has come last."""
+    """Join a new and an old table by cell; cells that only the old table has come last."""
     labels = now.index.append(kept.index.difference(now.index, sort=False))
     sides = (now.reindex(labels).add_suffix("_now"), kept.reindex(labels).add_suffix("_kept"))
     both = pd.concat(sides, axis=1)

@@ -24,11 +24,11 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 
 @dataclass(frozen=True)
 class Kept:
-    """The parts of a run that are compared; every table value is text.
+    """The parts of a run that are compared.
 
-    `tables` maps names such as ``table_26`` to filled tables; ``in_text`` holds the numbers in the
-    thesis's text. `findings` has the columns number and verdict, among others, and `settings` is the content
-    of params.yaml; both are None if missing.
+    `tables` maps names such as ``table_26`` to filled tables, in which every value is text; ``in_text`` holds
+    the numbers in the thesis's text. `findings` has the columns number and verdict, among others, and
+    `settings` is the content of params.yaml; both are None if missing.
     """
 
     tables: dict[str, pd.DataFrame]
@@ -38,7 +38,7 @@ class Kept:
 
 @dataclass(frozen=True)
 class Figures:
-    """One side's PNGs and captions by figure name; if it has none, `missing` says why and what to do."""
+    """One side's PNGs and captions by figure name; if there are none, `missing` says why and what to do."""
 
     pictures: dict[str, bytes] = field(default_factory=dict)
     captions: dict[str, str] = field(default_factory=dict)
@@ -48,10 +48,10 @@ class Figures:
 def compare(old: str, new: str = "") -> tuple[list[str], bool]:
     """Compare the tables of two sides (see :func:`read`).
 
-    Returns the lines of a report, and False if the settings are the same but a number appeared, disappeared
-    or differs by more than ``reproducibility.tolerance``, else True. Numbers from different data sets are not
-    compared. Raises PlacecatError if a side has no tables, git is not installed, the folder is not in a
-    repository, or the revision does not exist.
+    Returns the lines of a report, and whether the two sides agree. They disagree if the settings are the same
+    but a number has appeared, has disappeared or differs by more than ``reproducibility.tolerance``. Numbers
+    from different data sets are not compared. Raises PlacecatError if a side has no tables, git is not
+    installed, the folder is not in a repository, or the revision does not exist.
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read(new), read(old)
@@ -93,7 +93,7 @@ def _title(definition: Mapping[str, Any], params: dict[str, Any] | None) -> str:
 
 
 def is_folder(side: str) -> bool:
-    """Return True for a folder with ``reports/tables`` or "" (this folder), False for a git revision."""
+    """Return True for "" (this folder) or a folder with ``reports/tables``, and False for a git revision."""
     return not side or (Path(side) / paths.TABLES).is_dir()
 
 
@@ -105,7 +105,7 @@ def name_of(side: str) -> str:
 
 
 def read(side: str) -> Kept:
-    """Read a project folder ("" for this one) or git revision; PlacecatError if it has no tables."""
+    """Read a project folder ("" for this one) or git revision; raise PlacecatError if it has no tables."""
     if not is_folder(side):
         return read_revision(side)
     root = Path(side)
@@ -117,7 +117,10 @@ def read(side: str) -> Kept:
 
 
 def read_revision(revision: str) -> Kept:
-    """Read the results in a git revision such as ``HEAD~1`` or a tag; PlacecatError if they are missing."""
+    """Read the results in a git revision such as ``HEAD~1`` or a tag.
+
+    Raises PlacecatError if the revision has no results.
+    """
     commit = commit_of(revision)
     wanted = [path.as_posix() for path in (*FOLDERS, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
     listed = _git("ls-tree", "-r", "-z", "--name-only", commit, "--", *wanted)
@@ -127,10 +130,13 @@ def read_revision(revision: str) -> Kept:
 
 
 def commit_of(revision: str) -> str:
-    """Return the hash of a revision's commit; PlacecatError if git, repository or revision is missing."""
+    """Return the hash of a revision's commit.
+
+    Raises PlacecatError if git, the repository or the revision is missing.
+    """
     _git("rev-parse", "--git-dir", message="this folder is not in a git repository")
     unknown = f"git has no revision {revision!r}: `git log --oneline` lists the existing ones"
-    # The suffix makes git look for a commit, so it never takes a revision for an option.
+    # The suffix makes git look for a commit, so that it never mistakes a revision for an option.
     return _git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}", message=unknown).strip()
 
 

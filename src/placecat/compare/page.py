@@ -47,9 +47,9 @@ def page_html(
 ) -> str:
     """Render the page.
 
-    `names`, `kept` and `drawn` each have an entry for the old side, then one for the new side: its ``name``
-    and ``about`` (a line about its commit, or ""), its results, and its figures. `lines` are shown in the
-    summary at the top of the page.
+    `names`, `kept` and `drawn` each have two entries, for the old and the new side. An entry of `names` has
+    the side's ``name`` and ``about``, which is a line about its commit or "". `kept` has the results of both
+    sides, and `drawn` their figures. `lines` are shown in the summary at the top of the page.
     """
     loaders = [PackageLoader("placecat.compare"), PackageLoader("placecat.report")]
     templates = page_templates().overlay(loader=ChoiceLoader(loaders))
@@ -117,7 +117,10 @@ def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]
 
 
 def _cells(table: pd.DataFrame | None) -> dict[tuple[str, str, str], str]:
-    """Map group, row, column (or name, quantity, home for numbers in the text) to each number as text."""
+    """Map the three labels of each cell to its number, as text.
+
+    These are group, row and column or, for a number in the text, name, quantity and home.
+    """
     if table is None:
         return {}
     key = ["name", "quantity", "home"] if "quantity" in table.columns else ["group", "row", "column"]
@@ -137,7 +140,7 @@ def _cell(old: str, new: str) -> dict[str, Any]:
 
 
 def _figures(old: Figures, new: Figures) -> list[dict[str, Any]]:
-    """List all figures; those that differ have `pictures`, the old and the new one, None if missing."""
+    """List all figures; those that differ have `pictures`, an old and a new one, which may be None."""
     found = []
     for name in sorted(old.pictures | new.pictures):
         pair = [one.pictures.get(name) for one in (old, new)]

@@ -1,4 +1,4 @@
-"""Recompute a cell: repeat its last steps on the files of the stages before them."""
+"""Recompute a cell: repeat its last steps, starting from the files of earlier stages."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -46,11 +46,12 @@ class _Recomputed(Source):
 
 
 def compute(number: str) -> tuple[bool, str]:
-    """Recompute the cell of a number such as ``table_26.9.3``, and compare it with the stored one.
+    """Recompute the cell with a number such as ``table_26.9.3``, and compare it with the stored one.
 
     Smoothed, filtered and integrated results are recomputed from the files of the previous step. Cues are
-    trained again on their features and codebook, trials and splits on their features. Returns whether all
-    bits agree, and a text that says so. Raises PlacecatError if an earlier stage has not run.
+    trained again on their features and codebook; for trials and splits, only the features are reused. Returns
+    whether all bits agree, and a text about the comparison. Raises PlacecatError if an earlier stage has not
+    run.
     """
     params = settings.load()
     table = number.partition(".")[0]
@@ -84,7 +85,7 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
 
 
 def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
-    """Return the results, after recomputing the result of an origin for the origin's homes."""
+    """Return the results after recomputing the result of an origin, in the homes of this origin."""
     name = origin.result
     if name not in results.measured:
         return results
@@ -104,7 +105,8 @@ def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], step
         for home, of_home in zip(homes, of_seed, strict=True)
     }
     results = _with_counts(results, name, counts_of)
-    # Converting to rows and back rounds like the stage's file; the last of several equal rows counts.
+    # Converting to rows and back rounds numbers as the stage's file does. If several rows have the same
+    # labels, the last one counts.
     rows = [*quality_rows(name, results.quality[name]), *quality_rows(name, quality)]
     rounded = from_rows(pd.DataFrame(rows, columns=QUALITY_COLUMNS))
     return replace(results, quality={**results.quality, **rounded})

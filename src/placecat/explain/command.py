@@ -1,4 +1,4 @@
-"""``placecat explain``: print where a number comes from. It avoids importing NumPy to take only a second."""
+"""``placecat explain``: print where a number comes from. To take only a second, it avoids importing NumPy."""
 
 import json
 import shutil

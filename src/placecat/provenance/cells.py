@@ -40,9 +40,10 @@ class Explained:
     :func:`placecat.results.load` explains most attributes. `id` is the cell's number on the page
     (:mod:`placecat.provenance.numbering`). For a number in the text, `group`, `row` and `column` are its
     name, quantity and home. `unit` is "percent", "points", "nats", "times", or "" if the quantity names it.
-    `data` has the titles of the measured and the published number's data sets; "" if nothing was published.
-    `made` describes how each of the cell's results was made, and `trained` maps each test home to the frames
-    of each of its plans, without duplicates. `findings` has the numbers of the findings that rest on them.
+    `data` has the titles of two data sets: that of the measured number, and that of the published number,
+    which is "" if nothing was published. `made` describes how each of the cell's results was made. `trained`
+    maps each test home to the frames of each of its plans, without duplicates. `findings` has the numbers of
+    the findings that rest on these results.
     """
 
     id: str
@@ -84,9 +85,9 @@ class Explained:
 class Explaining:
     """All cells of a run.
 
-    `params` are all settings; `tables` are filled, in the report's order; `texts` are the numbers in the
-    text, with notes; `origins` is the content of data/origins.json; `comparisons` are those of the findings,
-    with the columns finding, left_results and right_results.
+    `params` has all settings. `tables` are the filled tables, in the report's order, and `texts` are the
+    numbers in the text, with notes. `origins` is the content of data/origins.json. `comparisons` are the
+    comparisons in the findings, with the columns finding, left_results and right_results.
     """
 
     params: Mapping[str, Any]
@@ -171,7 +172,7 @@ class Explaining:
 
     @cached_property
     def _findings(self) -> dict[str, set[str]]:
-        """Maps each finding's number to the results that the finding compares."""
+        """Map the number of each finding to the results that it compares."""
         found: dict[str, set[str]] = {}
         columns = self.comparisons[["finding", "left_results", "right_results"]]
         for finding, left, right in columns.itertuples(index=False, name=None):

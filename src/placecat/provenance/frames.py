@@ -1,4 +1,4 @@
-"""How many frames of each home a result is trained and tested on."""
+"""The number of frames of each home on which a result is trained and tested."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,14 +14,14 @@ Frames = tuple[tuple[str, int], ...]
 
 @dataclass(frozen=True)
 class Trained:
-    """Training and test sequences with their numbers of frames, for a test home or a whole fixed split.
+    """The training and test sequences of one test home or a whole fixed split, with their numbers of frames.
 
     Attributes
     ----------
     training_set
         Name of the training set, from which the codebooks' seeds are derived.
     cues, integration
-        Frames that the cues and the integration are trained on; `integration` is () without fusion.
+        Frames on which the cues and the integration are trained; `integration` is () without fusion.
     tested
         Labelled frames of the test sequences.
     """
@@ -35,7 +35,7 @@ class Trained:
 def trained(params: Mapping[str, Any], name: str, home: str, fuses: bool, extra: bool) -> Trained | None:
     """Return a result's frames for a test home, or for all homes of a split; None if it has no plan.
 
-    `name`, `fuses` and `extra` are the result's plan and attributes (:class:`placecat.provenance.made.Made`).
+    `name` is the result's plan. `fuses` and `extra` are explained in :class:`placecat.provenance.made.Made`.
     """
     if not name:
         return None

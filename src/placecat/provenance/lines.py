@@ -1,4 +1,4 @@
-"""Read the lines that explain a cell from the file of all explanations, with few imports, for speed."""
+"""Read the lines that explain a cell from the file of all explanations. Few imports keep this fast."""
 
 import hashlib
 import json
@@ -36,7 +36,7 @@ def _compact(value: Any) -> str:
 
 
 def stage_texts(lock: Mapping[str, Any]) -> dict[str, str]:
-    """Map each stage in dvc.lock to its dependencies as text, each with eight digits of its checksum.
+    """Map each stage in dvc.lock to its dependencies as text, with eight digits of each checksum.
 
     All dependencies in src/ share one checksum.
     """

@@ -22,13 +22,13 @@ _LAST = ("scores", "tables")
 class Made:
     """How a result was made.
 
-    `title` describes it on one line, and `stages` are its DVC stages, without `scores` and `tables`. `cues`,
-    `classifiers` and `descriptors` are the names of the cues, and of each cue's classifier and descriptor.
-    `system` and `filter` are "" if there is none. `plan` is the protocol ("5-5-1") or the split; "" if there
-    is neither. `fuses` says whether an integration or a smoothing is trained too, and `extra` whether the
-    integration is also trained on the sequences of ``protocol.extra``. `settings` maps each part to its
-    settings. `clusters` maps each cue to its descriptor as text and its number of cells, which determine the
-    seeds of its codebooks.
+    `title` describes the result on one line, and `stages` are its DVC stages, without `scores` and `tables`.
+    `cues`, `classifiers` and `descriptors` are the names of the cues and of their classifiers and
+    descriptors. `system` and `filter` are "" if there is none. `plan` is the protocol (e.g. "5-5-1") or the
+    split, or "" if there is neither. `fuses` says whether an integration or a smoothing is trained, too.
+    `extra` says whether the integration is also trained on the sequences of ``protocol.extra``. `settings`
+    maps each part to its settings. `clusters` maps each cue to its descriptor, as text, and its number of
+    cells; both determine the seeds of its codebooks.
     """
 
     title: str
@@ -75,13 +75,13 @@ def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) ->
 
 
 def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
-    """Return the stages that made some results and their tables, in the pipeline's order."""
+    """Return the stages that made the given results and their tables, in the pipeline's order."""
     known = [stage for one in made for stage in one.stages]
     return (*(stage for stage in _ORDER if stage in known), *(_LAST if known else ("tables",)))
 
 
 def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of one result of the toy problem, without those of other schemes."""
+    """Return the settings of one result of the toy problem, leaving out those of other schemes."""
     scheme = next(part for part in name.split("/") if part in toy["schemes"])
     shared = {key: value for key, value in toy.items() if key not in ("schemes", "sensitivity")}
     changed = {} if name.split("/")[0] in ("last", scheme) else {"sensitivity": toy["sensitivity"]}
@@ -89,7 +89,7 @@ def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_cue(name: str, params: Mapping[str, Any], scheme: str = "") -> Made:
-    """Describe a cue in the protocol `scheme`, by default the cue's first."""
+    """Describe a cue in the protocol `scheme`, which is by default the first one of the cue."""
     own, one = settings.get(params, f"cues.{name}"), _described_cue(name, params)
     scheme = scheme or own["schemes"][0]
     is_tracked = one.settings[f"descriptor of {name}"].get("tracked")
@@ -148,7 +148,7 @@ def _together(cues: Iterable[Made], title: str, stages: Iterable[str], **own: An
 
 
 def _smoothing(params: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of the smoothing, without the lists of results that it smooths."""
+    """Return the settings of the smoothing, except for the lists of results that it smooths."""
     section = settings.get(params, "smoothing")
     return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
 

@@ -22,7 +22,7 @@ def layout(table: pd.DataFrame) -> tuple[dict[str, Sequence[str]], Sequence[str]
 
 
 def numbers(table: pd.DataFrame, name: str) -> Mapping[Key, str]:
-    """Map each cell's labels to its number; the count of rows continues across groups."""
+    """Map each cell's labels to its number; rows are counted across groups."""
     if name == in_text.NAME:
         keys = table[in_text.KEY].itertuples(index=False, name=None)
         return {key: f"{name}.{position}" for position, key in enumerate(keys, start=1)}

@@ -21,7 +21,7 @@ class Measurement:
     values
         The unrounded values, as in :class:`placecat.thesis.number.Number`; () if the cell has no number.
     seeds
-        Name of each value's seed, e.g. "seed-0", or "no-seed".
+        Name of the seed behind each value, e.g. "seed-0", or "no-seed".
     origins
         The number's origins.
     """
@@ -32,7 +32,7 @@ class Measurement:
 
 
 def measurement(number: Number, results: Results) -> Measurement:
-    """Add the names of a number's seeds, which are those of its origins' results."""
+    """Add to a number the names of its seeds, which are taken from the results that are its origins."""
     values = tuple(map(float, number.values))
     fixed = (NO_SEED,) * len(values)
     if not number.is_random:
@@ -43,7 +43,10 @@ def measurement(number: Number, results: Results) -> Measurement:
 
 
 def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = AXES) -> list[dict[str, Any]]:
-    """Convert the column `number` of a filled table for JSON; the three columns `key` identify each cell."""
+    """Convert the column `number` of a filled table for JSON.
+
+    The three columns in `key` identify each cell.
+    """
     rows = []
     for *labels, number in cells[[*key, "number"]].itertuples(index=False, name=None):
         one = measurement(number, results)

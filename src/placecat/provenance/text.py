@@ -1,4 +1,4 @@
-"""Write explanations as lines, each a label and a text; lines that many cells share are stored once."""
+"""Write explanations as lines with labels; lines that many cells share are stored only once."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -16,9 +16,10 @@ def explanations(
 ) -> dict[str, Any]:
     """Collect all explanations, for JSON.
 
-    `params` are all settings. `data_versions` maps each stage that lists frames to DVC's checksum of that
-    list. Returns ``lines``, each a label and a text; ``blocks``, each a list of line numbers, from 0; and
-    ``cells``, which maps each cell's number to an ordered list of lines and block numbers.
+    `params` has all settings. `data_versions` maps each stage that lists frames to DVC's checksum of that
+    list. Returns three entries. Each of the ``lines`` has a label and a text. Each of the ``blocks`` is a
+    list of line numbers, which start at 0. ``cells`` maps the number of each cell to an ordered list that
+    explains it, in which each item is a line or the number of a block.
     """
     pool: dict[Line, int] = {}
     blocks: dict[tuple[int, ...], int] = {}

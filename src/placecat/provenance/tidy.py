@@ -1,4 +1,4 @@
-"""Collect all cells in one table, with a row for each cell that includes its origin."""
+"""Collect all cells in one table, in which each row has a cell and its origin."""
 
 import json
 from collections.abc import Iterable
@@ -75,7 +75,10 @@ def _listed(names: Iterable[str]) -> str:
 
 
 def _total(trained: Iterable[Trained], kind: str) -> int:
-    """Add up the frames of one kind; of plans with the same test frames, only the largest number counts."""
+    """Add up the frames of one kind.
+
+    Among plans with the same test frames, only the one with the most frames counts.
+    """
     by_test: dict[tuple[tuple[str, int], ...], int] = {}
     for one in trained:
         count = sum(frames for _, frames in getattr(one, kind))

@@ -1,1 +1,1 @@
-"""Reports for readers: figures, charts, the page, LaTeX and Markdown."""
+"""Reports for readers: figures, charts, the HTML page, and tables in LaTeX and Markdown."""

@@ -1,4 +1,4 @@
-"""Benchmarks for the report: as text, and as a chart of the ratios beside their targets."""
+"""Show benchmarks in the report: as text, and as a chart of the ratios and their targets."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,16 +14,16 @@ _SECONDS = "seconds"
 _NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 MET, MISSED, TARGET = "#0072b2", "#d55e00", "#222222"
-# Inches: width, height of a line, and total space above and below the lines of a panel.
+# In inches: the width, the height of a line, and the total space above and below the lines of a panel.
 _WIDTH, _LINE, _ROUND = 6.5, 0.24, 0.55
 _BOUND = 1.25
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows of :func:`placecat_bench.run.run` that have a ratio; missing numbers are NaN.
+    """Select the rows of :func:`placecat_bench.run.run` that have a ratio; missing numbers are NaN.
 
-    ``met`` becomes a bool and ``target`` a number; the new column ``is_faster`` says whether the target is a
-    minimum speed-up instead of a maximum share of the peer's time.
+    ``met`` becomes a bool and ``target`` a number. The new column ``is_faster`` says whether the target is a
+    minimum speed-up or, if False, a maximum share of the peer's time.
     """
     rows = benchmarks[benchmarks["ratio"].notna()]
     return rows.assign(
@@ -34,11 +34,11 @@ def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
 
 
 def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str, Any]:
-    """Format the rows of :func:`placecat_bench.run.run` for a page; their empty text cells must be "".
+    """Format the rows of :func:`placecat_bench.run.run`, whose empty text cells must be "", for a page.
 
     Returns ``facts`` (the measurement's ``processor``, ``python`` and ``packages``), and ``rows``, each with
-    piece, input, ours, peer, theirs, ratio, target, met and spent. A quantity other than seconds follows the
-    piece's name.
+    the keys piece, input, ours, peer, theirs, ratio, target, met and spent. If a row measures something other
+    than seconds, its ``piece`` also names that quantity.
     """
     return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
 
@@ -60,12 +60,12 @@ def _shown_row(row: Mapping[Any, Any]) -> dict[str, Any]:
 
 
 def times(ratio: float) -> str:
-    """Format a ratio with three significant digits, or as a whole number from 1000 on."""
+    """Format a ratio with three significant digits, or as a whole number if it is at least 1000."""
     return f"{ratio:,.0f}" if ratio >= 1000 else f"{ratio:.3g}"
 
 
 def _amount(value: float, quantity: str) -> str:
-    """Format a number; times have a unit: seconds, or milliseconds below one second."""
+    """Format a number; times are given in seconds, or in milliseconds if they are below one second."""
     if pd.isna(value):
         return ""
     if quantity != _SECONDS:
@@ -74,9 +74,10 @@ def _amount(value: float, quantity: str) -> str:
 
 
 def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
-    """Draw each comparison's median ratio, range over pairs, and target; None without comparisons.
+    """Draw the median ratio, the range over pairs and the target of each comparison.
 
-    There are up to two panels: speed-up (more is better), and share of the peer's time (less is better).
+    There are up to two panels: one for speed-ups (more is better), and one for shares of the peer's time
+    (less is better). Returns None if there are no comparisons.
     """
     ratios = ratios_of(benchmarks)
     panels = [

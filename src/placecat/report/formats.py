@@ -45,7 +45,10 @@ def latex(text: str) -> str:
 
 
 def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
-    """Write one filled table as Markdown; for parameters, see :func:`placecat.report.grid.shown_table`."""
+    """Write one filled table as Markdown.
+
+    For the parameters, see :func:`placecat.report.grid.shown_table`.
+    """
     return _in_markdown().get_template("table.md.j2").render(**shown_table(settings, table, dataset))
 
 
@@ -53,7 +56,7 @@ def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mappi
     """Write one filled table as a LaTeX ``table`` environment, which needs ``\\usepackage{booktabs}``.
 
     Published numbers are in italics below each row of measured numbers, like standard errors under
-    coefficients; footnotes give the reasons for empty cells. For parameters, see
+    coefficients; footnotes give the reasons for empty cells. For the parameters, see
     :func:`placecat.report.grid.shown_table`.
     """
     return _in_latex().get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
@@ -67,7 +70,7 @@ def _in_markdown() -> Environment:
 
 @cache
 def _in_latex() -> Environment:
-    """Return an environment whose delimiters do not clash with LaTeX's braces."""
+    """Return a template environment whose delimiters do not clash with LaTeX's braces."""
     return environment("placecat.report").overlay(
         variable_start_string="<<",
         variable_end_string=">>",

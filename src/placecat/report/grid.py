@@ -13,7 +13,8 @@ from placecat.thesis.notes import Kind, Notes
 from placecat.thesis.number import home_label
 from placecat.thesis.tables import comparable, in_percent
 
-# Differences in points from which the shade is darker. Our choice: smaller ones may be due to the seed.
+# The shade gets darker at each of these differences, in points. Our choice: smaller differences may be due to
+# the seed.
 STEPS = (2.0, 5.0, 10.0, 20.0)
 NUMBERS = ("measured", "published", "spread", "seeds")
 
@@ -22,11 +23,11 @@ NUMBERS = ("measured", "published", "spread", "seeds")
 class Cell:
     """One cell of a table.
 
-    `measured` and `published` are percentages with two decimals, "" if missing; `published` is "n/a" if the
-    thesis says so. `difference` is measured minus published in points, None unless both exist. `spread` is
-    the largest minus the smallest value over the seeds in points, and `seeds` the number of seeds; they are
-    None and 0 if nothing is random. `mark` and `published_mark` are the letters of the footnotes on the two
-    numbers.
+    `measured` and `published` are percentages with two decimals, or "" if missing; `published` is "n/a" if
+    the thesis says so. `difference` is measured minus published in points, or None unless both exist.
+    `spread` is the largest minus the smallest value over the seeds, in points, and `seeds` is the number of
+    seeds. If nothing is random, they are None and 0. `mark` and `published_mark` are the letters of the
+    footnotes on the two numbers.
     """
 
     measured: str = ""
@@ -53,7 +54,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Group:
-    """Rows under a common name, "" for none."""
+    """Rows under a common name, which may be ""."""
 
     name: str
     rows: tuple[Row, ...]
@@ -63,8 +64,8 @@ class Group:
 class Grid:
     """A table arranged for display.
 
-    The average is the last of the `columns`; the `groups` of rows are in the table's order. `footnotes`
-    maps letters, in order, to reasons for empty cells and notes on single cells.
+    The average is the last of the `columns`. The `groups` of rows are in the table's order. `footnotes` maps
+    letters, in order, to notes on single cells and to the reasons why cells are empty.
     """
 
     columns: tuple[str, ...]
@@ -114,7 +115,10 @@ def shown_table(
 
 
 def make_cell(row: Mapping[Any, Any]) -> Cell:
-    """Make a cell from a row's `NUMBERS`: percentages, spread in points, number of seeds; NaN if missing."""
+    """Make a cell from the numbers in a row, which are NaN if missing.
+
+    These are the measured and the published percentage, the spread in points, and the number of seeds.
+    """
     measured, published, spread, seeds = (row[name] for name in NUMBERS)
     difference = round(float(measured - published), 2) + 0.0
     return Cell(
@@ -132,7 +136,7 @@ def number_text(value: float | None) -> str:
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """State which home each label of a row or column, such as "Home 1", stands for; "" if obvious."""
+    """State which home each label such as "Home 1" stands for; return "" if this is obvious."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]
@@ -143,10 +147,10 @@ def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
 
 
 def seeds_sentence(table: pd.DataFrame) -> str:
-    """State how many seeds the numbers average over, and how far these lie apart; "" if nothing is random.
+    """State how many seeds the numbers average over and how far they lie apart; "" if nothing is random.
 
-    The table has the columns measured, spread (points) and seeds; the columns group, row and column,
-    if present, locate the largest spread.
+    The table has the columns measured, spread (in points) and seeds. If it also has the columns group, row or
+    column, they are used to say where the spread is largest.
     """
     random = table[(table["seeds"] > 1) & table["spread"].notna() & table["measured"].notna()]
     if random.empty:
@@ -170,7 +174,7 @@ def _mark(notes: Notes, kind: Kind, footnotes: list[str]) -> str:
 
 
 def _letters(number: int) -> str:
-    """Return the letters of a footnote by its number from 0: a, b, ..., z, aa, ab, ..."""
+    """Return the letters of the footnote with a number from 0: a, b, ..., z, aa, ab, ..."""
     rest, last = divmod(number, 26)
     return (_letters(rest - 1) if rest else "") + chr(ord("a") + last)
 
@@ -188,10 +192,11 @@ def _cell(record: Mapping[Hashable, Any], footnotes: list[str]) -> Cell:
 
 
 def shade(difference: float | None) -> str:
-    """Return the name of a cell's shade for measured minus published in points; None means no comparison.
+    """Return the name of a cell's shade, which depends on how much the measured and published numbers differ.
 
-    The name is "above-1" to "above-4" or "below-1" to "below-4", higher for larger differences, or "" for a
-    small or missing difference.
+    The difference is measured minus published in points, or None if there is no comparison. The name is
+    "above-1" to "above-4" or "below-1" to "below-4", with higher numbers for larger differences. It is "" if
+    the difference is small or missing.
     """
     if difference is None:
         return ""
@@ -200,7 +205,7 @@ def shade(difference: float | None) -> str:
 
 
 def legend() -> list[tuple[str, str]]:
-    """List (shade, meaning) for every shade, from far below to far above."""
+    """List every shade with its meaning, from far below to far above."""
     bounds = [f"{low:g} to {high:g}" for low, high in itertools.pairwise(STEPS)]
     bounds.append(f"{STEPS[-1]:g} or more")
     below = [(f"below-{level}", f"{text} below") for level, text in enumerate(bounds, start=1)]

@@ -26,10 +26,10 @@ _UNCHANGED = ("dataset", "frames", "data_version", "replication", "times", "spee
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure: its number in the thesis (None if added), its caption and its name, e.g. "figure_02".
+    """One figure: its number in the thesis (or None), its caption and its name, e.g. "figure_02".
 
-    A missing figure has a `reason` instead of a `png`. `pdf` is the PDF's path relative to the page, or "";
-    `settings` are the figure's settings, e.g. "frames=300, home=2".
+    An additional figure has no number. A missing figure has a `reason` instead of a `png`. `pdf` is the PDF's
+    path relative to the page, or "". `settings` are the figure's settings, e.g. "frames=300, home=2".
     """
 
     number: int | None
@@ -43,24 +43,24 @@ class Figure:
 
 @dataclass(frozen=True)
 class Report:
-    """The content of the page; tables and figures may be in any order.
+    """The content of the page, with tables and figures in any order.
 
-    `dataset` has the run's ``title``, ``homes``, ``classes`` and ``thesis_data``; `frames` maps each home to
-    its number of frames in each place, and ``unlabelled``; `data_version` is the checksum of the data;
-    `settings` is the content of params.yaml. `in_text` has the numbers that appear only in the thesis's text:
-    name, section, quantity, home, published, measured, spread, seeds, notes. `findings` and `comparisons` are
-    from :func:`placecat.thesis.findings.ledger`: number, section, claim, published, measured, difference,
-    low, high, units, verdict, one ``verdict_...`` per reading, reason. The rest is optional:
+    `dataset` has the run's ``title``, ``homes``, ``classes`` and ``thesis_data``. `frames` maps each home to
+    its number of frames in each place and of those that are ``unlabelled``. `data_version` is the checksum of
+    the data, and `settings` is the content of params.yaml. `in_text` has the numbers that appear only in the
+    thesis's text, with the columns name, section, quantity, home, published, measured, spread, seeds and
+    notes. `findings` and `comparisons` are from :func:`placecat.thesis.findings.ledger`, which explains their
+    columns. The other attributes are optional:
 
     replication
-        The findings on many homes: ``title`` of their data set, numbers of ``homes`` and ``groups``, the
-        intervals' ``level``, ``verdicts`` (the number of findings with each), and ``findings``, a table with
-        the columns number, difference, low, high, units, verdict, and ``replicated``, which is False for
-        findings on data other than homes.
+        The findings on many homes: the ``title`` of their data set, the numbers of ``homes`` and ``groups``,
+        the ``level`` of the intervals, ``verdicts`` (how many findings have each verdict), and ``findings``.
+        The latter is a table with the columns number, difference, low, high, units, verdict, and
+        ``replicated``, which is False for findings on data other than homes.
     times
-        A stored record of a run's times: ``stages``, a table with the columns stage, runs (a stage may run
-        once per item, such as a home) and seconds; ``data``, the data set's title; ``cores``, the machine's
-        number of cores; and ``total``, the whole run's seconds.
+        A stored record of a run's times. ``stages`` is a table with the columns stage, runs and seconds; a
+        stage may run several times, for example once per home. ``data`` is the title of the data set,
+        ``cores`` the number of cores of the machine, and ``total`` the duration of the whole run in seconds.
     speed, scale
         Stored records from :func:`placecat.report.benchmarks.shown_speed` and
         :func:`placecat.report.scale.shown_scale`; each also has ``chart``, a PNG or None.
@@ -86,7 +86,7 @@ class Report:
 
 
 def page_html(report: Report) -> str:
-    """Render the page; equal reports give equal text."""
+    """Render the page; equal reports give identical text."""
     tables = {one.settings["number"]: _shown_table(one) for one in report.tables if one.settings["number"]}
     additions = [_shown_table(one) for one in report.tables if not one.settings["number"]]
     figures = {one.number: _shown_figure(one) for one in report.figures if one.number}
@@ -127,7 +127,7 @@ def page_html(report: Report) -> str:
 
 
 def anchor(settings: Mapping[str, Any]) -> str:
-    """Return a table's anchor on the page, ``table-26``, or ``addition-some-name`` if it has no number."""
+    """Return a table's anchor on the page, e.g. ``table-26``, or ``addition-some-name`` without a number."""
     number = settings["number"]
     return f"addition-{settings['name']}".replace("_", "-") if number is None else f"table-{number}"
 
@@ -203,7 +203,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """Make the cell of a number in the text; numbers other than percentages may have more decimals."""
+    """Make the cell for a number in the text; numbers other than percentages may have more decimals."""
     cell, values = make_cell(record), (record["measured"], record["published"])
     if all(pd.isna(value) or value == round(value, 2) for value in values):
         return cell
@@ -225,14 +225,14 @@ def _plain(table: pd.DataFrame) -> dict[str, Any]:
 
 
 def _number(value: Any) -> str:
-    """Format integers without decimals, floats with two, None and NaN as ""; leave text unchanged."""
+    """Format integers without decimals, floats with two decimals, and None and NaN as ""; keep text."""
     if value is None or isinstance(value, float):
         return number_text(value)
     return str(value)
 
 
 def _breakable(text: str) -> Markup:
-    """Allow a line break after a plus in a long label."""
+    """Allow a line break after each plus sign in a long label."""
     return escape(text).replace("+", Markup("+<wbr>"))
 
 
@@ -242,7 +242,10 @@ def _signed(value: float) -> str:
 
 
 def _at(points: float, limit: float) -> str:
-    """Return a value's position on a 100-pixel axis from -limit to limit; values beyond it go to its ends."""
+    """Return a value's position on a 100-pixel axis from -limit to limit.
+
+    Values outside the axis are moved to its ends.
+    """
     return f"{50 + 46 * max(-limit, min(limit, points)) / limit:.1f}"
 
 
@@ -261,7 +264,7 @@ def _json(content: Mapping[str, Any] | None) -> Markup | None:
 
 
 def _blocks(settings: str) -> list[dict[str, str]]:
-    """Split the settings into blocks of lines at their outermost names."""
+    """Split the settings into blocks of lines, one for each outermost name."""
     blocks: list[dict[str, str]] = []
     for line in settings.splitlines():
         if not blocks or (line and not line.startswith((" ", "-", "#"))):

@@ -59,7 +59,10 @@ class Run:
         self._frames: dict[tuple[str, int], Frame] = {}
 
     def threshold(self, name: str) -> float:
-        """Return an information filter's threshold; SettingError if it has a share of frames instead."""
+        """Return an information filter's threshold.
+
+        Raises SettingError if the filter has a share of frames instead.
+        """
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
             raise SettingError(f"the filter {name} has no threshold, which figures need: use another filter")
@@ -76,18 +79,21 @@ class Run:
 
     @cached_property
     def sources(self) -> dict[str, Source]:
-        """The files of each result's distributions, by the result's name."""
+        """The files that hold each result's distributions, by the name of the result."""
         return sources(self.params)
 
     def source(self, result: str) -> Source:
-        """Return the files of one result's distributions."""
+        """Return the files that hold one result's distributions."""
         if result not in self.sources:
             known = ", ".join(sorted(self.sources)) or "none"
             raise PlacecatError(f"this run has no distributions of {result!r}, only of {known}")
         return self.sources[result]
 
     def proba(self, result: str, home: str, seed: str | None = None) -> NDArray[np.float64]:
-        """Return a result's (frames, classes) distributions on a home, for a seed ("seed-0") or the first."""
+        """Return a result's (frames, classes) distributions on a home.
+
+        `seed` is the name of a seed, e.g. "seed-0"; None stands for the first one.
+        """
         source = self.source(result)
         if home not in source.homes:
             raise PlacecatError(f"{result} has no test home {home!r}, only {', '.join(source.homes)}")
@@ -100,7 +106,7 @@ class Run:
         return np.asarray(source.array(home, seed), np.float64)
 
     def labels(self, home: str) -> NDArray[np.int16]:
-        """Return a home's (frames,) class indices in order of time, -1 for unlabelled frames."""
+        """Return a home's (frames,) class indices in temporal order, with -1 for unlabelled frames."""
         return listing.read_labels(home)
 
     def sequence_slices(self, home: str) -> list[slice]:
@@ -114,8 +120,9 @@ class Run:
     def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
         """Decode some frames of a home in one pass.
 
-        `home` is in the main data set or in another one, such as ``university/north_2_cloudy_2``; `indices`
-        count from 0, in any order. Yields each index once, ascending, with its frame, (H, W, 3) uint8 BGR.
+        `home` is in the main data set or in another one, such as ``university/north_2_cloudy_2``. `indices`
+        start at 0 and may be in any order. Yields each index once, in ascending order, with its frame, (H, W,
+        3) uint8 BGR.
         """
         rows = sorted({int(index) for index in indices})
         files.existing(paths.sequences(home) / "frames.csv")
@@ -168,7 +175,7 @@ class Run:
         return Codebook.from_arrays(files.read_arrays(files.existing(path)))
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
-        """Return the indices of a home's frames that train cues and codebooks (thesis 4.2)."""
+        """Return the indices of the frames of a home on which cues and codebooks are trained (thesis 4.2)."""
         return protocol.select_frames(self.labels(home), **settings.get(self.params, "protocol.cue_frames"))
 
     def training_regions(self, codebook: str, test_home: str) -> TrainingRegions:
@@ -189,8 +196,8 @@ class Run:
     def example(self) -> tuple[str, int]:
         """The home and the frame that Figures 2 to 7 show, from ``figures.example``.
 
-        By default, this is the labelled frame with the largest information measure, in the home set there or,
-        without one, in any home.
+        By default, this is the labelled frame with the largest information measure. It is from the home in
+        the settings or, if they name none, from any home.
         """
         asked = self.options("example")
         homes = self.homes if asked.get("home") is None else (home_of(self, asked["home"]),)

@@ -1,4 +1,4 @@
-"""Measurements at the scale of the real home database for the report: as text and as a chart."""
+"""Show measurements at the scale of the real home database in the report, as text and as a chart."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -17,7 +17,8 @@ _LEAST = 10.0
 def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
     """Sum the CPU seconds of each stage's items in reports/scale.csv.
 
-    The index has the stages, in the order in which they ran, and ``all``; each column is a number of frames.
+    The index has the stages, in the order in which they ran, and ``all``. There is one column per number of
+    frames.
     """
     table = measured.pivot_table("cpu_seconds", "stage", "frames", aggfunc="sum", sort=False)
     table = table.reindex(columns=sorted(table.columns))
@@ -28,9 +29,9 @@ def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
 def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str, Any]) -> dict[str, Any]:
     """Format reports/scale.csv, scale_growth.csv and scale.json for a page.
 
-    ``sizes`` are numbers of frames; ``rows`` have the stage, its CPU seconds by size, its wall seconds and
-    peak memory at the largest size, and the exponents of its growth; the other entries describe the machine,
-    the largest size and a full run.
+    ``sizes`` are numbers of frames. Each of the ``rows`` has a stage, its CPU seconds for each size, its
+    elapsed seconds and peak memory at the largest size, and the exponents of its growth. The other entries
+    describe the machine, the largest size and a full run.
     """
     by_size = seconds_by_size(measured)
     of_stage = growth[growth["item"] == ""].set_index("stage")
@@ -56,9 +57,9 @@ def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str
 
 
 def growth_chart(measured: pd.DataFrame) -> Figure | None:
-    """Plot each stage's CPU seconds against the number of frames, on log axes; None for fewer than two sizes.
+    """Plot each stage's CPU seconds against the number of frames, on logarithmic axes.
 
-    `measured` is as for :func:`seconds_by_size`.
+    Returns None for fewer than two sizes. `measured` is as for :func:`seconds_by_size`.
     """
     by_size = seconds_by_size(measured)
     if by_size.shape[1] < 2:

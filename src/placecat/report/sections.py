@@ -30,9 +30,9 @@ THESIS = (
 
 
 def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Section], Section]:
-    """Distribute the numbers of existing tables and figures over the sections.
+    """Assign existing tables and figures, which are given by their numbers, to the sections.
 
-    Returns the non-empty sections of `THESIS`, and an untitled section with all other numbers.
+    Returns the non-empty sections of `THESIS`, and an untitled section with all numbers that are left.
     """
     sections = []
     for one in THESIS:

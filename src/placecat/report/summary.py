@@ -20,9 +20,9 @@ WU = {"frames": 41.87, "filtered": 46.78, "sift": 39.8}
 
 @dataclass(frozen=True)
 class Headline:
-    """One group of Table 26, averaged over homes: best cue, integration, and smoothed integration.
+    """One group of Table 26, averaged over homes: the best cue, integration, and smoothed integration.
 
-    `best` and `best_published` are the names of the best single cues here and in the thesis, or "".
+    `best` is the name of the best single cue here, and `best_published` that in the thesis; either may be "".
     """
 
     group: str
@@ -43,7 +43,7 @@ def best_system(table: pd.DataFrame) -> dict[str, Any] | None:
 
 
 def headlines(table: pd.DataFrame) -> list[Headline]:
-    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to a headline per group, in order."""
+    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to one headline per group, in order."""
     averages = table[table["column"] == AVERAGE]
     return [_headline(str(group), part) for group, part in averages.groupby("group", sort=False)]
 
@@ -68,13 +68,13 @@ def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:
-    """Map each column with the verdicts of another reading of the thesis to the reading's name."""
+    """Map each column that has verdicts for another reading of the thesis to the name of that reading."""
     prefix = "verdict_"
     return {name: name.removeprefix(prefix) for name in findings.columns if name.startswith(prefix)}
 
 
 def count_verdicts(findings: pd.DataFrame) -> dict[str, int]:
-    """Count the findings with each verdict, the usual three first."""
+    """Count the findings with each verdict; the three usual verdicts come first."""
     counts = findings["verdict"].value_counts()
     names = [*VERDICTS, *sorted(set(counts.index) - set(VERDICTS))]
     return {str(name): int(counts.get(name, 0)) for name in names}

@@ -8,19 +8,23 @@ if TYPE_CHECKING:
 
 
 def load(project: Path | str = ".") -> "pd.DataFrame":
-    """Load every number of the tables and of the text as one table, one row per cell.
+    """Load all numbers in the tables and in the text as one table with one row per cell.
 
-    `project` is the project's folder. Raises PlacecatError if the stage `report` has not run there. Columns:
-    ``cell`` is the cell's number (for ``placecat explain``); ``table``, ``title``, ``group``, ``row`` and
-    ``column`` locate the cell; ``home`` is the only test home, or "all". ``quantity`` is the measured
-    quantity; ``measured``, ``published`` and their ``difference`` are in ``unit``, NaN if missing. ``spread``
-    is the largest minus the smallest number over the ``seeds``; ``seed_names`` and ``by_seed`` list the seeds
-    and their numbers. ``note`` says why ``measured`` and ``published`` differ or one is missing; ``findings``
-    lists the findings that use the cell. The other columns tell where the number comes from: ``data`` and
-    ``published_data``; ``results``, ``system``, ``cues``, ``classifiers``, ``descriptors``, ``filter`` and
-    ``plan``; ``trained_on``; the numbers of frames that trained the cues (``training_frames``), trained the
-    integration (``integration_frames``) and were tested (``tested_frames``); ``settings`` as JSON; and DVC's
-    ``stages``.
+    `project` is the project's folder. Raises PlacecatError if the stage `report` has not run there.
+
+    The column ``cell`` has the cell's number (for ``placecat explain``), and ``table``, ``title``, ``group``,
+    ``row`` and ``column`` locate the cell. ``home`` is the test home if there is only one, else "all".
+    ``quantity`` is the measured quantity. ``measured``, ``published`` and their ``difference`` are in
+    ``unit``, and NaN if missing. ``spread`` is the largest minus the smallest number over the ``seeds``,
+    while ``seed_names`` and ``by_seed`` list the seeds and their numbers. ``note`` says why ``measured`` and
+    ``published`` differ or why one of them is missing. ``findings`` lists the findings that use the cell.
+
+    The other columns tell where the number comes from. ``data`` and ``published_data`` are the data sets.
+    ``results``, ``system``, ``cues``, ``classifiers``, ``descriptors``, ``filter`` and ``plan`` say how the
+    number was made, and ``trained_on`` lists the homes that were used for training. ``training_frames``,
+    ``integration_frames`` and ``tested_frames`` are the numbers of frames on which the cues were trained, the
+    integration was trained, and the result was tested. ``settings`` has the settings as JSON, and ``stages``
+    DVC's stages.
     """
     import pandas as pd
 

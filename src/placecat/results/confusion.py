@@ -1,4 +1,4 @@
-"""Confusion tables of decisions: counts in each home, counts over all homes, and shares."""
+"""Confusion tables of decisions: counts in each home, counts over all homes, and percentages."""
 
 import itertools
 
@@ -17,7 +17,7 @@ def in_home(one: Measured, home: str) -> Measured:
 
 
 def confusion_rows(one: Measured) -> pd.DataFrame:
-    """Return the counts as a table with the columns home, seed and truth, and one per decided place."""
+    """Return the counts as a table with the columns home, seed, truth, and one column per decided place."""
     counts = one.confusion.swapaxes(0, 1).reshape(-1, len(one.classes))
     rows = pd.DataFrame(counts, columns=list(one.classes))
     # This is faster than turning an index of all combinations into columns.
@@ -28,17 +28,20 @@ def confusion_rows(one: Measured) -> pd.DataFrame:
 
 
 def pooled_rows(one: Measured) -> pd.DataFrame:
-    """Return the counts over all homes and seeds as a table: column truth, and one per decided place."""
+    """Return the counts over all homes and seeds: the column truth, and one column per decided place."""
     labels = pd.Index(one.classes, name="truth")
     return pd.DataFrame(pooled_counts(one), labels, list(one.classes)).reset_index()
 
 
 def pooled_counts(one: Measured) -> np.ndarray:
-    """Return (classes, classes) counts over all homes and seeds, by true (row) and decided (column) place."""
+    """Return (classes, classes) counts over all homes and seeds.
+
+    Rows are true places, and columns are decided places.
+    """
     return one.confusion.sum(axis=(0, 1))
 
 
 def shares(counts: np.ndarray) -> np.ndarray:
-    """Turn counts into (classes, classes) percentages of each row; NaN for a place without frames."""
+    """Turn (classes, classes) counts into percentages of each row; NaN for a place without frames."""
     frames = counts.sum(axis=1, keepdims=True)
     return np.divide(100.0 * counts, frames, out=np.full(counts.shape, np.nan), where=frames > 0)

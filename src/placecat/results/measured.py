@@ -17,7 +17,7 @@ from placecat.paths import NO_SEED
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
 DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
-# Measures that are means, and their names in tables; the other measures are counts.
+# Measures that are means, with their names in tables; the other measures are counts.
 MEASURES = {
     "log_loss": "Log loss",
     "calibration_error": "Calibration error",
@@ -72,7 +72,7 @@ class Measured:
 
 @dataclass(frozen=True)
 class Quality:
-    """The quality of a result's distributions in some test homes, for each seed (as for :class:`Measured`).
+    """The quality of a result's distributions in some test homes, for each seed (see :class:`Measured`).
 
     `values` maps each field of :class:`placecat.evaluation.quality.HomeQuality` to a (seeds, homes) array.
     """
@@ -87,18 +87,24 @@ class Quality:
         return self.seeds != (NO_SEED,)
 
     def over_homes(self, measure: str) -> NDArray[np.float64]:
-        """Return (seeds,) means of one of `MEASURES` over homes; (0,) if no home has a labelled frame."""
+        """Return the means of a measure over homes: (seeds,), or (0,) if no home has a labelled frame.
+
+        `measure` is one of `MEASURES`.
+        """
         values = self.values[measure]
         there = np.isfinite(values).all(axis=0)
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """Return (seeds,) percentages of correctly named stays in all homes; (0,) without stays."""
+        """Return, for each seed, what percentage of the stays in all homes is named correctly.
+
+        The percentages are (seeds,), or (0,) without stays.
+        """
         stays = self.values["stays"].sum(axis=1)
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
 
     def averages(self) -> dict[str, float]:
-        """Return the rounded mean of each of `MEASURES` that has a number, over homes and seeds."""
+        """Return the rounded mean over homes and seeds for each of the `MEASURES` that has a number."""
         means = {measure: self.over_homes(measure) for measure in MEASURES}
         return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
 
@@ -116,7 +122,7 @@ class Results:
     missing
         Maps each missing (result, home) to the reason why this data does not allow it.
     stays
-        The results on further data sets by stay: each stay (a visit to a place) is treated like a home, and
+        The results on further data sets, by stay. Each stay (a visit to a place) is treated like a home, and
         all its frames show the same place.
     dropped
         Maps each information filter's name to a table of the frames that it drops
@@ -139,7 +145,7 @@ class Results:
         return range(1, len(self.homes) + 1)
 
     def of(self, name: str) -> Measured:
-        """Look up a result; for an unknown name, raise PlacecatError with the most similar names."""
+        """Look up a result; raise PlacecatError, with the most similar names, if the name is unknown."""
         if name not in self.measured:
             near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
             raise PlacecatError(f"result {name!r} does not exist: did you mean {' or '.join(near)}?")
@@ -166,10 +172,10 @@ class Results:
         return f"the threshold {threshold} drops {share:.0f} % of the labelled frames"
 
     def accuracy_table(self) -> pd.DataFrame:
-        """List all accuracies: result, home, place, frames, accuracy (mean over seeds), spread, seeds.
+        """List all accuracies, with the columns result, home, place, frames, accuracy, spread and seeds.
 
-        ``place`` is "all" for the mean over places; ``spread`` is the largest minus the smallest accuracy
-        over seeds, NaN if nothing is random.
+        ``accuracy`` is the mean over seeds. ``place`` is "all" for the mean over places. ``spread`` is the
+        largest minus the smallest accuracy over seeds, or NaN if nothing is random.
         """
         rows = []
         for name, one in self.measured.items():
@@ -186,13 +192,16 @@ class Results:
 
 
 def mean_and_spread(values: NDArray[np.float64], *, random: bool) -> tuple[float, float]:
-    """Return the mean, and the largest minus the smallest value (NaN if not random), with 2 decimals."""
+    """Return the mean and the spread of some values, rounded to 2 decimals.
+
+    The spread is the largest minus the smallest value, or NaN if they are not random.
+    """
     spread = round(float(values.max() - values.min()), 2) if random else float("nan")
     return round(float(values.mean()), 2), spread
 
 
 def score_rows(name: str, one: Measured) -> list[tuple[str, str, str, str, str, int]]:
-    """List a result's rows in the score file (`SCORE_COLUMNS`), without those of 0 frames."""
+    """List a result's rows in the score file (`SCORE_COLUMNS`), leaving out counts of 0 frames."""
     return [
         (name, one.homes[h], one.seeds[s], one.classes[i], one.classes[k], int(one.confusion[s, h, i, k]))
         for s, h, i, k in np.argwhere(one.confusion).tolist()
@@ -208,7 +217,7 @@ def from_scores(
     stays: pd.DataFrame | None = None,
     dropped: pd.DataFrame | None = None,
 ) -> Results:
-    """Build the results from the rows of `score_rows`; in `stays`, stays replace homes.
+    """Build the results from the rows of `score_rows`; the rows in `stays` have stays instead of homes.
 
     `scores` and `missing` have the columns `SCORE_COLUMNS` and `MISSING_COLUMNS`. `classes` lists the main
     data set's places, and `other_classes` those of each other data set. Each result uses the first list,

@@ -1,4 +1,4 @@
-"""The quality of all results' distributions: log-loss, calibration error, and correctly named stays."""
+"""The quality of the distributions of all results: log-loss, calibration error, and stay accuracy."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def gather(homes: Sequence[str], seeds: Sequence[str], measured: Sequence[Sequen
 
 
 def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
-    """List a result's rows in the file of all results (`QUALITY_COLUMNS`)."""
+    """List the rows of one result in the file of all results (`QUALITY_COLUMNS`)."""
     rows = []
     for s, seed in enumerate(one.seeds):
         for h, home in enumerate(one.homes):
@@ -55,10 +55,11 @@ def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
 def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
     """Average each result's measures over its homes and seeds, one row per result.
 
-    Columns: result; the numbers of homes, seeds (0 if nothing is random) and stays; log_loss (nats);
-    calibration_error (percent); stay_accuracy (percent, averaged over the places in a home, then over homes);
-    stay_share, the percentage of correctly named stays; and for each measure ``..._spread``, the largest
-    minus the smallest number over seeds, NaN if nothing is random.
+    The columns are result, the numbers of homes, seeds (0 if nothing is random) and stays, log_loss (nats),
+    calibration_error (percent), stay_accuracy (percent, averaged over the places in a home, then over homes),
+    and stay_share (the percentage of all stays that are named correctly). In addition, each measure has a
+    column ``..._spread``, which is the largest minus the smallest number over seeds, or NaN if nothing is
+    random.
     """
     rows = []
     for name, one in found.items():

@@ -14,10 +14,10 @@ from placecat.training import fold_file, protocol
 
 @dataclass(frozen=True)
 class Source:
-    """The files of a result's distributions over `classes`.
+    """The files that hold a result's distributions over `classes`.
 
-    Each test home and seed has a file with the array `name`. Test homes are named like their folders;
-    `site` is the further data set they belong to, "" for the main one.
+    Each test home and seed has a file with the array `name`. Test homes are named like their folders. `site`
+    is the data set to which they belong, or "" for the main one.
     """
 
     folder: Path
@@ -44,7 +44,7 @@ class Source:
 
 
 def sources(params: Mapping[str, Any]) -> dict[str, Source]:
-    """Find, from the settings, the sources of every result that has distributions, by the result's name.
+    """Map the name of every result that has distributions to its sources, according to the settings.
 
     Examples of names are ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
     ``smoothing/...`` (before and after the delay), ``filtered/informative/gist`` and

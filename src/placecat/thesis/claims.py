@@ -47,7 +47,7 @@ class Side:
     published: tuple[Mapping[str, Any], ...] | None = None
 
     def only(self, results: Sequence[str]) -> "Side":
-        """Return the side with only some of its results, which keep their published numbers."""
+        """Return the side with only some of its results; these keep their published numbers."""
         published = self.published
         if published is not None and len(published) == len(self.results):
             published = tuple(
@@ -66,14 +66,16 @@ class Side:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Left minus right, or left divided by right, and the claimed range.
+    """A difference (left minus right) or ratio (left divided by right), with the claimed range.
 
     Attributes
     ----------
     left, right
-        The two sides. Without `right`, the left side is compared with the number of the range ``above``.
+        The two sides. Without `right`, the left side is compared with the number that belongs to the range
+        ``above``.
     range
-        A kind of range, and its number if it takes one (see :func:`placecat.thesis.rules.claimed_range`).
+        A kind of range, and a number if this kind takes one (see
+        :func:`placecat.thesis.rules.claimed_range`).
     compare
         ``difference`` or ``ratio``.
     published
@@ -107,10 +109,11 @@ class Finding:
     name
         The file's name, e.g. ``finding_04``.
     readings
-        Other readings of the thesis. Maps each reading's name, e.g. ``as_printed``, to replacements for parts
-        of the results' names.
+        Other readings of the thesis, by name, e.g. ``as_printed``. Each reading maps parts of result names to
+        their replacements.
     filters
-        Information filters. The verdict's reason states the share of frames that each one drops.
+        Names of information filters. For each of them, the reason of the verdict states the share of frames
+        that it drops.
     """
 
     name: str
@@ -134,9 +137,9 @@ class Finding:
 def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     """Read a finding from its settings.
 
-    A comparison with ``each``, a list of mappings, stands for one comparison per mapping; the mapping's
-    values replace each ``{key}`` in the comparison's text. Unknown, missing or contradictory settings raise
-    PlacecatError.
+    A comparison may have ``each``, a list of mappings. It then stands for one comparison per mapping, in
+    which the values of the mapping replace each ``{key}`` in the text. Raises PlacecatError if settings are
+    unknown, missing or contradictory.
     """
     where = f"{paths.FINDING_DEFINITIONS / name}.yaml"
     finding: Finding = settings.call(Finding, name, settings=config, where=where)

@@ -1,4 +1,4 @@
-"""Compare results: a variant, its baseline, and their difference."""
+"""Compare results: show a variant, its baseline, and their difference."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -29,7 +29,7 @@ from placecat.thesis.number import (
 
 DIFFERENCE = "difference"
 SETTINGS = ["homes", "variant", "baseline", "pairs", "label", "places", "summary", "error_ratio", "plain"]
-# Stands for the best label of an axis in a trial's name.
+# In a trial's name, this stands for the best label of an axis.
 BEST = "*"
 _SPLIT = "splits/"
 
@@ -53,26 +53,28 @@ class Pair(NamedTuple):
 
 
 def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
-    """Compare two results, several pairs, or, pair by pair, all trials below two names that end in "/".
+    """Compare a variant with a baseline, for one or several pairs of results.
 
-    Returns both sides in percent and the difference, variant minus baseline, in points. The average is over
-    the homes in which both were measured. For a split, the frames of all sequences are counted together.
-    Raises PlacecatError for an unknown setting or result.
+    If the names of both results end in "/", each trial below the one is compared with the same trial below
+    the other. Returns both sides in percent and the difference, variant minus baseline, in points. The
+    average is over the homes in which both were measured. For a split, the frames of all sequences are
+    counted together. Raises PlacecatError for an unknown setting or result.
 
     Parameters
     ----------
     entry
-        ``variant`` and ``baseline``, each with ``quantity`` (its name) and ``result``. Instead of their
-        results, ``pairs`` can list a variant and a baseline for each label. In a trial's name, ``*`` stands
-        for the axis label that is best on average. ``homes``: numbers (from 1) of homes to show in addition
-        to the average, or None for results on other data sets. ``places``: places to compare one by one as
-        well, or "all". ``label``: the name of each pair of trials, made from the axis labels, e.g.
-        "{column} clusters". ``summary``: one or more of "mean", "lowest" and "highest", taken over the
-        differences (by place, if there are any). ``error_ratio``: its ``quantity``, and the names of two
-        more results as ``variant`` and ``baseline``. ``plain``: for results on other data sets, whether the
-        share of correct frames counts, regardless of their place.
+        ``variant`` and ``baseline`` each have a ``quantity`` (the name of what is shown) and a ``result``.
+        Instead of these results, ``pairs`` can list a variant and a baseline for each label. In a trial's
+        name, ``*`` stands for the axis label that is best on average. ``homes`` has the numbers (from 1) of
+        homes to show in addition to the average, or is None for results on other data sets. ``places`` lists
+        places that are also compared one by one, or is "all". ``label`` names each pair of trials by the
+        labels of the axes, e.g. "{column} clusters". ``summary`` is one or more of "mean", "lowest" and
+        "highest", computed over the differences in single places or, without ``places``, over all
+        differences. ``error_ratio`` has a ``quantity`` of its own, and the names of two further results as
+        ``variant`` and ``baseline``. ``plain`` applies to results on other data sets and says whether to use
+        the share of correct frames, regardless of their place.
     where
-        Name of the entry in messages.
+        Name of the entry, for error messages.
     """
     settings.refuse_unknown(entry, SETTINGS, where)
     lines: list[Line] = []
@@ -137,7 +139,7 @@ def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
 
 
 def _best(pattern: str, results: Results) -> tuple[str, str]:
-    """Find the trial of a pattern that is best on average over homes; return its name and a note."""
+    """Find the trial that matches a pattern and is best on average over homes; return its name and a note."""
     if BEST not in pattern:
         return pattern, ""
     wanted = re.compile(re.escape(pattern).replace(re.escape(BEST), "([^|]*)"))
@@ -149,7 +151,7 @@ def _best(pattern: str, results: Results) -> tuple[str, str]:
 
 
 def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tuple[str, Number, Number]]:
-    """List the label and the two numbers for each home of the entry, and for the average."""
+    """For each home of the entry and for the average, list the label and the two numbers."""
     names = (pair.variant, pair.baseline)
     homes: Sequence[int] | None = entry["homes"]
     if homes is None:

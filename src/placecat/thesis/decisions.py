@@ -13,8 +13,9 @@ from placecat.thesis.number import AVERAGE, home_label
 def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, Measured]]:
     """Find the results behind each row of a table (:func:`placecat.thesis.tables.tables_of`).
 
-    Maps each (group, row) to its results by column; a row with a single result has it under "". If a row is a
-    home, its results are restricted to that home. Results that this data does not allow are left out.
+    Returns a mapping from each (group, row) to the results in this row, by column. If a row has a single
+    result, its column is "". If a row is a home, its results are restricted to that home. Results that this
+    data does not allow are left out.
     """
     if "trial" in table:
         return _of_trials(table, results)
@@ -26,7 +27,7 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
 
 
 def _by_home(one: Measured, results: Results) -> dict[str, Measured]:
-    """Split a result by home, named as in the tables; if there are several homes, add the whole result."""
+    """Split a result by home, using the tables' names for homes; with several homes, add the whole result."""
     found = {
         home_label(number): in_home(one, home)
         for number, home in enumerate(results.homes, start=1)

@@ -21,13 +21,13 @@ _OF_TRIALS = ("trial", "homes", "axes")
 
 
 def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Read the tables that show the pipeline's results, by name, e.g. ``table_26``, in order.
+    """Read the tables that show the pipeline's results, in order and by name, e.g. ``table_26``.
 
     Each table has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and the layout's
-    settings. A table with `needs` is included only if `params`, all settings, contain that setting. `root` is
-    the project's folder.
+    settings. A table may name a setting in `needs`. It is then included only if `params`, which has all
+    settings, contains that setting. `root` is the project's folder.
 
-    Raises PlacecatError, with the file's name, for invalid YAML or an unknown key or setting.
+    Raises PlacecatError, with the name of the file, for invalid YAML or an unknown key or setting.
     """
     found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml")), params, root)
     for path, table in found.items():
@@ -40,16 +40,19 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
 
 
 def optional(root: Path = Path()) -> list[str]:
-    """List, in order, the names of tables that need a setting; runs without it do not change them."""
+    """List, in order, the names of the tables that need a setting.
+
+    Runs without this setting leave these tables unchanged.
+    """
     files = sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml"))
     return [path.stem for path in files if "needs" in _yaml(path)]
 
 
 def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, dict[str, Any]]]:
-    """Read the tables whose cells are trials, like :func:`tables`, from one folder per study.
+    """Read the tables whose cells are trials, as :func:`tables` does, from one folder per study.
 
-    Maps each study to its tables by name; each table also has ``trial``, ``homes`` and ``axes``
-    (:func:`placecat.evaluation.trials.expand`).
+    Returns a mapping from each study to its tables by name. Each table also has ``trial``, ``homes`` and
+    ``axes`` (:func:`placecat.evaluation.trials.expand`).
     """
     found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*/*.yaml")), params, root)
     by_study: dict[str, dict[str, dict[str, Any]]] = {}
@@ -84,7 +87,10 @@ def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path
 
 
 def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, Any]) -> Any:
-    """Replace ``${NAME}`` by the setting; ``${..NAME}`` is a sibling of the mapping that contains it."""
+    """Replace ``${NAME}`` by the setting.
+
+    ``${..NAME}`` refers to a sibling of the mapping that contains it.
+    """
     if isinstance(value, dict):
         return {key: _set(one, (value, *around), params) for key, one in value.items()}
     if isinstance(value, list):

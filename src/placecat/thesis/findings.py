@@ -29,18 +29,18 @@ def ledger(
     Returns
     -------
     findings
-        One row per finding, ordered by number: number, section, claim, published, measured, difference, low,
-        high, units, verdict, one ``verdict_...`` per reading ("" if the finding has no such reading), reason.
-        A finding with several comparisons shows the deciding one; `difference` is a ratio if that comparison
-        is a ratio.
+        One row per finding, ordered by number. The columns are number, section, claim, published, measured,
+        difference, low, high, units, verdict, one ``verdict_...`` per reading ("" if the finding has no such
+        reading), and reason. A finding with several comparisons shows the deciding one. If that comparison is
+        a ratio, so is `difference`.
     comparisons
-        One row per comparison: finding, reading ("" or the other reading's name), left, right, compare,
-        published_left, published_right, published, measured_left, measured_right, measured, low, high,
-        corrected_low, corrected_high, range, units, verdict, reason, left_results, right_results. `published`
-        and `measured` are the difference, or the ratio, according to `compare`. `low` and `high` decide
-        whether a comparison holds; the corrected ends, which allow for the number of comparisons in the
-        finding, decide whether it fails. A comparison without measurements is undecided. Numbers are percent
-        or points with 2 decimals, NaN if missing.
+        One row per comparison. The columns are finding, reading ("" or the name of another reading), left,
+        right, compare, published_left, published_right, published, measured_left, measured_right, measured,
+        low, high, corrected_low, corrected_high, range, units, verdict, reason, left_results and
+        right_results. `published` and `measured` are differences or ratios, according to `compare`. `low` and
+        `high` decide whether a comparison holds. The corrected ends allow for the number of comparisons in
+        the finding and decide whether it fails. A comparison without measurements is undecided. Numbers are
+        in percent or points, with 2 decimals, and NaN if missing.
     judged
         The judgement behind each row of `comparisons`.
     """
@@ -100,7 +100,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
 
 
 def _margin(judged: Judged) -> tuple[bool, float]:
-    """Return a sort key, smallest for the deciding comparison; comparisons without an interval come last."""
+    """Return a sort key that is smallest for the deciding comparison; those without an interval come last."""
     if judged.measurement is None or np.isnan(judged.measurement.interval.low):
         return True, 0.0
     return False, judged.claimed.margin(judged.measurement.interval) if judged.claimed else 0.0

@@ -1,4 +1,4 @@
-"""Measured and published numbers that appear only in the thesis's text."""
+"""The numbers that appear only in the text of the thesis, as measured and as published."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -24,7 +24,7 @@ _OF_THE_DATA = ("thesis_data", "data", "split")
 
 
 class _Said(NamedTuple):
-    """A quantity in the thesis: its number (NaN if the thesis has only words), the words, and a note."""
+    """A quantity in the thesis: its number (NaN if the thesis gives only words), the words, and a note."""
 
     value: float = np.nan
     quote: str = ""
@@ -32,7 +32,7 @@ class _Said(NamedTuple):
 
 
 def fill(results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
-    """Fill the numbers in the thesis's text (:func:`in_text`), with the files in data/thesis.
+    """Fill in the numbers in the thesis's text (see :func:`in_text`), using the files in data/thesis.
 
     Raises PlacecatError if one of these files is damaged, or a stage's record is missing.
     """
@@ -57,22 +57,24 @@ def in_text(
 ) -> pd.DataFrame:
     """Compare the measured numbers with those in the thesis's text.
 
-    Returns the columns name, section, quantity, home ("Home 6", "Average", or "" for neither), and further
-    columns as :func:`~placecat.thesis.tables.fill_table` does, from published on. A comparison has rows for
-    both sides and for their difference, variant minus baseline, in points. Raises PlacecatError for an
-    unknown setting or result, an entry without a published line, or a published line without an entry.
+    Returns a table with the columns name, section, quantity and home ("Home 6", "Average", or "" for
+    neither). The further columns are those of :func:`~placecat.thesis.tables.fill_table` from ``published``
+    on. A comparison has a row for each side, and one for their difference (variant minus baseline, in
+    points). Raises PlacecatError for an unknown setting or result, an entry without a published line, or a
+    published line without an entry.
 
     Parameters
     ----------
     entries
-        Maps each entry's name to its settings (see data/thesis/in_text.yaml): those of
-        :func:`~placecat.thesis.comparison.compare`, :func:`~placecat.thesis.comparison.alone` (with
-        ``result``) or :func:`~placecat.thesis.records.read_off` (with ``record``), with ``thesis_data`` and,
-        if not measured on the main data set, its data (``split``, or ``data`` in words). An entry that was
-        not measured has only a ``reference``, which gives the reason.
+        Maps the name of each entry to its settings (see data/thesis/in_text.yaml). These are the settings of
+        :func:`~placecat.thesis.comparison.alone` if they include ``result``, of
+        :func:`~placecat.thesis.records.read_off` if they include ``record``, and otherwise of
+        :func:`~placecat.thesis.comparison.compare`. In addition, there is ``thesis_data``. If the entry was
+        not measured on the main data set, ``split`` names its data, or ``data`` describes it in words. An
+        entry that was not measured has only a ``reference``, which gives the reason.
     published
-        Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note; the
-        note lists passages in the thesis that contradict the value.
+        Table with the columns name, section, quantity, home, value (NaN if the thesis gives only words),
+        quote and note. The note lists passages in the thesis that contradict the value.
     dataset, splits
         ``title`` and ``thesis_data`` of the main data set, and of each split's data set.
     records

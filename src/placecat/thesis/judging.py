@@ -28,7 +28,7 @@ _WHERE = {
 
 
 class Thesis(NamedTuple):
-    """The thesis's numbers: one per side, and their difference (or ratio); missing ones are NaN."""
+    """The thesis's numbers: one per side, and their difference or ratio. Missing numbers are NaN."""
 
     numbers: tuple[float, ...]
     difference: float
@@ -47,9 +47,10 @@ class Measurement:
     results
         The results used on each side.
     interval
-        Interval of the difference (or ratio), rounded to 2 decimals; the ends are NaN for a single unit.
+        Interval of the difference or ratio, rounded to 2 decimals; its ends are NaN if there is only one
+        unit.
     corrected
-        The interval at the level that allows for the finding's number of comparisons.
+        The interval at a level that allows for the number of comparisons in the finding.
     """
 
     paired: Paired | Pooled
@@ -84,8 +85,8 @@ def judge_comparison(
 ) -> Judged:
     """Judge one comparison; it is undecided if measurements are missing.
 
-    `finding` is the finding's name, which determines the bootstrap's seed; `comparisons` is the finding's
-    number of comparisons, all of which must hold. Invalid settings raise PlacecatError.
+    `finding` is the name of the finding, which determines the seed of the bootstrap. `comparisons` is the
+    number of comparisons in the finding, all of which must hold. Raises PlacecatError for invalid settings.
     """
     measured, missing = None, ""
     try:
@@ -116,9 +117,10 @@ def judge_comparison(
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
     """Judge whether a change hurts in some cases and helps in others; return a verdict and its reason.
 
-    A case is a pair of results in a home (or in all pooled sequences); homes may differ between comparisons.
-    It counts as worse or better if the difference is noticeable with every seed; the shares are computed from
-    means over seeds. The rule is that of :func:`placecat.evaluation.verdict.judge_shares`.
+    A case is a pair of results in one home, or in all sequences if they are pooled. Different comparisons may
+    have different homes. A case is counted as worse or better if the difference is noticeable with every
+    seed. The shares of worse and better cases, however, are computed from means over seeds. The verdict
+    follows :func:`placecat.evaluation.verdict.judge_shares`.
     """
     cases = [_gains(one.paired) for one in measured]
     worse = sum(int((one <= -rules.noticeable).all(axis=2).sum()) for one in cases)
@@ -140,7 +142,10 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
 
 
 def look_up(comparison: Comparison, published: Published, sides: Sequence[Side]) -> Thesis:
-    """Look up a comparison's published numbers; `sides` are its sides, perhaps with only some results."""
+    """Look up a comparison's published numbers.
+
+    `sides` are the sides of the comparison, which may be reduced to some of their results.
+    """
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
     difference = _compare(comparison, numbers)[0]
@@ -152,7 +157,7 @@ def look_up(comparison: Comparison, published: Published, sides: Sequence[Side])
 def _measure(
     finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int
 ) -> Measurement:
-    """Measure a comparison with a bootstrap over its units; a ratio to 0 raises NotComputable."""
+    """Measure a comparison with a bootstrap over its units; raises NotComputable if a ratio divides by 0."""
 
     def sides_of(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
         return [_combine(side, of_side) for side, of_side in zip(paired.sides, values, strict=True)]
@@ -181,9 +186,9 @@ def _measure(
 
 
 def in_each_home(comparison: Comparison, paired: Paired) -> NDArray[np.float64]:
-    """Return the (homes,) difference (or ratio) of the sides' means over seeds in each home.
+    """Return the (homes,) differences or ratios of the sides, computed from their means over seeds.
 
-    Raises NotComputable for a ratio to 0.
+    Raises NotComputable if a ratio divides by 0.
     """
     sides = [
         _combine(side, values.mean(axis=2)) for side, values in zip(paired.sides, paired.values, strict=True)
@@ -210,7 +215,10 @@ def _combine(side: Side, values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
-    """Return the (n,) differences (or ratios) of one or two sides with (n,) values each."""
+    """Return the (n,) differences or ratios of two sides with (n,) values each.
+
+    A single side is compared with the number of its range.
+    """
     if len(sides) == 1:
         return sides[0] - (comparison.range[1] or 0.0)
     if comparison.compare == "difference":
@@ -221,7 +229,10 @@ def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> ND
 
 
 def _gains(paired: Paired | Pooled) -> NDArray[np.float64]:
-    """Return left minus right per pair of results, (results, homes, seeds); empty if they do not pair."""
+    """Return left minus right for each pair of results, (results, homes, seeds).
+
+    The array is empty if the sides cannot be paired.
+    """
     if len(paired.values) == 2 and len(paired.values[0]) == len(paired.values[1]):
         return paired.values[0] - paired.values[1]
     return np.empty((0, *paired.values[0].shape[1:]))

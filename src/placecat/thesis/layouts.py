@@ -1,4 +1,4 @@
-"""Table layouts, which determine the measured number of each cell; a table's ``layout`` names one."""
+"""Table layouts, which determine the measured number in each cell; each table names its ``layout``."""
 
 import itertools
 from collections.abc import Mapping
@@ -23,7 +23,7 @@ from placecat.thesis.number import (
     over_homes,
 )
 
-# A cell's group, row and column in the published tables; and the number of each cell.
+# The group, row and column of a cell in the published tables, and the number of each cell.
 Key = tuple[str, str, str]
 Cells = dict[Key, Number]
 
@@ -36,8 +36,8 @@ def place_column(place: str) -> str:
 def by_class(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per test home, one column per place, and averages over places and homes (e.g. Table 6).
 
-    All cells show ``table["result"]``. A place's average is over the homes that show it; the overall average
-    is the mean over the homes' averages, as in every table.
+    All cells show the result ``table["result"]``. The average for a place is over the homes that show it. The
+    overall average is the mean of the homes' averages, as in every table.
     """
     name = table["result"]
     of_place = {
@@ -71,11 +71,11 @@ def by_home(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
-    """Like `by_home`, but with the gains of some results over the best of others, in points.
+    """Like `by_home`, but also with gains: how many points some results are better than the best of others.
 
     Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
-    `result` and `over`, a list of results. A gain is `result` minus the result in `over` with the highest
-    average over homes, which is the same one in every home; a note names it.
+    `result` and `over`, a list of results. A gain is `result` minus the best result in `over`, the one with
+    the highest average over homes. It is the same result in every home, and a note names it.
     """
     names = {row["result"]: row["row"] for row in table["rows"]}
     filled = by_home(table, results)
@@ -92,11 +92,11 @@ def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def grid(table: Mapping[str, Any], results: Results) -> Cells:
-    """A separate trial for each combination of axis labels; an axis can be the test homes (e.g. Table 12).
+    """One trial for each combination of axis labels; the test homes can be an axis (e.g. Table 12).
 
-    ``table["axes"]`` defines the trials, which are tested in ``table["homes"]``. An axis of homes has the
-    labels "Home n" and, for two or more homes, "Average". Without such an axis, each cell is the mean over
-    the homes.
+    ``table["axes"]`` defines the trials, which are tested in ``table["homes"]``. If the homes are an axis,
+    its labels are "Home n" and, for two or more homes, "Average". Otherwise, each cell is the mean over the
+    homes.
     """
     axes = [table["axes"].get(axis, {"": {}}) for axis in AXES]
     numbers = results.numbers if table["homes"] == "all" else [int(number) for number in table["homes"]]
@@ -113,10 +113,10 @@ def grid(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
-    """One row per result, one column per place, all test sequences counted together (Tables 30 and 31).
+    """One row per result and one column per place, over all test sequences together (Tables 30 and 31).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result`. ``table["plain"]``, if present, names a column
-    for the share of correct frames, regardless of their place.
+    Each of ``table["rows"]`` has `group`, `row` and `result`. If there is ``table["plain"]``, it is the name
+    of a column for the share of correct frames, regardless of their place.
     """
     filled: Cells = {}
     for row in table["rows"]:
@@ -138,10 +138,10 @@ def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
-    """One row per result: the quality of its distributions, averaged over test homes (our addition).
+    """One row per result, with the quality of its distributions averaged over test homes (our addition).
 
     Each of ``table["rows"]`` has `group`, `row` and `result`, a result on the main data set. The columns are
-    log-loss (nats), calibration error and stay accuracy (both in percent), see
+    log-loss (in nats), calibration error and stay accuracy (both in percent); see
     :class:`placecat.evaluation.quality.HomeQuality`.
     """
     return {

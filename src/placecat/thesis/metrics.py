@@ -13,16 +13,16 @@ from placecat.settings import refuse_unknown
 
 CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
 ACCURACY, LOG_LOSS = "accuracy", "log_loss"
-# Stands for a row or group without a name if other rows or groups of the table have names.
+# If other rows or groups of the table have names, this stands for one without a name.
 _NAMELESS = "-"
 
 
 def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
     """Nest the ``measured`` numbers of filled tables for `dvc metrics`.
 
-    Returns nested mappings with the keys name, group, row and column. A level whose labels are all empty in a
-    table is left out: Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5
-    ``{"SVM": {"Home 1": 31.2}}``. Cells and tables without a number (NaN) are left out.
+    Returns nested mappings with the keys name, group, row and column. A level is left out if all its labels
+    in a table are empty. For example, Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, and
+    Table 5 is ``{"SVM": {"Home 1": 31.2}}``. Cells and tables without a number (NaN) are left out, too.
     """
     return {name: found for name, table in tables.items() if (found := _nest(table))}
 
@@ -42,7 +42,7 @@ def _nest(table: pd.DataFrame) -> dict[str, Any]:
 
 
 def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
-    """Average selected results over homes and seeds, as in the tables; `dvc exp show` has a column for each.
+    """Average selected results over homes and seeds, as in the tables, for the columns of `dvc exp show`.
 
     `chosen` has the keys ``accuracy`` and ``log_loss``. Each maps a column's name, e.g. ``gist``, to its
     result, e.g. ``cues/gist/5-5-1``. Returns the accuracies by column (percent, two decimals) and, under
@@ -80,7 +80,7 @@ def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[
 
 
 def _find(results: Results, name: str, where: str) -> Measured | None:
-    """Look up a result; None if this data does not allow it."""
+    """Look up a result; return None if this data does not allow it."""
     try:
         return results.find(name)
     except PlacecatError as error:
@@ -88,9 +88,9 @@ def _find(results: Results, name: str, where: str) -> Measured | None:
 
 
 def decisions(measured: Measured | None) -> pd.DataFrame:
-    """Return the columns truth and decision, with one row per frame of all test homes, for the first seed.
+    """Return the columns truth and decision for the first seed, with one row per frame of all test homes.
 
-    Rows are in the order of the places; DVC's template `confusion` counts them.
+    Rows are in the order of the places, and DVC's template `confusion` counts them.
     """
     if measured is None:
         return pd.DataFrame(columns=["truth", "decision"])
@@ -101,7 +101,10 @@ def decisions(measured: Measured | None) -> pd.DataFrame:
 
 
 def accuracies(measured: Measured | None) -> pd.DataFrame:
-    """Return the columns home and accuracy (percent, mean over places and seeds), one row per test home."""
+    """Return the columns home and accuracy with one row per test home.
+
+    Accuracies are in percent, averaged over places and seeds.
+    """
     if measured is None:
         return pd.DataFrame(columns=["home", "accuracy"])
     mean = measured.by_home().mean(axis=0).round(2)

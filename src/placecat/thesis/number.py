@@ -37,7 +37,8 @@ class Number:
     Attributes
     ----------
     values
-        (seeds,) values, usually percent or points; (1,) if nothing is random, (0,) if the number is missing.
+        (seeds,) values, usually in percent or points: (1,) if nothing is random, (0,) if the number is
+        missing.
     is_random
         Whether the number depends on a seed.
     notes
@@ -90,7 +91,10 @@ def nothing(*reasons: str, origins: tuple[Origin, ...] = ()) -> Number:
 
 
 def united(numbers: Iterable[Number]) -> tuple[Origin, ...]:
-    """Merge the origins of several numbers; each result and part appears once, with all its homes."""
+    """Merge the origins of several numbers.
+
+    Each combination of a result and a part appears once, with all its homes.
+    """
     homes: dict[tuple[str, str], tuple[str, ...]] = {}
     for origin in (origin for one in numbers for origin in one.origins):
         key = (origin.result, origin.part)
@@ -104,7 +108,7 @@ def merged(notes: Iterable[Iterable[str]]) -> tuple[str, ...]:
 
 
 def mean(numbers: Sequence[Number]) -> Number:
-    """Average numbers seed by seed, leaving out missing ones."""
+    """Average numbers seed by seed, leaving out missing numbers."""
     there = [one for one in numbers if len(one.values)]
     if not there:
         return nothing(*merged(one.notes for one in numbers), origins=united(numbers))
@@ -153,18 +157,21 @@ def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
 
 
 def only_some(there: Sequence[int], numbers: Sequence[int]) -> str:
-    """Return a note that a mean covers only the homes `there` (numbers from 1); "" if it covers all."""
+    """Return a note that a mean covers only the homes `there` (numbers from 1), or "" if it covers all."""
     return "" if len(there) == len(numbers) else f"mean over only {', '.join(map(home_label, there))}"
 
 
 def best_of(results: Results, names: Sequence[str]) -> str:
-    """Return the result with the highest average over homes; the first in a tie or if none was measured."""
+    """Return the result with the highest average over homes.
+
+    In a tie, or if none was measured, this is the first result.
+    """
     averages = [over_homes(results, name, results.numbers).measured for name in names]
     return names[int(np.nanargmax(averages))] if np.isfinite(averages).any() else names[0]
 
 
 def in_homes(results: Results, name: str, numbers: Sequence[int]) -> list[tuple[str, Number]]:
-    """Return the accuracy in each home and, for two or more homes, the average, labelled as published."""
+    """Return the accuracy in each home and, for two or more homes, the average, with the thesis's labels."""
     found = [(home_label(number), in_home(results, name, number)) for number in numbers]
     if len(numbers) > 1:
         found.append((AVERAGE, over_homes(results, name, numbers)))

@@ -24,15 +24,15 @@ class Paired:
     sides
         The sides, each with only the results used.
     values
-        One (results, homes, seeds) array of percent per side; one seed if nothing is random.
+        One (results, homes, seeds) array of percentages per side, with one seed if nothing is random.
     homes
         The homes' names.
     seeds
         Number of seeds that all random results share; 0 if nothing is random.
     by_seed
-        Whether a unit is a home with one seed, instead of a home with its mean over seeds.
+        Whether each seed of a home is a unit. Otherwise, a home is one unit, with its mean over seeds.
     note
-        The results and homes that were left out, with the reasons; or "".
+        The results and homes that were left out, with the reasons, or "".
     """
 
     sides: tuple[Side, ...]
@@ -61,7 +61,7 @@ class Paired:
 
     @property
     def at_hand(self) -> bool:
-        """Whether an interval is valid for these homes only."""
+        """Whether an interval is valid only for these homes."""
         return self.by_seed
 
     def too_few(self, minimum: int) -> str:
@@ -69,11 +69,11 @@ class Paired:
         return too_few(self.units) if self.n_units < minimum else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
-        """Return one (results, 1) array of percent per side; all units weigh the same."""
+        """Return one (results, 1) array of percentages per side; all units have the same weight."""
         return tuple(values.mean(axis=1, keepdims=True) for values in self.by_unit())
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
-        """Compute the interval of a statistic that maps a (results, n) array per side to (n,) values."""
+        """Compute the interval of a statistic, which maps one (results, n) array per side to (n,) values."""
         by_unit = self.by_unit()
         return paired_bootstrap(
             lambda weights: statistic([values @ weights.T for values in by_unit]),
@@ -85,9 +85,10 @@ class Paired:
 
 
 def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
-    """Pair the sides; with at most `few_homes` homes and random results, each seed of a home is a unit.
+    """Pair the sides by home.
 
-    Raises NotComputable, with the reasons, if a result was not measured or if no home has every result.
+    If results are random and there are at most `few_homes` homes, each seed of a home is a unit. Raises
+    NotComputable, with the reasons, if a result was not measured or if no home has every result.
     """
     used = computable(results, sides)
     names = list(dict.fromkeys(name for side in used for name in side.results))
@@ -113,12 +114,12 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
 
 
 def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
-    """Drop the results that this data does not allow from sides with several results.
+    """Drop results that this data does not allow from each side that has several results.
 
-    ``best`` and ``last`` choose from the remaining results. Means keep only the positions whose results this
-    data allows on both sides, so that results still pair. A side that would lose all its results keeps them
-    (with ``last``, the last one), and the reasons are reported later. Each remaining result keeps its
-    published number.
+    ``best`` and ``last`` choose from the remaining results. For means, the sides keep the same positions,
+    those whose results this data allows on both sides, so that the results can still be paired. A side that
+    would lose all its results keeps them, or with ``last`` only the last one; the reasons are reported later.
+    Each remaining result keeps its published number.
     """
     impossible = {name for name, _ in results.missing} - set(results.measured)
     together = len({len(side.results) for side in sides}) == 1
@@ -141,7 +142,7 @@ def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
 
 
 def look_up(results: Results, name: str) -> Measured:
-    """Look up a result; a missing one raises NotComputable with the reasons."""
+    """Look up a result; raises NotComputable, with the reasons, if it is missing."""
     if name not in results.measured:
         if reasons := results.reasons(name):
             raise NotComputable(f"{name}: {', '.join(sorted(reasons))}")
@@ -150,7 +151,7 @@ def look_up(results: Results, name: str) -> Measured:
 
 
 def common_seeds(measured: Iterable[Measured]) -> tuple[str, ...]:
-    """Return the names of the seeds that all random results share; none if nothing is random."""
+    """Return the names of the seeds that all random results share; there are none if nothing is random."""
     random = [one for one in measured if one.is_random]
     if not random:
         return ()
@@ -181,7 +182,7 @@ def with_seeds(one: Measured, values: NDArray[Any], seeds: Sequence[str]) -> NDA
 
 
 def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
-    """Describe the results that each side leaves out; for ``last``, only those after the result used."""
+    """Describe the results that each side leaves out; for ``last``, only those after the one that is used."""
     texts = []
     for side, kept in zip(sides, used, strict=True):
         asked = side.results
@@ -209,5 +210,5 @@ def counted(number: int, noun: str) -> str:
 
 
 def too_few(units: str) -> str:
-    """Return the reason why there is no verdict on counted units."""
+    """Return the reason for not giving a verdict, such as "1 home is too few for a verdict"."""
     return f"{units} {'is' if units in ('1 home', '1 stay') else 'are'} too few for a verdict"

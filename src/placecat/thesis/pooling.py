@@ -26,24 +26,24 @@ from placecat.thesis.pairing import (
 class Pooled:
     """The sides' decisions on the stays (visits to a place) in all test sequences.
 
-    The frames of a stay are near-duplicates, so the unit is a stay. Each place is a stratum, since its number
-    of stays is fixed.
+    The frames of a stay are near-duplicates, so each stay is one unit. Each place is a stratum, since its
+    number of stays is fixed.
 
     Attributes
     ----------
     sides
         The sides, each with only the results used.
     right
-        One (results, seeds, stays) array per side: the number of frames decided correctly; one seed if
-        nothing is random.
+        One (results, seeds, stays) array per side with the number of correctly decided frames. There is one
+        seed if nothing is random.
     frames
         (stays,) number of frames in each stay.
     places
         (stays,) index of each stay's place in `names`.
     names
-        Names of the places, each with at least one stay.
+        Names of the places that have at least one stay.
     note
-        The parts that were left out, with the reasons; or "".
+        The parts that were left out, with the reasons, or "".
     """
 
     sides: tuple[Side, ...]
@@ -63,12 +63,12 @@ class Pooled:
 
     @property
     def n_units(self) -> int:
-        """Number of stays; 1 if no place has two stays, since there is then no interval."""
+        """Number of stays, or 1 if no place has two stays, since there is no interval in that case."""
         return len(self.frames) if len(self.frames) > len(self.names) else 1
 
     @property
     def values(self) -> tuple[NDArray[np.float64], ...]:
-        """One (results, 1, seeds) array of percent per side; all sequences count as one home."""
+        """One (results, 1, seeds) array of percentages per side; all sequences count as one home."""
         everything: NDArray[np.float64] = 1.0 / np.bincount(self.places)[self.places][None]
         return tuple(
             np.stack([self._accuracy(side, of_seed, everything) for of_seed in right.swapaxes(0, 1)], axis=2)
@@ -83,7 +83,7 @@ class Pooled:
         return f"only one stay shows {' and '.join(once)}: too few for a verdict" if once else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
-        """Return one (results, 1) array of percent per side, the mean over seeds."""
+        """Return one (results, 1) array of percentages per side, which are means over seeds."""
         return tuple(values.mean(axis=2) for values in self.values)
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
@@ -102,10 +102,14 @@ class Pooled:
     def _accuracy(
         self, side: Side, right: NDArray[np.float64], weights: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        """Compute (results, n) percent from (results, stays) correct frames and (n, stays) weights."""
+        """Compute (results, n) accuracies in percent.
+
+        `right` has the (results, stays) numbers of correct frames, and `weights` the (n, stays) weights of
+        the stays.
+        """
         kind = np.eye(len(self.names))[self.places]
         if side.plain:
-            # Weigh each place by its number of stays.
+            # Weight each place by its number of stays.
             kind = np.bincount(self.places)[self.places][:, None] * np.ones((1, 1))
         elif side.place is not None:
             kind = kind[:, [self.names.index(side.place)]]
@@ -151,7 +155,7 @@ def _by_stay(results: Results, name: str) -> Measured:
 
 
 def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray[np.int64]:
-    """Count the correctly decided frames, (seeds, stays)."""
+    """Count the correctly decided frames for each seed and stay, (seeds, stays)."""
     right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
     right = right[:, [one.homes.index(stay) for stay in stays]]
     return with_seeds(one, right, seeds)

@@ -20,8 +20,9 @@ _TRIAL = re.compile(r"trials/table_(\d+)/(.*)\|(.*)\|(.*)")
 class Published:
     """All numbers in the thesis.
 
-    `tables` has the columns table (int), group, row, column (text) and value; an n/a is NaN. `text`, the
-    numbers outside the tables, has the columns name, section, quantity, home (text) and value.
+    `tables` has the columns table (int), group, row, column (all text) and value, which is NaN for an n/a.
+    `text` has the numbers outside the tables, with the columns name, section, quantity, home (all text) and
+    value.
     """
 
     tables: pd.DataFrame
@@ -30,9 +31,9 @@ class Published:
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
         """Look up one number; NaN if the thesis has an n/a or only words.
 
-        `reference` has three forms. ``{table, group, row, column}`` has the published labels, without the
-        axes that the table lacks. ``{text, quantity, home}`` names a number in the text, with quantity and
-        home if the name has several numbers. ``{result}`` is as for :meth:`of_trial`, which also explains
+        `reference` has three forms. ``{table, group, row, column}`` has the published labels of the axes that
+        the table has. ``{text, quantity, home}`` names a number in the text; quantity and home are needed
+        only if the name has several numbers. ``{result}`` is as for :meth:`of_trial`, which also explains
         `home`. Raises PlacecatError if the thesis has no such number, or several.
         """
         if "result" in reference:
@@ -50,10 +51,10 @@ class Published:
         return self._only(found, reference)
 
     def of_trial(self, result: str, home: str = AVERAGE) -> float:
-        """Return the published number of a result that is a table cell; NaN for any other result.
+        """Return the published number of a result that is a cell of a table, or NaN for any other result.
 
-        An example is ``trials/table_12/HOG + y-Pos||196``; the empty label stands for the axis of homes, from
-        which `home` selects, labelled as published. `home` is ignored if the table has a single home.
+        An example is ``trials/table_12/HOG + y-Pos||196``, whose empty label stands for the axis of homes.
+        `home` is the published label of a home on this axis. It is ignored if the table has a single home.
         """
         match = _TRIAL.fullmatch(result)
         if match is None:
@@ -91,12 +92,14 @@ class Published:
     @staticmethod
     def _only(found: list[float], asked: object) -> float:
         if len(found) != 1:
-            raise PlacecatError(f"the thesis has {len(found) or 'no'} numbers for {asked}, not just one")
+            raise PlacecatError(
+                f"the thesis has {len(found) or 'no'} numbers for {asked}: expected exactly one"
+            )
         return found[0]
 
 
 def read_published() -> Published:
-    """Read all numbers in the thesis from data/thesis; raises PlacecatError if a file is damaged."""
+    """Read all numbers of the thesis from data/thesis; raises PlacecatError if a file is damaged."""
     return Published(
         files.read_table(paths.PUBLISHED, AXES),
         files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"]),

@@ -23,13 +23,14 @@ _VALUE = ["quantity", "column", "where", "pick", "digits"]
 
 
 def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
-    """Read an entry's numbers from a table; `records` maps names to tables, which are empty if not recorded.
+    """Read an entry's numbers from a table.
 
-    `entry` has ``record``, the table's name, and ``values``. Each value has ``quantity`` (its name),
-    ``column``, and ``where``, which maps columns to the values that select rows. ``pick``, "lowest" or
-    "highest", chooses from several rows. ``digits`` is the number of digits after the decimal point, 2 by
-    default. Raises PlacecatError, with `where`, the entry's name, for an unknown setting, table or column, or
-    for several rows without ``pick``.
+    `records` maps names to tables, which are empty if nothing was recorded. `entry` has ``record``, the name
+    of the table, and ``values``. Each value has ``quantity`` (its name), ``column``, and ``where``, which
+    maps columns to the values that select rows. If these are several rows, ``pick`` says whether to take the
+    "lowest" or the "highest" value. ``digits`` is the number of digits after the decimal point, 2 by default.
+    Raises PlacecatError for an unknown setting, table or column, or for several rows without ``pick``; the
+    message contains `where`, the name of the entry.
     """
     settings.refuse_unknown(entry, ["record", "values"], where)
     if entry["record"] not in records:
@@ -66,12 +67,12 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
 
 
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
-    """Read the tables, other than results, that numbers in the thesis's text come from, by name.
+    """Read the tables, other than results, from which numbers in the thesis's text are taken, by name.
 
-    ``benchmarks`` and ``scale`` are in git. ``nu`` has one row per nu-SVM result, test home and seed: result,
-    home, the requested nu (asked), and the lowest and highest nu that its two-class machines used.
-    ``rejected`` has one row per labelled frame that a filter rejects: filter, home, information. Missing
-    tables have no rows.
+    ``benchmarks`` and ``scale`` are in git. ``nu`` has one row per nu-SVM result, test home and seed. Its
+    columns are result, home, the requested nu (asked), and the lowest and highest nu that the two-class
+    machines used. ``rejected`` has one row per labelled frame that a filter rejects, with the columns filter,
+    home and information. Missing tables have no rows.
     """
     kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
     found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}
@@ -118,7 +119,7 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:
-    """Return the nu in a classifier's settings; None unless the classifier is a nu-SVM."""
+    """Return the requested nu in a classifier's settings, or None if it is not a nu-SVM."""
     base = classifier.get("base", {})
     return float(base["nu"]) if base.get("name") == "nu_svm" else None
 

@@ -11,7 +11,7 @@ from placecat.thesis.claims import ABOVE, BOTH_SIGNS
 
 @dataclass(frozen=True)
 class Rules:
-    """Rules for judging claims; conf/verdict explains each, with its unit."""
+    """Rules for judging claims; conf/verdict explains each rule and its unit."""
 
     level: float
     resamples: int
@@ -26,12 +26,12 @@ class Rules:
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
     """Return the range that a claim allows for a difference; None for ``both_signs``, which ignores the mean.
 
-    The kinds are ``better``: above 0. ``worse``: below 0. ``about``: about the published difference.
-    ``little``: less than the margin from 0. ``no_better``: below the margin. ``within`` and a number: closer
-    to 0 than the number. ``above`` and a number: above 0, since the number is subtracted from the left.
-    ``both_signs``: noticeably below 0 in more than a rare share of cases, and likewise above 0. Raises
-    PlacecatError for an unknown kind, a missing or superfluous number, or ``about`` without a published
-    difference.
+    ``better`` means above 0, ``worse`` means below 0, and ``about`` means about the published difference.
+    ``little`` means closer to 0 than the margin, and ``no_better`` means below the margin. ``within`` takes a
+    number and means closer to 0 than this number. ``above`` also takes a number, which is subtracted from the
+    left side, and means above 0. ``both_signs`` means noticeably below 0 in more than a rare share of cases,
+    and likewise above 0. Raises PlacecatError for an unknown kind, a missing or superfluous number, or
+    ``about`` without a published difference.
     """
     name, number = kind
     known = {

@@ -23,7 +23,7 @@ PublishedKey = tuple[int, str, str, str]
 
 
 def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Return all tables of a run by name, e.g. ``table_12``: the thesis's by number, then additions.
+    """Return all tables of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
 
     Each table is its definition (:mod:`placecat.thesis.definitions`) plus ``name``. Trials without a layout
     are not shown as tables (see :mod:`placecat.thesis.in_text`). `params` are all settings, and `root` is the
@@ -37,12 +37,15 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
 
 
 def folder_of(table: Mapping[str, Any]) -> Path:
-    """Return a table's folder; tables with `needs` have a separate one, which other runs leave unchanged."""
+    """Return a table's folder.
+
+    Tables with `needs` have a separate folder, which other runs leave unchanged.
+    """
     return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
 
 
 def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a table's data: the main data set, the test sequences of its split, or other data."""
+    """Return the data of a table: the main data set, the test sequences of its split, or other data."""
     if "data" in table:
         return settings.get(params, "dataset") | {"title": table["data"], "thesis_data": None}
     if "split" not in table:
@@ -57,7 +60,7 @@ def label(table: Mapping[str, Any]) -> str:
 
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
-    """Map cells to the notes of data/thesis/contradictions.csv, on contradictions within the thesis."""
+    """Map cells to their notes in data/thesis/contradictions.csv about contradictions within the thesis."""
     rows = notes[["table", *AXES, "note"]].itertuples(index=False, name=None)
     return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
@@ -68,7 +71,7 @@ def in_percent(table: Mapping[str, Any]) -> bool:
 
 
 def read(params: Mapping[str, Any]) -> Iterator[tuple[dict[str, Any], pd.DataFrame, dict[str, Any]]]:
-    """Yield each table's definition, its cells and notes as the stage `tables` wrote them, and its data."""
+    """Yield each table's definition, its cells and notes (as the stage `tables` wrote them), and its data."""
     noted = files.read_table(paths.NOTES, COLUMNS_OF_NOTES)
     for name, table in tables_of(params).items():
         cells = files.read_table(folder_of(table) / f"{name}.csv", [*AXES, "note"])
@@ -76,7 +79,7 @@ def read(params: Mapping[str, Any]) -> Iterator[tuple[dict[str, Any], pd.DataFra
 
 
 def fill(table: Mapping[str, Any], results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
-    """Fill one table of :func:`tables_of` by :func:`fill_table`, with the files in data/thesis.
+    """Fill one table of :func:`tables_of` with :func:`fill_table`, using the files in data/thesis.
 
     Raises PlacecatError if one of these files is damaged.
     """
@@ -94,18 +97,19 @@ def fill_table(
 ) -> pd.DataFrame:
     """Fill one table.
 
-    Returns the columns table (its number, or "Addition"), group, row, column, published, measured, spread,
-    seeds and note; ``notes``, the same note by kind; and ``number``, the cell's
-    :class:`~placecat.thesis.number.Number`, which explains the measured columns. The published cells come
-    first, in their order, then this run's additional cells. ``measured`` is in percent (see
-    :func:`in_percent`); if it is NaN, a note says why. Raises PlacecatError for a result that the run does
-    not have.
+    Returns a DataFrame with the columns table (its number, or "Addition"), group, row, column, published,
+    measured, spread, seeds and note. Two further columns are ``notes``, which has the note by kind, and
+    ``number``, the cell's :class:`~placecat.thesis.number.Number`, which explains the measured columns. The
+    published cells come first, in their order, followed by this run's additional cells. ``measured`` is in
+    percent (see :func:`in_percent`); if it is NaN, a note says why. Raises PlacecatError for a result that
+    the run does not have.
 
     `table` is a table of :func:`tables_of`. `published` has all published cells, with the columns table,
     group, row, column and value; an empty value is an n/a. `dataset` is the table's data
-    (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which the note of each measured cell contains,
-    and ``thesis_data``. If the latter differs from the table's, the note of each cell with a published and a
-    measured number says that they are not comparable. `contradictions` is from :func:`contradictions_of`.
+    (:func:`dataset_of`), with ``homes``, ``classes``, ``title`` and ``thesis_data``. The note of each
+    measured cell contains the title. If ``thesis_data`` differs from the table's, the note of each cell with
+    a published and a measured number says that they are not comparable. `contradictions` is from
+    :func:`contradictions_of`.
     """
     number = table["number"]
     known = published[published["table"] == number]
@@ -132,7 +136,10 @@ def number_columns(
     entry: Mapping[str, Any],
     dataset: Mapping[str, Any],
 ) -> tuple[Any, ...]:
-    """Return a number's columns from ``published`` on; `entry` defines the number, measured on `dataset`."""
+    """Return a number's columns from ``published`` on.
+
+    `entry` defines the number, which was measured on `dataset`.
+    """
     notes = [Note(Kind.MEASURED, text) for text in number.notes]
     if np.isfinite(number.measured):
         notes.insert(0, Note(Kind.DATA, f"measured on {entry.get('data') or dataset['title']}"))

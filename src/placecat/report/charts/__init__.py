@@ -1,1 +1,1 @@
-"""Charts of tables for MLflow, in the figures' style."""
+"""Charts of tables for MLflow, in the same style as the figures."""

@@ -1,4 +1,4 @@
-"""Draw a bar chart of a table's averages: one bar per result, with its homes or places as points."""
+"""Draw a bar chart of a table's averages: one bar per result, with a point for each home or place."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from placecat.thesis.number import AVERAGE
 
 BAR, POINT, PUBLISHED = "#0072b2", "#222222", "#d55e00"
-# Inches: width, height of a line, and total space above and below the lines.
+# In inches: the width, the height of a line, and the total space above and below the lines.
 _WIDTH, _LINE, _ROUND = 6.5, 0.19, 0.85
 _HOME = r"Home \d+"
 
@@ -18,7 +18,7 @@ _HOME = r"Home \d+"
 def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figure | None:
     """Draw a filled table's averages (see `bars_of`); return None if there are none.
 
-    `published` says whether to draw the published numbers too; they must be from the same data.
+    `published` says whether to draw the published numbers, too. They must be from the same data.
     """
     bars = bars_of(cells)
     if not bars:
@@ -65,9 +65,9 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
 
 @dataclass(frozen=True)
 class Bar:
-    """One bar: the name of its group ("" for none), its name, and numbers in percent.
+    """One bar of the chart: the name of its group ("" for none), its own name, and its numbers in percent.
 
-    `published` is NaN if missing; `points` are numbers of the table, and `measured` is their mean.
+    `published` is NaN if it is missing. `points` are numbers in the table, and `measured` is their mean.
     """
 
     section: str
@@ -78,9 +78,10 @@ class Bar:
 
 
 def bars_of(cells: pd.DataFrame) -> list[Bar]:
-    """Turn a filled table's averages into bars: those over homes, else those over places, else all cells.
+    """Turn a filled table's averages into bars.
 
-    Bars are in the table's order; cells that were not measured have no bar.
+    The averages over homes are used or, if there are none, those over places. A table without averages has a
+    bar for each cell. Bars are in the table's order, and cells that were not measured have no bar.
     """
     axis = _averaged(cells)
     if axis is None:
@@ -103,13 +104,13 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
 
 
 def point_name(cells: pd.DataFrame) -> str:
-    """Return what a point of `bars_of` stands for, "home" or "place"."""
+    """Return what each point of the bars stands for: "home" or "place"."""
     axis = _averaged(cells)
     return "home" if axis is not None and cells[axis].str.fullmatch(_HOME).any() else "place"
 
 
 def _averaged(cells: pd.DataFrame) -> str | None:
-    """Return the label column that a table averages over, or None."""
+    """Return the label column over which a table averages, or None."""
     for axis in ("row", "column"):
         if cells[axis].str.fullmatch(_HOME).any():
             return axis

@@ -1,4 +1,4 @@
-"""Draw confusion matrices: one row's matrices with numbers, or all of a table's matrices without.
+"""Draw confusion matrices: those of one row with numbers, or those of a whole table without numbers.
 
 NumPy paints them, since Matplotlib takes ten times as long.
 """
@@ -18,9 +18,9 @@ from placecat.results.confusion import ALL_HOMES, in_home, pooled_counts, shares
 from placecat.results.measured import Measured
 
 _MAP = "Blues"
-# Pixels: a cell, the gap between matrices, the margin, and the sizes of text.
+# In pixels: a cell, the gap between matrices, the margin, and the sizes of text.
 _CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
-# Pixels of a cell in a table's picture, which has no numbers.
+# Size of a cell, in pixels, in the picture of a whole table, which has no numbers.
 _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
 # Cells above this percentage are dark, so their numbers are white.
@@ -30,10 +30,10 @@ _SHEET = "Rows are true places, columns decisions; dark blue means all frames of
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
-    """Write matrices of the same places side by side to a PNG, with their captions.
+    """Write a PNG with matrices of the same places side by side, and their captions.
 
-    Each number is the percentage of the true place's frames (row) decided as a place (column), over all homes
-    and seeds. The same matrices give the same bytes.
+    Each number says what percentage of the frames of the row's true place were decided to be the column's
+    place, over all homes and seeds. Equal matrices give identical files.
     """
     names = [place_title(place) for place in next(iter(matrices.values())).classes]
     side = _CELL * len(names)
@@ -60,9 +60,9 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 
 
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
-    """Write all of a table's matrices to a PNG: one line per row, with a matrix per column or per home.
+    """Write a PNG with all matrices of a table: one line per row, with a matrix for each column or home.
 
-    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without rows, the function writes no
+    `rows` are from :func:`placecat.thesis.decisions.decisions_of`. If there are none, the function writes no
     picture and returns False.
     """
     lines = {" / ".join(filter(None, labels)): _blocks(of_row) for labels, of_row in rows.items() if of_row}
@@ -102,7 +102,7 @@ def _blocks(of_row: Mapping[str, Measured]) -> dict[str, NDArray[np.float64]]:
 
 
 def _paper(height: int, width: int, title: str, caption: str) -> NDArray[np.uint8]:
-    # White needs only one value; filling in a colour takes 90 times as long.
+    # White needs only one value, whereas filling in a colour takes 90 times as long.
     picture = np.full((height, width, 3), _PAPER[0], np.uint8)
     write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
     write(picture, caption, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)
@@ -115,7 +115,7 @@ def _save(picture: NDArray[np.uint8], target: Path) -> None:
 
 
 def _colors(percent: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Return (n, n, 3) uint8 BGR colours; white for NaN, i.e. a place without frames."""
+    """Return (n, n, 3) uint8 BGR colours. NaN, the value for a place without frames, becomes white."""
     colors = colormaps[_MAP](percent / 100.0, bytes=True)[:, :, 2::-1].copy()
     colors[np.isnan(percent)] = _PAPER
     return colors
@@ -138,7 +138,7 @@ def _width(text: str, size: int = _TEXT, *, bold: bool = False) -> int:
 
 
 def _slanted(text: str) -> NDArray[np.float32]:
-    """Return how much of each pixel is covered by a line of text rising at 45 degrees."""
+    """Return how much of each pixel is covered by a line of text that rises at 45 degrees."""
     cover = mask(text, _TEXT)
     height, width = cover.shape
     size = int(np.ceil((height + width) / np.sqrt(2)))

@@ -1,8 +1,9 @@
-"""The thesis's figures, and added ones, drawn from a run.
+"""The figures of the thesis and additional ones, drawn from a run.
 
-A module with figures has `FIGURES`, which maps a name (``figure_NN`` in the thesis, ``figure_NAME`` for an
-added one) to a caption and a function. The function takes the run and the settings ``figures.<name>``, and
-returns the figure, or raises PlacecatError if this run lacks its data.
+Each module with figures has a mapping `FIGURES` from the name of a figure to its caption and a function. A
+figure of the thesis is named ``figure_NN``, and an additional one ``figure_NAME``. The function takes the run
+and the settings ``figures.<name>``. It returns the figure, or raises PlacecatError if the run lacks the data
+for it.
 """
 
 import importlib
@@ -23,12 +24,12 @@ _WITHOUT_EFFECT = ("compute", "reproducibility")
 
 
 def names() -> list[str]:
-    """Return the names of the figures: ``figure_NN`` in order, then added ones."""
+    """Return the names of the figures: those of the thesis in order, then the additional ones."""
     return sorted(_all())
 
 
 def number(name: str) -> int | None:
-    """Return a figure's number in the thesis, or None for an added one."""
+    """Return a figure's number in the thesis, or None for an additional figure."""
     rest = name.removeprefix("figure_")
     return int(rest) if rest.isdigit() else None
 
@@ -39,9 +40,9 @@ def caption(name: str) -> str:
 
 
 def draw(name: str, run: Run) -> Figure:
-    """Draw the figure with one of the `names`.
+    """Draw the figure with a name from `names`.
 
-    Raises PlacecatError if there is no such figure, or this run lacks its data.
+    Raises PlacecatError if there is no such figure, or if the run lacks the data for it.
     """
     if name not in _all():
         raise PlacecatError(f"there is no figure {name!r}: choose one of {', '.join(names())}")
@@ -54,7 +55,7 @@ def draw(name: str, run: Run) -> Figure:
 def render(name: str, run: Run, target: Path) -> None:
     """Draw one figure (see `draw`) in the project's style and write it to a PNG.
 
-    Also writes a PDF of the same name, with the settings behind the figure in its properties. If drawing
+    Also writes a PDF with the same name. Its properties contain the settings behind the figure. If drawing
     fails, nothing is written.
     """
     with house_style():
@@ -64,7 +65,7 @@ def render(name: str, run: Run, target: Path) -> None:
 
 
 def _made_by(name: str, run: Run) -> str:
-    """List the settings that may affect a figure: first its own, then all others except other figures'."""
+    """List the settings that may affect a figure: its own, then all others except those of other figures."""
     of_all = {key: value for key, value in run.params.items() if key not in _WITHOUT_EFFECT}
     flat = settings.flatten(of_all | {"figures": {"example": run.options("example")}})
     own = settings.flatten(run.options(name), f"figures.{name}.")

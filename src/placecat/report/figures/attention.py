@@ -35,7 +35,7 @@ def draw_example(run: Run) -> Figure:
 
 
 def draw_intensity(run: Run) -> Figure:
-    """Draw the feature maps of the intensity channel at every scale, their sums and their weighted sum."""
+    """Draw the intensity channel: feature maps at every scale, their sums, and the weighted sum of these."""
     # Inches.
     small_width, large_width, gap, margin, above, arrow = 0.87, 1.24, 0.06, 0.42, 0.34, 0.62
     home, index = run.example
@@ -75,9 +75,10 @@ def draw_intensity(run: Run) -> Figure:
 
 
 def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]) -> Figure:
-    """Draw the feature maps of one channel's four sub-channels, added across scales, and their weighted sum.
+    """Draw one channel: feature maps of its four sub-channels, added across scales, and the conspicuity map.
 
-    `subchannels` are the names of the sub-channels in order; `symbol` is the conspicuity map's, e.g. "C".
+    The conspicuity map is the weighted sum of the feature maps. `symbol`, e.g. "C", stands for it.
+    `subchannels` are the names of the sub-channels in order.
     """
     # Inches.
     width, gap, arrow, head = 1.55, 0.14, 0.95, 0.2
@@ -107,7 +108,7 @@ def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]
 
 
 def draw_saliency(run: Run) -> Figure:
-    """Draw the conspicuity maps and their weighted sum, the saliency map."""
+    """Draw the conspicuity maps and the saliency map, which is their weighted sum."""
     # Inches.
     small_width, large_width, gap, head, foot, arrow = 1.55, 2.7, 0.16, 0.2, 0.17, 0.62
     home, index = run.example

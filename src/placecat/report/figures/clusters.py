@@ -1,4 +1,4 @@
-"""Thesis 4.4.4, Figures 12 to 14: patches of the largest clusters of salient regions."""
+"""Thesis 4.4.4, Figures 12 to 14: patches from the largest clusters of salient regions."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -27,9 +27,9 @@ class Cluster:
     """One cluster of salient regions.
 
     `total` is the number of regions in all clusters, and `shares` are the (classes,) shares of the places in
-    this one. The other attributes have an entry per region: `labels` the place of its frame, `distance` its
-    distance from the cluster's centre, `home` and `frame` where it is from, and `patches` the square around
-    it, (n, PIXELS, PIXELS, 3) uint8 BGR in all.
+    this cluster. The other attributes have one entry per region: `labels` is the place of its frame,
+    `distance` is its distance from the cluster's centre, and `home` and `frame` say where it comes from.
+    `patches` are the squares around the regions, (n, PIXELS, PIXELS, 3) uint8 BGR.
     """
 
     total: int
@@ -41,17 +41,18 @@ class Cluster:
     patches: NDArray[np.uint8]
 
     def contrast(self) -> NDArray[np.float64]:
-        """(n,) standard deviation of each patch's grey levels."""
+        """Return the standard deviation of each patch's grey levels, (n,)."""
         return np.array([cv2.cvtColor(patch, cv2.COLOR_BGR2GRAY).std() for patch in self.patches])
 
 
 def draw_cluster(
     run: Run, rank: int, by_contrast: bool, *, cue: str, home: Count, patches: Count, apart: Index
 ) -> Figure:
-    """Draw patches of the cluster with a rank from 1 (largest) to `SHOWN`; settings in ``figures.clusters``.
+    """Draw patches from the cluster with a given rank, using the settings in ``figures.clusters``.
 
-    With `by_contrast`, random samples come from the third of the patches with the most contrast and the third
-    with the least; otherwise, from all patches.
+    Ranks are from 1 (the largest cluster) to `SHOWN`. With `by_contrast`, there are two random samples: one
+    from the third of the patches with the most contrast, and one from the third with the least. Otherwise,
+    there is one random sample from all patches.
     """
     test = home_of(run, home)
     largest = _largest(run, cue, test)
@@ -79,7 +80,7 @@ def draw_cluster(
 def spread(
     order: NDArray[np.integer], home: NDArray[np.int64], frame: NDArray[np.int64], count: int, apart: int
 ) -> list[int]:
-    """Take the first `count` regions in order, skipping those from the same moment as one already taken.
+    """Take the first `count` regions in order, but skip any from the same moment as a region already taken.
 
     `order` has indices into `home` and `frame`. Two frames of a home belong to the same moment if they are
     less than `apart` frames from each other.
@@ -95,9 +96,10 @@ def spread(
 
 
 def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """Cut the square around a salient region (4,) (x, y, scale, saliency) from a frame (H, W, 3) uint8 BGR.
+    """Cut the square around a salient region out of a frame.
 
-    The square is (PIXELS, PIXELS, 3) uint8 BGR; the frame's outermost pixels are repeated beyond its border.
+    `region` is (4,): x, y, scale and saliency. `frame` is (H, W, 3) uint8 BGR, and the square is (PIXELS,
+    PIXELS, 3) uint8 BGR. Beyond the border of the frame, its outermost pixels are repeated.
     """
     x, y, scale = (float(value) for value in region[:3])
     side = max(2, round(2 * float(radius(scale, frame.shape[1]))))

@@ -43,8 +43,8 @@ NUMBER: dict[str, Any] = {
 class Query:
     """A frame of the test home.
 
-    `index` is the frame's index, `x` are the (n, D) descriptors of its regions, `clusters` their (n,) nearest
-    clusters, and `proba` is their joint (classes,) distribution.
+    `index` is the index of the frame. `x` has the (n, D) descriptors of its regions, and `clusters` the (n,)
+    clusters nearest to them. `proba` is the (classes,) distribution that follows from all regions together.
     """
 
     index: int
@@ -63,7 +63,7 @@ def draw(
     regions: Count,
     points: Index,
 ) -> Figure:
-    """Draw the figure; settings in ``figures.figure_09``."""
+    """Draw the figure, using the settings in ``figures.figure_09``."""
     from sklearn.decomposition import PCA
 
     test = home_of(run, home)
@@ -92,7 +92,7 @@ def draw(
     draw_regions(view, found, picture.shape[1], ["black"] * len(found))
     middle = np.array([picture.shape[1], picture.shape[0]]) / 2
     for number, (x, y, scale, _) in enumerate(found.tolist(), 1):
-        # Next to the circle, towards the middle, since the border cuts some circles.
+        # The number is next to the circle, towards the middle, since the border cuts some circles.
         inward = (middle - (x, y)) / max(float(np.hypot(*(middle - (x, y)))), 1.0)
         apart = float(radius(scale, picture.shape[1])) + LABEL_GAP * picture.shape[1]
         at = np.array((x, y)) + inward * apart
@@ -110,12 +110,12 @@ def draw(
 def _query(
     run: Run, model: ModifiedKNN, pca: Any, codebook: str, home: str, frame: int | None, regions: int
 ) -> Query:
-    """Take `frame`, or if it is None, find one that shows the principle.
+    """Return `frame` or, if it is None, a frame that shows the principle well.
 
-    The frame must have a label and enough regions. If possible, its regions are in different clusters, it is
-    decided correctly, it has at least the median information, and its clusters are also the nearest in the
-    plane; each of these conditions outweighs all later ones. Among equal frames, the one with the
-    largest probability is taken.
+    The frame must have a label and enough regions. Further conditions are met if possible, and each outweighs
+    all later ones. First, the regions are in different clusters. Second, the decision is correct. Third, the
+    frame has at least the median information. Fourth, the clusters are also the nearest ones in the plane. If
+    several frames are equally good, the one with the largest probability is taken.
     """
     found = run.descriptors(home, codebook)
     assert found.counts is not None
@@ -128,7 +128,9 @@ def _query(
     if frame is None:
         able = (labels >= 0) & (counts == regions)
         if not able.any():
-            raise PlacecatError(f"{home} has no labelled frame with {regions} salient regions: use fewer")
+            raise PlacecatError(
+                f"{home} has no labelled frame with {regions} salient regions: use fewer regions"
+            )
         apart = np.array([len(np.unique(row)) == regions for row in nearest])
         flat = nearest_centers(pca.transform(x.reshape(-1, x.shape[2])), pca.transform(model.centers_))
         agree = (flat[:, 0].reshape(nearest.shape) == nearest).all(axis=1)

@@ -25,7 +25,7 @@ TITLE = (
 LINES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (1, 2)), (0, (3, 3)))
 # Bottom and top of the decision's bar, below the curves.
 BAR = (-0.22, -0.09)
-# Smallest share of the window that has room for the place's name.
+# A stretch must have at least this share of the window to have room for its place's name.
 NAMED = 0.12
 LUMINANCE = np.array([0.299, 0.587, 0.114])
 
@@ -33,7 +33,7 @@ LUMINANCE = np.array([0.299, 0.587, 0.114])
 def draw(
     run: Run, *, home: Count | None, start: Index | None, frames: Two, classifier: str, hmm: str, delayed: str
 ) -> Figure:
-    """Draw three panels, one below the other; settings in ``figures.figure_11``."""
+    """Draw three panels, one below the other, using the settings in ``figures.figure_11``."""
     chosen, window = choose(run, classifier, hmm, home=home, start=start, frames=frames)
     titles = ("Integration", "Hidden Markov model", "Hidden Markov model with delay")
     results = zip(titles, (classifier, hmm, delayed), strict=True)
@@ -46,9 +46,9 @@ def choose(
 ) -> tuple[str, slice]:
     """Choose the home and the frames in which smoothing removes the most changes of the decision.
 
-    `home` counts from 1; None selects the best one (the first in a tie), or the first home if `start` is set.
-    `start` is the first frame, from 0; None selects the best window, which contains no cut. `frames` is the
-    maximum length of the window, which never extends beyond the home.
+    `home` is the number of a home, from 1. None selects the best home (the first in a tie), or the first home
+    if `start` is set. `start` is the index of the first frame. None selects the best window, which contains
+    no cut. `frames` is the maximum length of the window, which never extends beyond the home.
     """
     homes = run.source(classifier).homes if home is None else (home_of(run, home),)
     if start is not None:
@@ -72,12 +72,13 @@ def most_smoothed(
     *,
     frames: int,
 ) -> tuple[int, slice]:
-    """Find the window in which smoothing removes the most changes of the decision; the first one in a tie.
+    """Find the window in which smoothing removes the most changes of the decision; in a tie, the first one.
 
-    Returns the number of changes before minus the number after, and the window. A change counts only between
-    two labelled frames without a cut between them. `before` and `after` are (n, classes) distributions of the
-    same frames; `truth` has (n,) class indices, -1 for unlabelled. `sequences` are stretches without a cut,
-    and `frames` is the length of a window within them; a shorter stretch is one window.
+    Returns the number of changes that smoothing removes (before minus after), and the window. A change counts
+    only if both frames are labelled and there is no cut between them. `before` and `after` are (n, classes)
+    distributions on the same frames. `truth` has their (n,) class indices, -1 if unlabelled. `sequences` are
+    the stretches without a cut. A window has `frames` frames and lies within one stretch. A stretch that is
+    shorter is itself a window.
     """
     removed = changes(before, truth) - changes(after, truth)
     best: tuple[int, slice] | None = None
@@ -93,7 +94,7 @@ def most_smoothed(
 
 
 def changes(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> NDArray[np.int64]:
-    """Return (n - 1,) numbers: 1 where the decision changes between successive labelled frames, else 0."""
+    """Return (n - 1,) numbers: 1 if the decision changes between two successive labelled frames, else 0."""
     decision = proba.argmax(axis=1)
     labelled = truth >= 0
     return ((decision[1:] != decision[:-1]) & labelled[1:] & labelled[:-1]).astype(np.int64)
@@ -108,7 +109,7 @@ def figure(
 ) -> Figure:
     """Draw one panel per title in `outputs`, which maps titles to (frames, classes) distributions.
 
-    `truth` has the (frames,) true classes, -1 if unlabelled; `start` is the index of the first frame in its
+    `truth` has the (frames,) true classes, -1 if unlabelled. `start` is the index of the first frame in its
     home.
     """
     colors = list(palette.place_colors(classes).values())
@@ -149,7 +150,7 @@ def figure(
 def _bar(
     axes: Axes, places: NDArray[np.integer], start: int, span: tuple[float, float], colors: Sequence[str]
 ) -> None:
-    """Draw places over time as a bar of their colours between two heights; unlabelled frames stay white."""
+    """Draw places over time as a bar in their colours, between two heights; unlabelled frames stay white."""
     for part in stretches(places):
         if places[part.start] >= 0:
             axes.fill_between(

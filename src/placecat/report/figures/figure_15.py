@@ -21,12 +21,12 @@ TITLE = (
 )
 
 WIDTH = 6.5
-# Percentages from this value up are written in white.
+# Percentages of at least this value are written in white.
 DARK = 55.0
 
 
 def draw(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
-    """Draw one matrix per panel; settings in ``figures.figure_15``."""
+    """Draw one matrix per panel, using the settings in ``figures.figure_15``."""
     chosen = home_of(run, home)
     drawn = Figure(figsize=(WIDTH, WIDTH / len(panels) + 0.3))
     grid = drawn.subplots(1, len(panels), squeeze=False, sharey=True)[0]
@@ -44,7 +44,7 @@ def draw(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
 
 
 def matrix(axes: Axes, confusion: NDArray[np.int64], classes: Sequence[str]) -> None:
-    """Draw (classes, classes) counts, true places in rows; a place without frames has a row of dashes."""
+    """Draw (classes, classes) counts with true places in rows; a place without frames has a row of dashes."""
     totals = confusion.sum(axis=1, keepdims=True)
     percent = 100.0 * confusion / np.maximum(totals, 1)
     axes.imshow(percent, cmap=palette.AMOUNT, vmin=0.0, vmax=100.0)

@@ -1,4 +1,4 @@
-"""Reliability diagrams, an added figure: whether decisions are right as often as their probabilities say."""
+"""Reliability diagrams, an additional figure: are decisions right as often as their probabilities say?"""
 
 from collections.abc import Mapping
 
@@ -29,12 +29,12 @@ WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
 # Bins with a smaller share of the frames are not drawn, since a few frames say little.
 LEAST = 0.005
-# Marker areas in points squared: for a bin with all frames, and for the smallest bins.
+# Marker areas, in square points, of a bin with all frames and of the smallest bins.
 LARGEST, SMALLEST = 150.0, 5.0
 
 
 def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
-    """Draw one diagram per result; settings in ``figures.figure_reliability``."""
+    """Draw one diagram per result, using the settings in ``figures.figure_reliability``."""
     rows = -(-len(panels) // COLUMNS)
     drawn = Figure(figsize=(WIDTH, rows * ROW + LEGEND))
     heights = [4.0, 1.0] * rows
@@ -70,7 +70,10 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
 
 
 def diagram_of(run: Run, result: str) -> Reliability:
-    """Pool a result's diagrams over all test homes and seeds, equally weighted; needs a labelled frame."""
+    """Pool a result's diagrams over all test homes and seeds, with equal weights.
+
+    Raises PlacecatError if no frame has a label.
+    """
     source = run.source(result)
     bins = settings.get(run.params, "probabilities.bins")
     found = [
@@ -86,7 +89,7 @@ def diagram_of(run: Run, result: str) -> Reliability:
 
 
 def numbers(run: Run, result: str) -> str:
-    """Format a result's log loss and calibration error as in the added table."""
+    """Format a result's log loss and calibration error as in the additional table."""
     averages = run.results.quality[result].averages()
     return f"log loss {averages['log_loss']:.2f}, error {averages['calibration_error']:.1f} %"
 

@@ -23,7 +23,7 @@ class Failure(NamedTuple):
 
 
 def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
-    """Draw the most certain mistakes, on two different places; settings in ``figures.figure_18``."""
+    """Draw the most certain mistakes on two different places, using the settings in ``figures.figure_18``."""
     # Inches.
     width, labels, bars, decisions, foot = 2.6, 1.4, 2.25, 0.78, 0.34
     found = failures(run, list(cues.values()), run.threshold(filter))[:2]
@@ -50,9 +50,10 @@ def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
 
 
 def failures(run: Run, results: list[str], least: float) -> list[Failure]:
-    """For each place, find the frame that all cues get wrong with the most certainty; most certain first.
+    """Find, for each place, the frame that all cues get wrong with the greatest certainty.
 
-    Frames need an information measure of at least `least`; `results` are the cues' results.
+    The frames are sorted, with the most certain one first. Only frames with an information measure of at
+    least `least` count. `results` are the results of the cues.
     """
     homes = run.source(results[0]).homes
     labels = [run.labels(home) for home in homes]
@@ -75,10 +76,11 @@ def failures(run: Run, results: list[str], least: float) -> list[Failure]:
 
 
 def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Return each frame's certainty: the share of `labelled` frames at most as certain, averaged over cues.
+    """Return the certainty of each frame, (frames,).
 
-    `largest` are the decisions' (cues, frames) probabilities; the result is (frames,). Probabilities are not
-    directly comparable: some cues always have nearly even distributions, others never.
+    For one cue, this is the share of `labelled` frames on which the cue is no more certain. The result is the
+    mean over all cues. `largest` has the (cues, frames) probabilities of the decisions. They cannot be
+    compared directly, since some cues always have nearly even distributions and others never do.
     """
     shares = [
         np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()
@@ -88,7 +90,7 @@ def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray
 
 
 def draw_rejected(run: Run, *, filter: str) -> Figure:
-    """Draw the most and the least informative rejected frame; settings in ``figures.figure_19``."""
+    """Draw the most and the least informative rejected frame, using the settings in ``figures.figure_19``."""
     # Inches.
     width, gap = 3.2, 0.15
     threshold = run.threshold(filter)

@@ -1,4 +1,4 @@
-"""Shared parts of figures: frames, maps, circles, arrows, and distributions over places as divided bars."""
+"""Parts that figures share: frames, maps, circles, arrows, and distributions over places as divided bars."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -17,7 +17,7 @@ from placecat.vision.regions import radius
 DARKEST = 99.5
 # Maximum width in pixels of a frame in a figure.
 MOST_PIXELS = 960
-# Smallest share that has room for its percentage.
+# The smallest share that has room for its percentage.
 LEAST_WRITTEN = 0.07
 LEGEND_COLUMNS = 5
 
@@ -35,9 +35,10 @@ def show_frame(axes: Axes, frame: NDArray[np.uint8]) -> None:
 
 
 def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, int] | None = None) -> None:
-    """Show a non-negative (h, w) map, strong responses dark; values from percentile `DARKEST` up are darkest.
+    """Show a non-negative (h, w) map in which strong responses are dark.
 
-    Data coordinates are pixels of a frame of `frame_size` (width, height), or of the map if that is None.
+    All values above the percentile `DARKEST` are equally dark. Data coordinates are pixels of a frame of
+    `frame_size` (width, height), or of the map if that is None.
     """
     width, height = frame_size or plane.shape[::-1]
     extent = (-0.5, width - 0.5, height - 0.5, -0.5)
@@ -50,7 +51,7 @@ def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, 
 def draw_regions(axes: Axes, regions: NDArray[np.float32], width: int, colors: list[str]) -> None:
     """Draw a circle around each of (n, 4) salient regions (x, y, scale, saliency; thesis 3.1.1.3).
 
-    `width` is the frame's width in pixels; `colors` has a colour per region.
+    `width` is the frame's width in pixels, and `colors` has one colour per region.
     """
     for (x, y, scale, _), color in zip(regions.tolist(), colors, strict=True):
         size = float(radius(scale, width))
@@ -60,7 +61,7 @@ def draw_regions(axes: Axes, regions: NDArray[np.float32], width: int, colors: l
 
 
 class Sheet:
-    """A figure of `width` and `height` inches, with panels positioned from its upper left corner."""
+    """A figure of `width` by `height` inches, with panels positioned relative to its upper left corner."""
 
     def __init__(self, width: float, height: float) -> None:
         self.width, self.height = width, height
@@ -73,7 +74,7 @@ class Sheet:
         return self.figure.add_axes(box)
 
     def arrow(self, start: tuple[float, float], end: tuple[float, float], text: str = "") -> None:
-        """Draw a small arrow between two points (x, y), with a text at its middle."""
+        """Draw a small arrow between two points (x, y), with text at its middle."""
         arrow = FancyArrowPatch(self._at(*start), self._at(*end), arrowstyle="-|>", shrinkA=0, shrinkB=0)
         arrow.set(transform=self.figure.transFigure, mutation_scale=8, color=palette.MUTED, linewidth=0.9)
         self.figure.add_artist(arrow)
@@ -82,7 +83,7 @@ class Sheet:
             self.text((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, text, bbox=clear)
 
     def text(self, x: float, y: float, text: str, **options: Any) -> None:
-        """Write at a point; `options` are those of `matplotlib.figure.Figure.text`."""
+        """Write text at a point; `options` are those of `matplotlib.figure.Figure.text`."""
         self.figure.text(*self._at(x, y), text, **{"ha": "center", "va": "center", "fontsize": 7, **options})
 
     def _at(self, x: float, y: float) -> tuple[float, float]:
@@ -90,7 +91,7 @@ class Sheet:
 
 
 def weight_text(weight: float) -> str:
-    """Format a map's weight 1 / sqrt(m), e.g. as "× 1/√3"; m is its number of maxima (thesis 3.1.1.1)."""
+    """Format a map's weight 1 / sqrt(m), e.g. "× 1/√3", where m is its number of maxima (thesis 3.1.1.1)."""
     return f"× 1/√{round(weight**-2)}" if weight else "× 0"
 
 
@@ -104,7 +105,7 @@ def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None
 def share_bar(
     axes: Axes, y: float, shares: NDArray[np.floating], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw (classes,) shares, 0 to 1, as a horizontal bar around `y`, with percentages if there is room."""
+    """Draw (classes,) shares from 0 to 1 as a horizontal bar around `y`, with percentages where they fit."""
     left = 0.0
     for share, color in zip(shares.tolist(), palette.place_colors(classes).values(), strict=True):
         axes.barh(y, share, height, left, color=color, edgecolor="white", linewidth=0.6)
@@ -118,7 +119,7 @@ def share_bar(
 def share_rows(
     axes: Axes, rows: Mapping[str, NDArray[np.floating]], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw one (classes,) distribution per row, its name on the left; the first is at 0, the next at -1."""
+    """Draw one (classes,) distribution per row, with its name on the left; rows are at heights 0, -1, ..."""
     for row, shares in enumerate(rows.values()):
         share_bar(axes, -row, shares, classes, height=height)
     axes.set_yticks([-row for row in range(len(rows))], list(rows))
@@ -130,7 +131,10 @@ def share_rows(
 
 
 def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]) -> None:
-    """Draw the legend of the places' colours; `at` is its left centre in fractions of the figure."""
+    """Draw the legend of the places' colours.
+
+    `at` is the middle of the left side of the legend, in fractions of the figure.
+    """
     handles = [Patch(color=color) for color in palette.place_colors(classes).values()]
     titles = [palette.place_title(place) for place in classes]
     where: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": at, "borderaxespad": 0}
@@ -139,7 +143,7 @@ def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]
 
 
 def stretches(places: NDArray[np.integer]) -> list[slice]:
-    """Return the stretches of equal values in (n,) places, in order."""
+    """Return, in order, the stretches of (n,) places in which the place stays the same."""
     if not len(places):
         return []
     starts = np.flatnonzero(np.r_[True, places[1:] != places[:-1]]).tolist()

@@ -1,6 +1,6 @@
 """Thesis 4.5 and 4.9, Figures 16, 17 and 20: strips of probabilities, darker for more probable places.
 
-Frames run to the right, places downwards.
+Frames run from left to right, and places from top to bottom.
 """
 
 from collections.abc import Mapping, Sequence
@@ -22,7 +22,7 @@ from placecat.ranges import Count
 from placecat.report.figures.panels import stretches
 from placecat.report.run import Run, home_of
 
-# Maximum width of a strip in pixels; more frames are averaged.
+# Maximum width of a strip in pixels; if there are more frames, neighbouring ones are averaged.
 MAX_COLUMNS = 1000
 # Percentiles of a strip's probabilities that are drawn white and black.
 WHITE, BLACK = 1.0, 99.0
@@ -45,10 +45,11 @@ def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
 
 
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
-    """Draw one strip below the other, each with the homes side by side; a strip's greys span its values.
+    """Draw strips one below the other, each with its homes side by side.
 
-    `homes` are test homes of every result. `panels` maps each strip's title to its result, from top to
-    bottom; the first seed is drawn. A missing result raises PlacecatError.
+    `homes` are test homes of every result. `panels` maps the title of each strip to its result, from top to
+    bottom. The first seed is drawn, and the greys of a strip span its values. Raises PlacecatError if a
+    result is missing.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
     truths = {home: run.labels(listed[home]) for home in homes}
@@ -97,11 +98,11 @@ def draw(
     cuts: Sequence[int],
     span: tuple[float, float],
 ) -> AxesImage:
-    """Draw one strip: a row per place, the true place as a blue line, and the accuracy (thesis 4.2) above.
+    """Draw one strip: a row per place, a blue line for the true place, and the accuracy (thesis 4.2) above.
 
-    For unlabelled frames, the line runs through an additional row. `proba` is (frames, len(classes)); `truth`
-    (frames,) has class indices, -1 for unlabelled; `cuts` are the frames that follow a cut of the film;
-    `span` has the probabilities that are drawn white and black.
+    For unlabelled frames, the line runs through an additional row. `proba` is (frames, len(classes)). `truth`
+    has the (frames,) class indices, with -1 for unlabelled frames. `cuts` lists the first frame after each
+    cut in the film. `span` gives the probability that is drawn white, and the one that is drawn black.
     """
     frames, n_classes = proba.shape
     if len(truth) != frames:
@@ -134,7 +135,7 @@ def draw(
 
 
 def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
-    """Draw the (frames,) true places as a line, thick within rows and thin between them.
+    """Draw the (frames,) true places as a line that is thick within rows and thin between them.
 
     Unlabelled frames (-1) are in row `n_classes`.
     """
@@ -151,16 +152,17 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
 
 
 def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
-    """Return the probabilities drawn white and black: percentiles `WHITE` and `BLACK`, or else 0 and 1.
+    """Return the probability that is drawn white, and the one that is drawn black.
 
-    With 0 and 1 for every strip, the nearly uniform distributions of some classifiers would be invisible.
+    These are the percentiles `WHITE` and `BLACK`, or 0 and 1 if the percentiles are equal. With 0 and 1 for
+    every strip, the nearly uniform distributions of some classifiers would be invisible.
     """
     low, high = (float(value) for value in np.percentile(proba, [WHITE, BLACK]))
     return (low, high) if high - low > 1e-6 else (0.0, 1.0)
 
 
 def columns(proba: NDArray[np.float64], limit: int) -> NDArray[np.float64]:
-    """Average neighbouring frames of (frames, classes), equally weighted, to at most `limit` rows."""
+    """Average neighbouring rows of (frames, classes) with equal weights so that at most `limit` remain."""
     if len(proba) <= limit:
         return proba
     edges = np.arange(limit + 1) * len(proba) // limit
