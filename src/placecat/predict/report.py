@@ -79,8 +79,7 @@ def shares(prediction: Prediction) -> list[str]:
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Return lines with the accuracy, a confusion table (one row per label), and the share of named
-    frames."""
+    """Return lines with the accuracy, the share of named frames, and a confusion table (a row per label)."""
     if agreement["accuracy"] is None:
         return ["No categorized frame is labelled with one of the model's places, so nothing is scored."]
     table = pd.DataFrame(agreement["confusion"], list(classes), pd.Index(classes, name="label"))
