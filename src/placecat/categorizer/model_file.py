@@ -119,6 +119,6 @@ def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
 
 
 def _series(version: str) -> list[str]:
-    """Return the major and minor version. Features and models keep their meaning until one of these
-    changes."""
+    """Return the major and minor version. Only a change of these may change the meaning of features and
+    models."""
     return version.split(".")[:2]
