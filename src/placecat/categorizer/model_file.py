@@ -119,6 +119,5 @@ def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
 
 
 def _series(version: str) -> list[str]:
-    """Return the major and minor version. Only a change of these may change the meaning of features and
-    models."""
+    """Return the major and minor version; only their change can change what features and models mean."""
     return version.split(".")[:2]

@@ -91,7 +91,7 @@ class BagRecording:
         if (stamps == 0).any():
             stamps = self.received
             self._remarks.append(
-                "some stamps are zero, so each time is that at which the bag received the message"
+                "some stamps are zero, so the times at which the bag received the messages are used"
             )
         if fps is None:
             stamps = self._without_late(stamps, f"{settings}fps")

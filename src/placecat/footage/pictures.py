@@ -164,7 +164,7 @@ def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
 
 
 def _check_jpeg(path: Path | str, content: bytes) -> None:
-    """Raise an error if a JPEG is for printing, too large or damaged.
+    """Raise an error if a JPEG has CMYK colours, is too large, or is damaged.
 
     OpenCV would hide damage, because it fills in the areas that it cannot decode.
     """

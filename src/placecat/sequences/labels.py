@@ -26,8 +26,7 @@ MOST_BYTES = 16 << 20
 
 
 class Segment(NamedTuple):
-    """Frames `start` to `end`, counted from 1 and both included, with their label and its line in the
-    file."""
+    """Frames `start` to `end`, counted from 1 and both included, with their label and the label's line."""
 
     start: int
     end: int
