@@ -18,11 +18,11 @@ SETTINGS = {
 
 
 def check(descriptor: Mapping[str, Any]) -> None:
-    """Refuse a descriptor of an unknown kind or with an unknown setting; the error names the valid ones.
+    """Raise an error if a descriptor's kind or one of its settings is unknown, and name the valid ones.
 
-    A descriptor has ``kind`` (local or holistic) and ``name``; a local one also has ``y_pos``, ``y_weight``,
-    ``color`` (the colour descriptor to append, or None) and ``max_regions``. If its regions are tracked,
-    ``tracked`` is true; if they come from a variant in conf/region_variants, ``variant`` names it.
+    A descriptor has ``kind`` (local or holistic) and ``name``. A local descriptor also has ``y_pos``,
+    ``y_weight``, ``color`` (the colour descriptor to append, or None) and ``max_regions``. If its regions are
+    tracked, ``tracked`` is true; if they come from a variant in conf/region_variants, ``variant`` names it.
     """
     kind, name = descriptor["kind"], descriptor["name"]
     if kind not in SETTINGS:
