@@ -1,1 +1,1 @@
-"""Choose the settings that the thesis leaves open, judging them on training homes."""
+"""Choose the settings that the thesis leaves open by judging candidates on training homes."""
