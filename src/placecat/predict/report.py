@@ -24,7 +24,7 @@ def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> l
     if prediction.turned:
         found.append(
             f"from frame {prediction.turned[0]} on, {len(prediction.turned)} frames differ in size from the "
-            "first frame (was the phone turned?): only their centre is used"
+            "first frame (was the phone rotated?): only their centre is used"
         )
     data = categorizer.card["data"]
     # Data sets with equal titles count as the same.

@@ -79,7 +79,7 @@ def _video(path: Path, fps: float | None) -> "Recorded":
 
 
 class Recorded(Source):
-    """A video or a bag, decoded from the start exactly as the stages decode it."""
+    """A video or a bag. It is decoded from the start, exactly as the stages decode it."""
 
     timing: Timing
 
