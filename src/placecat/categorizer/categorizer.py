@@ -160,8 +160,8 @@ class Categorizer:
     ) -> Decision:
         """Categorize the next frame.
 
-        Without `seconds` and `time`, the frame comes one period of `frame_rate` after the last one. A frame
-        at the same time as the last one adds no evidence.
+        If neither `seconds` nor `time` is given, the frame comes one period of `frame_rate` after the last
+        frame. A frame at the same time as the last one adds no evidence.
 
         Parameters
         ----------

@@ -1,7 +1,8 @@
 """The fields of each class in a trained model: their types, ranges and shapes.
 
 An estimator's parameters have the types and ranges that its constructor declares. A class that is not listed,
-such as an added classifier, is accepted unchecked, since `Categorizer.load` tries every model before use.
+such as an added classifier, is accepted without a check, since `Categorizer.load` tries out every model
+before it is used.
 """
 
 from collections.abc import Callable, Mapping

@@ -119,5 +119,8 @@ def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
 
 
 def _series(version: str) -> list[str]:
-    """Return the major and minor version; only their change can change what features and models mean."""
+    """Return the major and minor version.
+
+    Features and models keep their meaning until one of these changes.
+    """
     return version.split(".")[:2]

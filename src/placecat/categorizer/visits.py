@@ -22,7 +22,7 @@ class Visit:
 
 
 class VisitLog:
-    """Collects stays frame by frame. The memory needed grows with the number of stays, not of frames."""
+    """Collects stays frame by frame. The memory that it needs grows with the number of stays, not frames."""
 
     def __init__(self) -> None:
         self._visits: list[Visit] = []
