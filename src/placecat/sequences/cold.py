@@ -79,7 +79,7 @@ def read_home(
 
 
 class Entry(NamedTuple):
-    """A line of a ``places.lst``: image name, code, time in microseconds, and line number."""
+    """A line of a ``places.lst``: its image name, its code, its time in microseconds, and its number."""
 
     image: str
     code: str
@@ -99,8 +99,8 @@ def code(label: str) -> str | None:
 def read_places(file: Path) -> list[Entry]:
     """Read the entries of a ``places.lst``. Their times must increase from line to line.
 
-    Raises PlacecatError, naming the line, if a line is not an image name and a label, or if its image is not
-    later than the previous one.
+    Raises PlacecatError, naming the line, if a line does not consist of an image name and a label, or if its
+    image is not later than the previous one.
     """
     entries: list[Entry] = []
     for line, text in enumerate(read_text(file).split("\n"), start=1):

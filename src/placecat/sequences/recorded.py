@@ -72,7 +72,7 @@ def _readable(recording: Recording | BagRecording, first: Size, kind: str) -> li
         if size != first:
             raise PlacecatError(
                 f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, but earlier frames are "
-                f"{first[0]}x{first[1]} (was the camera turned?); all frames of a home must have the same "
+                f"{first[0]}x{first[1]} (was the camera rotated?); all frames of a home must have the same "
                 f"size: cut the {kind} there."
             )
         numbers.append(frame.number)

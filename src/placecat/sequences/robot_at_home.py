@@ -54,7 +54,7 @@ _TABLES: dict[str, Columns] = {
 
 
 class _Observation(NamedTuple):
-    """A frame: session, time, number in the database, room type ("" for none) and picture."""
+    """A frame: its session, time, number in the database, room type ("" for none), and picture."""
 
     session: str
     ticks: int
