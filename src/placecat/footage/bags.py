@@ -59,9 +59,9 @@ class Picture:
 class Bag:
     """A ROS 1 ``.bag``, a ROS 2 folder, or a single ROS 2 ``.mcap`` or ``.db3``.
 
-    `topics` maps each topic to its message type and number of messages, sorted by topic; `count` is the
-    number of messages with pictures. Each pass over the messages opens the bag again. Raises PlacecatError if
-    rosbags is not installed, or cannot read the bag.
+    `topics` maps each topic to its message type and its number of messages; the topics are sorted. `count` is
+    the number of messages with pictures. Each pass over the messages opens the bag again. Raises
+    PlacecatError if rosbags is not installed, or cannot read the bag.
     """
 
     def __init__(self, path: Path) -> None:
@@ -186,7 +186,7 @@ class Bag:
 
 @cache
 def _store(is_ros1: bool) -> Any:
-    """Return ROS 1 or ROS 2 message definitions; all versions agree on pictures and strings."""
+    """Return the message definitions of ROS 1 or ROS 2; all versions define pictures and strings equally."""
     from rosbags.typesys import Stores, get_typestore
 
     return get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.ROS2_HUMBLE)

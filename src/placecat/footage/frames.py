@@ -21,10 +21,10 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    In a video, decoding starts at the last suitable frame that is not after the first row. A bag is read from
-    its start. If a row has an earlier position than the previous row, the pass starts again, so rows in
-    ascending order need at most one pass. The code never seeks in a file, because containers may silently
-    return a nearby frame.
+    In a video, decoding starts as late as possible, but not after the first row. A bag is read from its
+    start. If a row has an earlier position than the previous row, the pass starts again, so rows in ascending
+    order need at most one pass. The code never seeks in a file, because containers may silently return a
+    nearby frame.
 
     `home_root` is `Home.root`, and `frames` are any rows of `Home.frames`, in any order. `size` is the
     (width, height) in pixels that every frame must have after rotation; None takes it from the first row.

@@ -70,8 +70,9 @@ def list_frames(folder: Path) -> list[str]:
             first = seen.setdefault(key, name)
             if first != name:
                 raise PlacecatError(
-                    f"{folder / name}: by its name, this is the same frame as {first}, as with colour and "
-                    "depth or two cameras; keep one picture per frame, or number all pictures consecutively."
+                    f"{folder / name}: by its name, this is the same frame as {first}, perhaps as colour "
+                    "and depth, or from two cameras; keep one picture per frame, or number all pictures "
+                    "consecutively."
                 )
     return names
 
@@ -140,7 +141,7 @@ def turned(image: NDArray[np.uint8], degrees: int) -> NDArray[np.uint8]:
     if degrees == 0:
         return image
     if degrees not in TURNS:
-        raise PlacecatError(f"a picture cannot be turned by {degrees} degrees; choose 0, 90, 180 or 270.")
+        raise PlacecatError(f"a picture cannot be rotated by {degrees} degrees; choose 0, 90, 180 or 270.")
     return cv2.rotate(image, TURNS[degrees])  # type: ignore[return-value]
 
 
@@ -198,7 +199,8 @@ def _check_png(path: Path | str, content: bytes) -> None:
     check_size(path, width, height)
     if depth == 16 and color in (0, 4):
         raise PlacecatError(
-            f"{path}: grey with 16 bits, like a depth picture; remove it from the folder, or convert it."
+            f"{path}: the picture is grey with 16 bits, like a depth picture; remove it from the "
+            "folder, or convert it."
         )
     if b"acTL" in kinds:
         raise PlacecatError(f"{path}: the picture is animated; remove it, or save its frames one by one.")
