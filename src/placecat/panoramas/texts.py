@@ -1,4 +1,4 @@
-"""The files that accompany the frames: each home's label file and table of looks, and one data card."""
+"""The files that accompany the frames: a label file and a table of looks per home, and one data card."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby
