@@ -86,7 +86,7 @@ def apply_smoothing(
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
     """Return the labels and the frame rate of each stretch between cuts, for counting transitions.
 
-    Unevenly timed frames are resampled to what a camera with this frame rate would have recorded.
+    If frames have uneven times, they are resampled as if a camera had recorded them at this frame rate.
     """
     walks: list[NDArray[np.int16]] = []
     rates: list[float] = []

@@ -42,8 +42,8 @@ def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[
     """Train cues that share a descriptor and codebook settings; predict the plan's only tested sequence.
 
     Returns the true classes of the scored frames, and the distributions of each cue for these frames. The
-    sequence's labelled frames are scored or, with a region variant, those that have a descriptor. `seed` is
-    one of ``protocol.seeds``, or None without clusters.
+    labelled frames of the sequence are scored; with a region variant, only those that have a descriptor.
+    `seed` is one of ``protocol.seeds``, or None without clusters.
     """
     descriptor = cues[0].descriptor
     frames = read_frames(plan.cues, descriptor)
