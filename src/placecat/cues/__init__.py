@@ -43,9 +43,9 @@ def fit(
     `labels` are (n,) class indices in [0, len(classes)); every class must be present. `homes` (n,) has the
     home of each frame. Cross-validation keeps the frames of a home together, since neighbouring frames are
     almost identical. In `classifier`, ``model`` names a module of this package, and the other keys are
-    settings of that module. A model that needs clusters takes them from `codebook`, trained on the same
-    homes. Raises PlacecatError for an unknown model, unknown or invalid settings, or a class without training
-    frames.
+    settings of that module. A model that needs clusters takes them from `codebook`, which must be trained on
+    the same homes. Raises PlacecatError for an unknown model, unknown or invalid settings, or a class without
+    training frames.
     """
     missing = sorted(set(range(len(classes))) - set(np.unique(labels).tolist()))
     if missing:

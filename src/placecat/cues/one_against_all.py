@@ -45,8 +45,8 @@ def product_of_rows(
 ) -> NDArray[np.float64]:
     """Multiply and normalise the distributions of each frame's regions (thesis 3.3.1 and 4.4.1).
 
-    `log_proba` holds the (rows, n_classes) log-probabilities of the regions, and `frame_of_row` the (rows,)
-    frame index of each region. Returns (n_frames, n_classes); uniform for a frame without regions.
+    `log_proba` holds the log-probabilities of the regions, (rows, n_classes). `frame_of_row` holds the index
+    of each region's frame, (rows,). Returns (n_frames, n_classes); uniform for a frame without regions.
     """
     total = np.zeros((n_frames, log_proba.shape[1]))
     np.add.at(total, frame_of_row, log_proba)
