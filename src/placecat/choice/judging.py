@@ -35,13 +35,16 @@ def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
 
 
 def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]:
-    """Train a cue without clusters on a plan; map each tested home to distributions for all its frames."""
+    """Train a cue without clusters according to a plan, and apply it to all frames of each tested home.
+
+    Returns a dictionary from each tested home to its distributions.
+    """
     trained = train(plan, cue)
     return {part.home: trained.predict(part.home) for part in plan.tested}
 
 
 def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
-    """Train a cue without clusters by a plan that leaves out some homes, and judge the cue on those homes.
+    """Train a cue without clusters according to a plan, and judge it on the homes that the plan leaves out.
 
     The plan tests one or two homes. If it tests two, each is judged as an unseen training home, with the
     other as the test home. `smallest` is as for :func:`placecat.evaluation.probabilities.log_loss`.
