@@ -80,8 +80,8 @@ class Source(ABC):
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
         """Return the true place of each frame, or None if there are no labels.
 
-        The places are (frames,) indices into the model's `classes`, or -1 for frames that are not scored.
-        Frames with a label in `ignored` are not scored.
+        The places are (frames,) indices into the model's `classes`, or -1 for frames that are not scored,
+        such as those with a label in `ignored`.
         """
         return None
 

@@ -107,7 +107,7 @@ def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = No
     The footage has `fps` frames per second, and one frame out of `every` is used. `dropped` is the number of
     camera frames that were not used.
     """
-    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} that are used of the footage's"
+    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} frames/s that are used out of the footage's"
     text = (
         f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
         f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"

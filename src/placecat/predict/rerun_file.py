@@ -18,7 +18,7 @@ IMAGE, REGIONS, PROBABILITIES, PLACE = "camera/image", "camera/image/regions", "
 """The entities. Each class has its own entity under `PROBABILITIES`."""
 FRAME, TIME = "frame", "time"
 """The timelines: the frame number, and the time since 1970. If that time is unknown, the time since the first
-frame replaces it."""
+frame is used."""
 LEAST_FREE = 64_000_000
 """Bytes that must be free on the disk, because Rerun hangs on a full disk. Our choice."""
 _REGION = (255, 235, 120)
