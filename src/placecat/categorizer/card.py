@@ -19,8 +19,8 @@ def make_card(**known: Any) -> dict[str, Any]:
     The facts have only JSON types. ``title`` is the name of the system. ``data`` has the ``title`` of the
     data set, its ``note`` (or None), and its ``version``, which is DVC's checksum. It also has the training
     ``homes``, the ``left_out`` homes, and the numbers of training ``frames`` for the cues and for the
-    integration. ``classes`` are the names of the places. ``frame_sizes`` has the (width, height) and ``fps``
-    the frame rates that occur in the training footage.
+    integration. ``classes`` are the names of the places. ``frame_sizes`` has every (width, height), and
+    ``fps`` every frame rate, that occurs in the training footage.
 
     ``accuracy`` has a percentage per home, measured with a system of the same settings that had not seen this
     home; it may be empty. ``unknown`` comes from :func:`placecat.categorizer.held_out.unknown`, or is None if
