@@ -167,7 +167,7 @@ def _known(named: Mapping[int, Any], number: int, where: str, table: str) -> Any
 def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], list[float], float | None]:
     """Return each frame's number and time in its session, and the frame rate from the median step.
 
-    Times are in seconds. The rate is None without a step.
+    Times are in seconds. The rate is None if there is no step.
     """
     # Whole ticks are exact; seconds since 1601 are not.
     longest = round(longest_gap * TICKS)
