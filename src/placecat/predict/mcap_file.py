@@ -14,8 +14,8 @@ from placecat.predict.annotate import Annotator
 from placecat.predict.frame import Frame, nanoseconds
 
 PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classification", "/placecat/place"
-"""The topics. The first two carry one message per frame. The last one is latched, and carries a new message
-whenever the place changes, also to `unknown`."""
+"""The topics. The first two carry one message per frame. The last one is latched, and carries a message
+whenever the place changes or becomes `unknown`."""
 JPEG_QUALITY = 90
 """JPEG quality of the pictures, from 0 to 100. Our choice."""
 
