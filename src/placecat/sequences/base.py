@@ -39,7 +39,7 @@ class Home:
         - ``number`` (int32): the number of the frame in its sequence, counted from 1.
         - ``source`` (str): the image, the video file or the bag, as a POSIX path relative to `root`.
         - ``position`` (int32): the index of the frame in its video, where lost frames count, or the index of
-          the message among the picture messages of its bag. It is counted from 0, and -1 for an image file.
+          the message among the picture messages of its bag. It starts at 0, and is -1 for an image file.
         - ``seconds`` (float64): the time since the start of the sequence.
         - ``label`` (str): the label as in the label file, or "" for none.
         - ``turn`` (int32), only if pictures must be rotated: 0, 90, 180 or 270 degrees clockwise.

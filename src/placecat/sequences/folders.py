@@ -13,7 +13,7 @@ from placecat.footage.names import natural, relative
 def inside(path: Path, folder: Path, origin: str) -> None:
     """Raise an error if a path leaves a folder through a symbolic link.
 
-    `origin`, for the message, is where the path is listed.
+    `origin` is where the path is listed; the message names it.
     """
     if not path.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
@@ -25,7 +25,7 @@ def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, st
     """Raise an error if a frame is missing, or if a link leads out of the folder `limit`.
 
     `origin` is the file that lists the frames. `listed` maps the name of each frame to its place in that
-    file. `remedy`, for the message, is what to do about a missing frame.
+    file. `remedy` tells the user what to do about a missing frame.
     """
     inside(folder, limit, origin)
     links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)} if folder.is_dir() else {}
