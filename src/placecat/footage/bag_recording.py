@@ -46,9 +46,9 @@ class BagFrame:
 class BagRecording:
     """A bag's frames: the pictures of one topic, ordered by their stamps.
 
-    Opening reads the topic once. A frame that is not later than all frames before it arrived late or twice.
-    It is skipped and has no number. Raises PlacecatError if the bag cannot be read, the topic has no
-    pictures, or its times are implausible.
+    Opening reads the topic once. A frame must be later than all previous frames. Otherwise, it came late or
+    twice, so it is skipped and has no number. Raises PlacecatError if the bag cannot be read, the topic has
+    no pictures, or its times are implausible.
 
     Parameters
     ----------

@@ -22,7 +22,7 @@ def read_frames(
     """Decode frames in the order of the rows.
 
     In a video, decoding starts as late as possible, but not after the first row. A bag is read from its
-    start. If a row has an earlier position than the previous row, the pass starts again, so rows in ascending
+    start. If a row has an earlier position than the previous row, reading starts again, so rows in ascending
     order need at most one pass. The code never seeks in a file, because containers may silently return a
     nearby frame.
 
