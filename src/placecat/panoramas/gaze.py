@@ -66,9 +66,9 @@ def gaze(
 
 
 def least_jerk(done: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the share of its way that a movement has covered after a share of its time.
+    """Return how much of its way a movement has covered after a share of its time.
 
-    Both shares are from 0 to 1. The movement starts and ends at rest (Flash and Hogan 1985).
+    Both are shares from 0 to 1. The movement starts and ends at rest (Flash and Hogan 1985).
 
     Examples
     --------

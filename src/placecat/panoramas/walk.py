@@ -15,7 +15,10 @@ class Room(NamedTuple):
 
 
 class Part(NamedTuple):
-    """Part of a stay: the stay, the room and the panorama (numbers from 0), and how many frames it has."""
+    """Part of a stay, with a number of frames.
+
+    The stay, the room and the panorama are given by their numbers, which are counted from 0.
+    """
 
     stay: int
     room: int
