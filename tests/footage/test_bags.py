@@ -65,7 +65,7 @@ def test_times_are_the_stamps_or_else_the_times_of_reception(tmp_path, kind):
     zero = [(CAMERA, one, picture(version, 0, coded(number))) for number, one in enumerate(stamps)]
     recording = BagRecording(write_bag(tmp_path / "b" / kind, zero))
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3])
-    assert "some stamps are zero, so times are when the bag received" in recording.note()
+    assert "some stamps are zero, so the times at which the bag received" in recording.note()
 
 
 def test_frames_that_come_late_or_twice_are_left_out(tmp_path):

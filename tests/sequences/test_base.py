@@ -105,7 +105,7 @@ class TestReadFrames:
         assert [decoded(np.ascontiguousarray(image)) for image in back] == [5, 77, 6]
         with pytest.raises(PlacecatError, match=r"a\.avi frame 6: the frame is 64x48, but .* 48x64"):
             list(read_frames(tmp_path, mixed.assign(turn=0), size=(HEIGHT, WIDTH)))
-        with pytest.raises(PlacecatError, match="cannot be turned by 45 degrees; choose 0, 90, 180 or 270"):
+        with pytest.raises(PlacecatError, match="cannot be rotated by 45 degrees; choose 0, 90, 180 or 270"):
             list(read_frames(tmp_path, mixed.assign(turn=45)))
 
     def test_image_named_like_a_series_in_a_video_row(self, tmp_path: Path) -> None:

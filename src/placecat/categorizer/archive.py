@@ -53,7 +53,7 @@ def opened(path: Path) -> Iterator["Archive"]:
             _check_seal(path, file)
             try:
                 archive = zipfile.ZipFile(file)
-            # zipfile raises these for invalid numbers in headers.
+            # zipfile raises these errors for invalid numbers in headers.
             except (zipfile.BadZipFile, NotImplementedError, OSError, ValueError) as error:
                 raise PlacecatError(f"{path} is not a placecat model, or is damaged: {error}") from None
             with archive:
@@ -65,8 +65,8 @@ def opened(path: Path) -> Iterator["Archive"]:
 class Archive:
     """The members of an archive.
 
-    Raises PlacecatError if a member is compressed or encrypted, if two have the same name, or if all together
-    claim more bytes than the file has.
+    Raises PlacecatError if a member is compressed or encrypted, if two members have the same name, or if the
+    members together claim more bytes than the file has.
     """
 
     def __init__(self, path: Path, archive: zipfile.ZipFile) -> None:
@@ -84,7 +84,7 @@ class Archive:
             raise self.damaged("two of its members share a name")
 
     def damaged(self, why: object) -> PlacecatError:
-        """Return the error for a damaged file; the reason `why` may itself be such an error."""
+        """Return the error for a damaged file. The reason, `why`, may itself be such an error."""
         start = f"{self._path} is damaged, or is not a placecat model: "
         said = " ".join(str(why).split()).removeprefix(start)
         return PlacecatError(start + said[:300])
@@ -100,7 +100,7 @@ class Archive:
             raise self.damaged(f"its member {name} cannot be read ({error})") from None
 
     def array(self, name: str) -> NDArray[np.generic]:
-        """Read an array (``.npy``) of numbers, booleans or text, without pickle.
+        """Read an array of numbers, booleans or text from an ``.npy`` member, without using pickle.
 
         Raises PlacecatError if the member is not such an array, or if its header does not match its size.
         """

@@ -16,14 +16,15 @@ LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
 def make_card(**known: Any) -> dict[str, Any]:
     """Build a card from the facts `known` and the versions of placecat, Python and `LIBRARIES`.
 
-    The facts have JSON types only. ``title`` is the name of the system. ``data`` has the ``title`` and the
-    ``note`` (or None) of the data set, its ``version`` (DVC's checksum), the training ``homes``, the homes
-    ``left_out``, and the numbers of training ``frames`` for the cues and for the integration. ``classes`` are
-    the names of the places. ``frame_sizes`` and ``fps`` are the (width, height) and the frames/s of the
-    training footage. ``accuracy`` is the percentage per home, measured with an equally configured system that
-    had not seen the home; it may be empty. ``unknown`` comes from
-    :func:`placecat.categorizer.held_out.unknown`, or is None if not measured. ``settings`` are all training
-    settings.
+    The facts have only JSON types. ``title`` is the name of the system. ``data`` has the ``title`` of the
+    data set, its ``note`` (or None), and its ``version``, which is DVC's checksum. It also has the training
+    ``homes``, the ``left_out`` homes, and the numbers of training ``frames`` for the cues and for the
+    integration. ``classes`` are the names of the places. ``frame_sizes`` has every (width, height), and
+    ``fps`` every frame rate, that occurs in the training footage.
+
+    ``accuracy`` has a percentage per home, measured with a system of the same settings that had not seen this
+    home; it may be empty. ``unknown`` comes from :func:`placecat.categorizer.held_out.unknown`, or is None if
+    it was not measured. ``settings`` has all training settings.
     """
     versions = {"python": platform.python_version()} | {name: version(name) for name in LIBRARIES}
     return {"format": FORMAT, "placecat": __version__} | known | {"versions": versions}

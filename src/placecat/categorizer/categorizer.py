@@ -30,15 +30,17 @@ from placecat.vision.tracking import RegionTracker
 class Decision:
     """The decision after a frame. Distributions are (n_classes,) float64 and sum to 1.
 
-    `place` is the most probable class of `proba`, and `confidence` its probability; the place `is_known` if
+    `place` is the most probable class in `proba`, and `confidence` is its probability. `is_known` is true if
     this is at least :attr:`Categorizer.threshold`. `proba` is the distribution after the hidden Markov model
-    and the delay (thesis 3.4), and `hmm` the one before the delay. For this frame alone, `integrated` is the
-    distribution from all cues together (3.3.3), and `cues` has one distribution per cue.
+    and the delay (thesis 3.4), and `hmm` is the distribution before the delay. Two attributes use this frame
+    alone: `integrated` is the distribution from all cues together (3.3.3), and `cues` has one distribution
+    per cue.
 
-    `regions` are the salient regions, (n, 4) float32: x, y (pixels of the resized frame), scale, strength;
-    strongest first. These are the tracked regions if any cue follows regions. `seconds` is the time of the
-    frame; see :meth:`Categorizer.update`. `proba` refers to the time `about`, at or before `seconds`: the
-    mean time of the frames that the delay mixes, weighted as the delay weights them.
+    `regions` are the salient regions, strongest first. They are (n, 4) float32, with x and y in pixels of the
+    resized frame, scale, and strength. If any cue follows regions, these are the tracked regions. `seconds`
+    is the time of the frame; see :meth:`Categorizer.update`. `about` is the time to which `proba` refers,
+    which is at or before `seconds`. It is the mean time of the frames that the delay mixes, with the weights
+    of the delay.
     """
 
     place: str
@@ -61,8 +63,8 @@ class Decision:
 class Categorizer:
     """Names the place of each frame from a video or camera.
 
-    The results equal the batch pipeline's bit for bit if NumPy's OpenBLAS uses the same kernels. The pipeline
-    uses the Haswell kernels: it sets ``OPENBLAS_CORETYPE=Haswell`` before importing NumPy.
+    The results are exactly those of the batch pipeline if NumPy's OpenBLAS uses the same kernels. The
+    pipeline uses the Haswell kernels: it sets ``OPENBLAS_CORETYPE=Haswell`` before importing NumPy.
 
     Parameters
     ----------
@@ -76,13 +78,13 @@ class Categorizer:
     classes
         Names of the places, in the order of the distributions.
     frame_sizes
-        (width, height) of the training frames; other sizes are refused unless `resize` is true.
+        The (width, height) of the training frames. Other sizes raise an error unless `resize` is true.
     card
         Facts about the system: its data, accuracy, settings and versions.
     threshold
-        Decisions below this confidence are unknown. It is chosen on the training homes so that at most a
-        share ``model.risk`` of the other decisions is wrong there. It is 0 if it was not measured, and
-        infinite if no confidence is high enough.
+        Decisions below this confidence are unknown. It is chosen so that, in the training homes, at most a
+        share ``model.risk`` of all other decisions is wrong. It is 0 if it was not measured, and infinite if
+        no confidence is high enough.
 
     Examples
     --------
@@ -133,7 +135,7 @@ class Categorizer:
             categorizer = cls(system, resize=resize)
             with np.errstate(all="ignore"):
                 categorizer._try()
-        # A handmade file may raise any error.
+        # A file that was made by hand may raise any error.
         except Exception as error:
             said = " ".join(str(error).split())[:300]
             raise PlacecatError(f"{path} is damaged, or is not a placecat model: {said}") from None
@@ -158,13 +160,13 @@ class Categorizer:
     ) -> Decision:
         """Categorize the next frame.
 
-        Without `seconds` and `time`, the frame comes one period of `frame_rate` after the last one. A frame
-        at the same time as the last one adds no evidence.
+        If neither `seconds` nor `time` is given, the frame comes one period of `frame_rate` after the last
+        frame. A frame at the same time as the last one adds no evidence.
 
         Parameters
         ----------
         frame
-            (height, width, 3) uint8 BGR, as OpenCV returns it, upright, in one of `frame_sizes`.
+            An upright frame of one of the `frame_sizes`: (height, width, 3) uint8 BGR, as OpenCV returns it.
         seconds
             Time since the last frame, at least 0. The first frame is at time 0, and its duration is
             `seconds`.
@@ -172,9 +174,9 @@ class Categorizer:
             Time of the frame in seconds, on any clock that never runs backwards. The first frame lasts one
             period of `frame_rate`.
 
-        A frame is skipped with a PlacecatError if it has the wrong type or size (with `resize`: if less than
-        half of it would remain), if its time is not finite or is earlier than the last frame's, or if both
-        times are passed.
+        Raises PlacecatError, and skips the frame, if its type or size is wrong, if its time is not finite or
+        is earlier than that of the last frame, or if both `seconds` and `time` are given. With `resize`, a
+        size is wrong only if less than half of the frame would remain.
         """
         frame = self._fitted(frame)
         now, elapsed = self._moment(seconds, time)
@@ -185,10 +187,11 @@ class Categorizer:
         return decision
 
     def visits(self) -> list[Visit]:
-        """List the stays so far, in order: runs of frames with the same name, which may be ``unknown``.
+        """List the stays so far, in order.
 
-        A stay ends when the next begins; the last ends with the last frame. A stay starts when the decision
-        changes, so its times lag by the delay.
+        A stay is a run of frames with the same name, which may be ``unknown``. It ends when the next stay
+        begins; the last stay ends with the last frame. A stay starts when the decision changes, so its times
+        lag behind by the delay.
         """
         return self._visits.until(self._last)
 
@@ -291,7 +294,7 @@ class Categorizer:
 
 
 def _only(vision: dict[str, Any], descriptors: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """Return the vision settings with only these descriptors."""
+    """Return the vision settings, limited to these descriptors."""
     wanted = {(own["kind"], own["name"]) for own in descriptors}
     wanted |= {("local", own["color"]) for own in descriptors if own.get("color")}
     return vision | {

@@ -14,7 +14,8 @@ from placecat.schema import signatures
 from placecat.schema.base import Own, Section
 from placecat.vision.frame import check as check_vision
 
-# Largest valid number in a vision setting. Larger ones need too much memory; real ones are far smaller.
+# Largest valid number in a vision setting. Larger numbers need too much memory, and real settings are far
+# smaller.
 _MOST = 4096
 _Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
 # Rounding may push a probability above 1.
@@ -104,14 +105,14 @@ class _Content(Section):
 
 
 def check_card(card: Mapping[str, Any]) -> None:
-    """Refuse a card with missing, extra or invalid fields, or with a repeated class."""
+    """Raise an error if a card has missing, extra or invalid fields, or if it lists a class twice."""
     schema.check(card, _Card)
     if len(set(card["classes"])) < len(card["classes"]):
         raise PlacecatError("classes: a place is listed twice")
 
 
 def check_content(content: Any) -> None:
-    """Refuse content that :func:`placecat.categorizer.model_file.write` cannot have written."""
+    """Raise an error for content that :func:`placecat.categorizer.model_file.write` cannot have written."""
     if not isinstance(content, dict):
         raise PlacecatError("its content is not a mapping")
     schema.check(content, _Content)
@@ -122,7 +123,7 @@ def check_content(content: Any) -> None:
 
 
 def check_system(system: TrainedSystem) -> None:
-    """Refuse a system with repeated cues, or with parts that do not fit together."""
+    """Raise an error if a system lists a cue twice, or if its parts do not fit together."""
     n_classes, names = len(system.card["classes"]), [cue.name for cue in system.cues]
     if len(set(names)) < len(names):
         raise PlacecatError("a cue is listed twice")
@@ -137,7 +138,7 @@ def check_system(system: TrainedSystem) -> None:
 
 
 def check_distribution(proba: Any, n_classes: int) -> None:
-    """Refuse anything but (n_classes,) probabilities that sum to 1."""
+    """Raise an error unless `proba` holds (n_classes,) probabilities that sum to 1."""
     values = np.asarray(proba)
     if values.shape != (n_classes,) or not np.isfinite(values).all():
         raise PlacecatError(f"it does not give a distribution over {n_classes} places")
@@ -146,7 +147,7 @@ def check_distribution(proba: Any, n_classes: int) -> None:
 
 
 def _check_sizes(value: Any, place: str) -> None:
-    """Refuse settings whose numbers or lists would need too much memory."""
+    """Raise an error if numbers or lists in the settings would need too much memory."""
     if isinstance(value, Mapping):
         for name, own in value.items():
             _check_sizes(own, f"{place}.{name}")

@@ -1,7 +1,7 @@
-"""Pydantic's validators of fields in a trained model that Python's types and `placecat.ranges` lack.
+"""Pydantic validators for fields of a trained model, in addition to those in `placecat.ranges`.
 
-Letters name sizes that an object's fields share; the first field with a letter sets its size. The sizes are
-pydantic's validation context, a dictionary.
+A letter stands for a size that several fields of an object share; the first field with that letter sets the
+size. A dictionary holds the sizes and is passed to pydantic as its validation context.
 """
 
 from typing import Any
@@ -13,7 +13,7 @@ _LARGE = 10**15
 
 
 def side(letter: str) -> AfterValidator:
-    """Require a whole number, or the length of a list, to be the size of a letter."""
+    """Require that a whole number, or the length of a list, equals the size of this letter."""
 
     def check(value: Any, info: ValidationInfo) -> Any:
         _same(value if isinstance(value, int) else len(value), letter, info)
@@ -30,11 +30,12 @@ def array(
     below: str = "",
     nan: bool = False,
 ) -> PlainValidator:
-    """Accept an array; each side is a number, the letter of a size, or None for any length.
+    """Accept an array with these sides and this type.
 
-    `kind` is one or more of NumPy's letters ``i``, ``u`` (integers), ``f`` (floats) and ``b`` (booleans).
-    Values must be finite, from `low` to `high`, and below the size of the letter `below`; `nan` also allows
-    NaN.
+    Each side is a number, the letter of a size, or None for any length. `kind` has one or more of NumPy's
+    letters ``i``, ``u`` (integers), ``f`` (floats) and ``b`` (booleans). Values must be finite and lie
+    between `low` and `high`. If `below` is given, they must also be below the size of that letter. `nan` also
+    allows NaN.
     """
 
     def check(value: Any, info: ValidationInfo) -> Any:

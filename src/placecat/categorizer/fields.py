@@ -1,7 +1,8 @@
 """The fields of each class in a trained model: their types, ranges and shapes.
 
 An estimator's parameters have the types and ranges that its constructor declares. A class that is not listed,
-such as an added classifier, is accepted unchecked, since `Categorizer.load` tries every model before use.
+such as an added classifier, is accepted without a check, since `Categorizer.load` tries out every model
+before it is used.
 """
 
 from collections.abc import Callable, Mapping
@@ -21,7 +22,7 @@ from placecat.ranges import Count, NonNegative, OneOf, Positive, Share, Two
 
 
 def check(kind: type, state: Mapping[str, Any]) -> None:
-    """Refuse attributes that do not fit their class, such as :class:`NuSVM`, or do not fit each other.
+    """Raise an error if attributes do not fit their class, such as :class:`NuSVM`, or each other.
 
     The PlacecatError names the class and, if possible, the attribute.
     """
@@ -42,7 +43,7 @@ def check(kind: type, state: Mapping[str, Any]) -> None:
 
 @cache
 def _types(kind: type) -> dict[str, TypeAdapter[Any]]:
-    """Return the checks of a class's fields: those in `FIELDS`, and an estimator's stored parameters."""
+    """Return the checks for a class: for its fields in `FIELDS` and, in an estimator, for its parameters."""
     types = dict(FIELDS[kind.__name__])
     if issubclass(kind, BaseEstimator):
         hints = get_type_hints(kind.__init__, include_extras=True)  # type: ignore[misc]
@@ -64,7 +65,7 @@ def _probabilities(*sides: str) -> PlainValidator:
 
 
 def _in_order(numbers: np.ndarray) -> np.ndarray:
-    """Require the class numbers 0, 1, ..., K - 1, since they index columns of probabilities."""
+    """Require the class numbers 0, 1, ..., K - 1 in this order, since they index columns of probabilities."""
     if not np.array_equal(numbers, np.arange(len(numbers))):
         raise ValueError("it must hold the numbers 0, 1, 2, ...")
     return numbers
@@ -240,7 +241,7 @@ def _fit_pairs(state: Mapping[str, Any], sizes: Sizes) -> bool:
     )
 
 
-# Relations between attributes, apart from equal sides.
+# How the attributes of a class must fit together, apart from sides of equal length.
 RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
     "SmoothingModel": _fit_smoothing,
     "Integrator": lambda state, _: (

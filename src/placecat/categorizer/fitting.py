@@ -11,12 +11,12 @@ from placecat.errors import PlacecatError
 
 Size = tuple[int, int]
 LEAST = 0.5
-"""Share of a frame that must remain after cropping; less would be a different view."""
+"""Share of a frame that must remain after cropping. A smaller part would be too different a view."""
 
 
 @dataclass(frozen=True)
 class Fit:
-    """How to crop and scale frames: (width, height) of the footage, the centre crop and the result."""
+    """How to crop and scale frames: the (width, height) of the footage, the centre crop, and the result."""
 
     source: Size
     kept: Size
@@ -25,9 +25,9 @@ class Fit:
     def __call__(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """Crop and scale an (H, W, 3) uint8 frame to the size `target`.
 
-        A frame whose size differs from `source`, for example after a phone was turned, is cropped at its
-        centre to the aspect ratio of `target`. A frame that already has the size `target` is returned
-        unchanged.
+        If the size of a frame differs from `source`, for example after a phone was rotated, the frame is
+        cropped around its centre to the aspect ratio of `target`. A frame that already has the size `target`
+        is returned unchanged.
         """
         size = (frame.shape[1], frame.shape[0])
         if size != self.source:
@@ -46,11 +46,13 @@ class Fit:
 
 
 def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
-    """Choose how to crop and scale footage of the size `source` to one of the model's sizes, `known`.
+    """Choose how to crop and scale footage to a frame size of the model.
 
-    With `resize`, frames of other sizes are scaled, and cropped at the centre if their aspect ratio differs.
-    The chosen size keeps the most of the frame; among equals, the nearest size wins. Raises PlacecatError if
-    the size is not in `known` and `resize` is false, or if less than half of the frame would remain.
+    `source` is the size of the footage, and `known` are the sizes that the model knows. With `resize`, frames
+    of other sizes are scaled, and are cropped around the centre if their aspect ratio differs. The target is
+    the size that keeps the most of the frame or, if several keep the same, the nearest of them. Raises
+    PlacecatError if the size is not in `known` and `resize` is false, or if less than half of the frame would
+    remain.
     """
     if source in known:
         return Fit(source, source, source)
@@ -72,7 +74,10 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
 
 
 def _middle(source: Size, target: Size) -> Size:
-    """Return the size of the largest crop with the aspect ratio of `target`; ignore differences up to 1 %."""
+    """Return the size of the largest crop with the aspect ratio of `target`.
+
+    If neither side would shrink by more than 1 %, returns `source` itself.
+    """
     width = min(source[0], round(source[1] * target[0] / target[1]))
     height = min(source[1], round(source[0] * target[1] / target[0]))
     if width >= 0.99 * source[0] and height >= 0.99 * source[1]:

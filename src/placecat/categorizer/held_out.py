@@ -19,7 +19,7 @@ HeldOut = Mapping[str, NDArray[np.float64]]
 
 
 def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
-    """Read a system's output from the stage `smoothing` for each test home."""
+    """Read the output that the stage `smoothing` saved for a system in each test home."""
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
     )
@@ -30,8 +30,8 @@ def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
 def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], seed: int) -> HeldOut:
     """Train the system `name` without each home in turn, and apply it to that home.
 
-    Homes in `without` are always left out. If `without` is empty, the outputs equal the stages' outputs bit
-    for bit. If there are too few homes, the result is empty.
+    Homes in `without` are always left out. If `without` is empty, the outputs are exactly those of the
+    stages. If there are too few homes, the result is empty.
     """
     homes = [home for home in settings.get(params, "dataset.homes") if home not in without]
     scheme = settings.get(params, f"systems.{name}.scheme")
@@ -46,7 +46,7 @@ def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], se
 
 
 def accuracies(held_out: HeldOut) -> dict[str, float]:
-    """Return each home's accuracy in percent, the mean over its places (thesis 4.2)."""
+    """Return the accuracy in each home, in percent, as the mean over its places (thesis 4.2)."""
     return {
         home: round(
             home_accuracy(confusion_matrix(read_labels(home), proba.argmax(axis=1), proba.shape[1])), 2
@@ -58,11 +58,13 @@ def accuracies(held_out: HeldOut) -> dict[str, float]:
 def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[str, Any] | None:
     """Choose the confidence below which a decision is unknown.
 
-    `chosen` is the accepted share of wrong decisions; the shares `shown` are measured too. Returns a dict for
-    the card, or None if there are fewer than two homes. Its ``risk`` is `chosen`, and its ``threshold`` is
-    the chosen confidence, or None if none is high enough. Its ``measured`` has for each share the
-    ``threshold``, and the ``coverage``, ``wrong`` and ``worst`` that result if the threshold for each home is
-    chosen on the other homes (:class:`placecat.evaluation.selection.Selection`).
+    `chosen` is the accepted share of wrong decisions. The shares in `shown` are measured too. Returns a
+    dictionary for the card, or None if there are fewer than two homes.
+
+    In the dictionary, ``risk`` is `chosen`, and ``threshold`` is the chosen confidence, or None if no
+    confidence is high enough. ``measured`` has one entry per share, with its ``threshold`` and with
+    ``coverage``, ``wrong`` and ``worst``. These three result if the threshold for each home is chosen on the
+    other homes (see :class:`placecat.evaluation.selection.Selection`).
     """
     homes = {home: decided(read_labels(home), proba) for home, proba in held_out.items()}
     if len(homes) < 2:

@@ -119,5 +119,8 @@ def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
 
 
 def _series(version: str) -> list[str]:
-    """Return the major and minor version, within which features and models keep their meaning."""
+    """Return the major and minor version.
+
+    Features and models keep their meaning until one of these changes.
+    """
     return version.split(".")[:2]

@@ -10,7 +10,10 @@ from placecat.fusion.smoothing import SmoothingModel
 
 @dataclass(frozen=True)
 class TrainedCue:
-    """A cue: its name in conf/cue, its descriptor (:func:`placecat.cues.cue_input.check`), and its model."""
+    """A trained cue: its name in conf/cue, its descriptor, and its model.
+
+    The descriptor is as for :func:`placecat.cues.cue_input.check`.
+    """
 
     name: str
     descriptor: dict[str, Any]
@@ -26,9 +29,10 @@ class TrainedCue:
 class TrainedSystem:
     """The cues, their integration, and the smoothing, in order of use.
 
-    `card` has facts about the system, in JSON types only; see :mod:`placecat.categorizer.card`. `vision` has
-    settings of :func:`placecat.vision.frame.describe_frame` for regions that are not tracked; `tracking` has
-    those of :class:`placecat.vision.tracking.RegionTracker`, or is None if no cue follows regions.
+    `card` has facts about the system, which have only JSON types; see :mod:`placecat.categorizer.card`.
+    `vision` has the settings of :func:`placecat.vision.frame.describe_frame` for regions that are not
+    tracked. `tracking` has the settings of :class:`placecat.vision.tracking.RegionTracker`, or is None if no
+    cue follows regions.
     """
 
     card: dict[str, Any]

@@ -19,10 +19,10 @@ from placecat.training.integration import fused_parts
 def train_command(system: str | None, without: Sequence[str], seed: int | None, output: Path | None) -> int:
     """Run `placecat train`: train a system, measure it in unseen homes, and write it to a file.
 
-    `system` is from conf/system, by default ``model.system``; `seed` is one of ``protocol.seeds``, by default
-    ``model.seed``. The homes `without` are left out of all training. The default `output` is
-    data/model.placecat or, with any other option, a file in data/models that is named after the options, such
-    as SYSTEM-without-HOME.placecat. Returns 0; user errors raise PlacecatError.
+    `system` is a system in conf/system; the default is ``model.system``. `seed` is one of ``protocol.seeds``;
+    the default is ``model.seed``. The homes `without` are left out of all training. By default, `output` is
+    data/model.placecat. If any other option is given, the default is a file in data/models that is named
+    after the options, such as SYSTEM-without-HOME.placecat. Returns 0. User errors raise PlacecatError.
     """
     params = settings.load()
     name = system if system is not None else str(settings.get(params, "model.system"))
@@ -60,9 +60,9 @@ def train(
 ) -> TrainedSystem:
     """Train the system `name` on all homes except `without`, with a seed as in :func:`train_command`.
 
-    If `without` is one home, the system equals, bit for bit, the one that the stages apply to that home. Its
-    card has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system, home or
-    seed, for too few homes, and for missing features.
+    If `without` has one home, the system is exactly the one that the stages apply to that home. The card of
+    the system has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system,
+    home or seed, for too few homes, and for missing features.
     """
     seed = int(settings.get(params, "model.seed")) if seed is None else seed
     seeds = settings.get(params, "protocol.seeds")
@@ -96,7 +96,7 @@ def assemble(
 
 
 def measured(system: TrainedSystem, params: Mapping[str, Any], decisions: held_out.HeldOut) -> TrainedSystem:
-    """Add measurements to the card; `decisions` are those of equally configured systems in unseen homes."""
+    """Add measurements to the card. `decisions` come from systems with the same settings in unseen homes."""
     risk, shown = (settings.get(params, f"model.{setting}") for setting in ("risk", "risks_shown"))
     facts = {
         "accuracy": held_out.accuracies(decisions),

@@ -10,8 +10,8 @@ UNKNOWN = "unknown"
 class Visit:
     """A stay in a place, or in `UNKNOWN`.
 
-    `start` and `end` are the times in seconds of its first frame, and of the first frame after it.
-    `confidence` is the mean confidence of its frames; there is at least one.
+    `start` is the time of its first frame, and `end` is the time of the first frame after it, both in
+    seconds. `confidence` is the mean confidence of its frames, of which there is at least one.
     """
 
     place: str
@@ -22,7 +22,7 @@ class Visit:
 
 
 class VisitLog:
-    """Collects stays frame by frame; its memory grows with the number of stays, not with that of frames."""
+    """Collects stays frame by frame. The memory that it needs grows with the number of stays, not frames."""
 
     def __init__(self) -> None:
         self._visits: list[Visit] = []

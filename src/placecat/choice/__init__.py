@@ -1,1 +1,1 @@
-"""Choose the settings that the thesis leaves open, judging them on training homes."""
+"""Judge candidates on training homes to choose the settings that the thesis leaves open."""

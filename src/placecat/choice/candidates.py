@@ -32,8 +32,8 @@ def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
     ``accuracy`` (percent) and ``log_loss`` are means over training homes that the model has not seen;
     ``test_accuracy`` and ``test_log_loss`` are ignored. Candidates whose mean accuracy is within `margin`
     points of the best count as equally accurate; of these, the first with the lowest log-loss is chosen. All
-    data sets have the same weight, and so do all test homes of a data set. Returns one row per candidate:
-    kind, name, candidate, accuracy, log_loss, chosen.
+    data sets have the same weight, and so do all test homes of a data set. Returns one row per candidate,
+    with the columns kind, name, candidate, accuracy, log_loss and chosen.
     """
     means = table.groupby([*KEYS, "data"], sort=False)[NUMBERS].mean()
     means = means.groupby(level=KEYS, sort=False).mean().reset_index()

@@ -42,7 +42,7 @@ class _Candidates(Section):
 
 
 class _Choice(Section):
-    """conf/choice.yaml; `margin` is in points of accuracy."""
+    """The settings in conf/choice.yaml. `margin` is in points of accuracy."""
 
     margin: Annotated[float, Interval(ge=0, lt=100)]
     smallest: PartShare
@@ -52,14 +52,14 @@ class _Choice(Section):
 
 
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/choice.yaml; raises PlacecatError if a setting is unknown, missing or invalid."""
+    """Read conf/choice.yaml; raise PlacecatError if a setting is unknown, missing or invalid."""
     content = conf_file.read(path, list(_Choice.model_fields))
     schema.check(content, _Choice)
     return content
 
 
 def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
-    """Judge every candidate on the data set of params.yaml, and choose over all data sets in `output`.
+    """Judge every candidate on the data set of params.yaml, and choose from all data sets in `output`.
 
     Replaces the rows of this data set and these kinds in `output`, and keeps the others. Returns the result
     of :func:`placecat.choice.candidates.choose`. Raises PlacecatError for invalid settings, or if features or
@@ -78,7 +78,8 @@ def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> 
     return choose(table, float(options["margin"]))
 
 
-# A cue's or system's name, a candidate's label, and the arguments for the function that judges it.
+# The name of a cue or system, the label of a candidate, and the arguments of the function that judges this
+# candidate.
 Task = tuple[str, str, tuple[Any, ...]]
 Tasks = tuple[Callable[..., list[Judgement]], list[Task]]
 
@@ -166,7 +167,7 @@ _TASKS = {"cues": _cue_tasks, "systems": _system_tasks, "smoothing": _smoothing_
 
 
 def text(chosen: pd.DataFrame) -> str:
-    """Format the choice: for each cue and system, the chosen candidate and the three best others."""
+    """Format the choice: the chosen candidate for each cue and system, and the three runners-up."""
     lines = []
     for (kind, name), part in chosen.groupby(["kind", "name"], sort=False):
         ordered = part.sort_values(["chosen", "accuracy"], ascending=False)

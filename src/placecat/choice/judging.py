@@ -35,13 +35,16 @@ def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
 
 
 def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]:
-    """Train a cue without clusters by a plan; map each tested home to distributions for all its frames."""
+    """Train a cue without clusters according to a plan, and apply it to all frames of each tested home.
+
+    Returns a dictionary from each tested home to its distributions.
+    """
     trained = train(plan, cue)
     return {part.home: trained.predict(part.home) for part in plan.tested}
 
 
 def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
-    """Train a cue without clusters by a plan that leaves out some homes, and judge the cue on those homes.
+    """Train a cue without clusters according to a plan, and judge it on the homes that the plan leaves out.
 
     The plan tests one or two homes. If it tests two, each is judged as an unseen training home, with the
     other as the test home. `smallest` is as for :func:`placecat.evaluation.probabilities.log_loss`.
@@ -87,7 +90,10 @@ _HELD_OUT = ("cross_validated", "cross_validated_truth")
 
 
 def _both_ways(judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
-    """Pair each judged home with its test home: the other one if there are two homes, otherwise itself."""
+    """Pair each judged home with its test home.
+
+    If there are two homes, this is the other home; otherwise, it is the judged home itself.
+    """
     homes = list(judged)
     return [(test, home, *judged[home]) for test, home in zip(homes, reversed(homes), strict=True)]
 
@@ -106,9 +112,9 @@ def judge_smoothing(
 
     `smoothing` has the settings of :func:`placecat.fusion.smoothing.fit`. `source` is the fold's file from
     the stage `cues`; a PlacecatError is raised if it lacks cross-validated distributions. `unseen` maps each
-    training home to (frames, n_classes) distributions of all its frames, from a cue that has seen neither
-    this home nor the test home. A training home is smoothed with statistics of the other training homes, and
-    the test home with statistics of all training homes.
+    training home to (frames, n_classes) distributions for all its frames, which come from a cue that has seen
+    neither this home nor the test home. Each training home is smoothed with statistics from the other
+    training homes, and the test home with statistics from all training homes.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(

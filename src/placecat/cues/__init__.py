@@ -40,11 +40,12 @@ def fit(
 ) -> CueModel:
     """Train one cue on the descriptors of training frames.
 
-    `labels` are (n,) class indices in [0, len(classes)); every class must be present. `homes` (n,) is the
-    home of each frame: cross-validation keeps the frames of a home together, since neighbouring frames are
-    almost identical. ``model`` in `classifier` is a module of this package; the other keys are that module's
-    settings. A model that needs clusters takes them from `codebook`, trained on the same homes. Raises
-    PlacecatError for an unknown model, unknown or invalid settings, or a class without training frames.
+    `labels` are (n,) class indices in [0, len(classes)); every class must be present. `homes` (n,) has the
+    home of each frame. Cross-validation keeps the frames of a home together, since neighbouring frames are
+    almost identical. In `classifier`, ``model`` names a module of this package, and the other keys are
+    settings of that module. A model that needs clusters takes them from `codebook`, which must be trained on
+    the same homes. Raises PlacecatError for an unknown model, unknown or invalid settings, or a class without
+    training frames.
     """
     missing = sorted(set(range(len(classes))) - set(np.unique(labels).tolist()))
     if missing:

@@ -23,8 +23,8 @@ def seed_of(
     """Derive the seed of a codebook, in [0, 2**32), from what it clusters; equal inputs give equal seeds.
 
     The inputs are the name of the data set, the descriptor as it is in the cue, the number of cells of a
-    holistic descriptor, the name of the training set, and one of ``protocol.seeds``. Raises PlacecatError as
-    :func:`placecat.cues.cue_input.check` does.
+    holistic descriptor, the name of the training set, and one of ``protocol.seeds``. Raises the errors of
+    :func:`placecat.cues.cue_input.check`.
     """
     cue_input.check(descriptor)
     # The clustering depends on this text: after a setting or descriptor is renamed, write its old name here.
@@ -92,7 +92,10 @@ class Codebook:
         return cls(trees, of_sets=train.is_set)
 
     def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:
-        """Return the nearest cluster of each region, (n, max_regions) padded with -1, or cell, (n, cells)."""
+        """Return the nearest cluster of each region or cell.
+
+        The result is (n, max_regions), padded with -1, for regions, and (n, cells) for cells.
+        """
         if self.of_sets:
             words = np.full(frames.x.shape[:2], -1, dtype=np.int32)
             words[frames.valid()] = self.trees[0].assign(frames.rows(), n_clusters)

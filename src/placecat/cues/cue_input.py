@@ -18,11 +18,11 @@ SETTINGS = {
 
 
 def check(descriptor: Mapping[str, Any]) -> None:
-    """Refuse a descriptor of an unknown kind or with an unknown setting; the error names the valid ones.
+    """Raise an error if a descriptor's kind or one of its settings is unknown, and name the valid ones.
 
-    A descriptor has ``kind`` (local or holistic) and ``name``; a local one also has ``y_pos``, ``y_weight``,
-    ``color`` (the colour descriptor to append, or None) and ``max_regions``. If its regions are tracked,
-    ``tracked`` is true; if they come from a variant in conf/region_variants, ``variant`` names it.
+    A descriptor has ``kind`` (local or holistic) and ``name``. A local descriptor also has ``y_pos``,
+    ``y_weight``, ``color`` (the colour descriptor to append, or None) and ``max_regions``. If its regions are
+    tracked, ``tracked`` is true; if they come from a variant in conf/region_variants, ``variant`` names it.
     """
     kind, name = descriptor["kind"], descriptor["name"]
     if kind not in SETTINGS:
@@ -49,10 +49,11 @@ def assemble(
 ) -> Descriptors:
     """Assemble a descriptor of n frames; raise PlacecatError if `arrays` hold too few regions for it.
 
-    A region's shape descriptor is joined with the vertical position of its centre (0 to 1, top to bottom,
-    times ``y_weight``) and its colour descriptor (thesis 4.4.1). Descriptors have different magnitudes (SIFT
-    reaches 255, HOG 1), and the thesis does not say how to weight them. Each is therefore divided by its
-    module's ``SPREAD``, so that all of them influence a distance equally.
+    The shape descriptor of a region is joined with the vertical position of its centre and with its colour
+    descriptor (thesis 4.4.1). The position is 0 at the top and 1 at the bottom, and is multiplied by
+    ``y_weight``. Descriptors have different magnitudes (SIFT reaches 255, HOG 1), and the thesis does not say
+    how to weight them. Each is therefore divided by its module's ``SPREAD``, so that all of them influence a
+    distance equally.
 
     `descriptor` is as for :func:`check`. `arrays` holds the arrays that :func:`array_names` lists, with n
     frames along the first axis. `height` is the frame height in pixels. `modules` maps each region

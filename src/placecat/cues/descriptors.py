@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 class Descriptors:
     """Descriptors of n frames: one vector (holistic) or a set of vectors (salient regions) per frame.
 
-    `x` is float32: (n, d) for holistic descriptors, (n, max_regions, d) for regions. `counts` (n,) is the
-    number of regions in each frame; further rows of `x` are padding. It is None for holistic descriptors.
+    `x` is float32: (n, d) for holistic descriptors, and (n, max_regions, d) for regions. `counts` (n,) is the
+    number of regions in each frame, and further rows of `x` are padding. It is None for holistic descriptors.
     """
 
     x: NDArray[np.float32]
@@ -36,7 +36,11 @@ class Descriptors:
         return np.arange(self.x.shape[1])[None, :] < self.counts[:, None]
 
     def rows(self) -> NDArray[np.float32]:
-        """Return all vectors, stacked: (n, d), or (sum of counts, d) in the order of frames and regions."""
+        """Return all vectors as one matrix.
+
+        It is (n, d) for holistic descriptors, and (sum of counts, d) for regions, in the order of frames and
+        then of regions.
+        """
         return self.x if self.counts is None else self.x[self.valid()]
 
     def frame_of_row(self) -> NDArray[np.int64]:
@@ -47,7 +51,7 @@ class Descriptors:
 
 
 class CueModel(Protocol):
-    """A trained cue. `facts`, in JSON types only, describes its training, such as the feasible nu."""
+    """A trained cue. `facts` has facts about its training, such as the feasible nu, in JSON types only."""
 
     facts: dict[str, Any]
 

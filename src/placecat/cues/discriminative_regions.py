@@ -32,7 +32,10 @@ class DiscriminativeRegionsCue:
 
 
 def only(frames: Descriptors, words: NDArray[np.int32], kept: NDArray[np.bool_]) -> Descriptors:
-    """Keep regions whose codeword is in the (N,) mask `kept`; `words` is (n, max_regions), padded with -1."""
+    """Keep the regions whose codeword is in the mask `kept`.
+
+    `words` is (n, max_regions), padded with -1, and `kept` is (N,).
+    """
     taken = (words >= 0) & kept[words]
     counts = taken.sum(axis=1)
     x = np.zeros_like(frames.x)

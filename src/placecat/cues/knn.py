@@ -16,7 +16,7 @@ from placecat.ranges import Count
 
 @dataclass
 class NearestNeighboursCue:
-    """Cue that multiplies the class frequencies of the nearest clusters over a frame's regions."""
+    """Cue that multiplies, over the regions of a frame, the class frequencies of their nearest clusters."""
 
     estimator: Any
     facts: dict[str, Any] = field(default_factory=dict)

@@ -39,9 +39,9 @@ _INTEGRATION, _SMOOTHING = f"integration/{training.SYSTEM}", f"smoothing/{traini
 
 
 def demo_command() -> int:
-    """Run the demo in the project folder; print its table and the paths of its results.
+    """Run the demo in the project folder, and print its table and the paths of its results.
 
-    Returns 0; user errors raise PlacecatError and leave no files behind.
+    Returns 0. User errors raise PlacecatError and leave no files behind.
     """
     start = time.perf_counter()
     _check(OUTPUT)
@@ -79,7 +79,7 @@ def demo_command() -> int:
 
 
 def _check(folder: Path) -> None:
-    """Refuse to replace files that the demo did not write."""
+    """Raise an error if the demo would replace files that it did not write."""
     files.check_target(folder)
     if folder.exists() and not folder.is_dir():
         raise PlacecatError(f"{folder} is a file, but the demo needs a folder there: move it away")
@@ -128,7 +128,7 @@ def _titles(params: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _write_page(folder: Path, table: pd.DataFrame, home: str, training_homes: int) -> None:
-    """Write an offline page about the test home: the table in percent, the timeline and the clip."""
+    """Write an offline page about the test home, with the table in percent, the timeline and the clip."""
     rows = [
         (name, ["" if pd.isna(value) else f"{value:.0f}" for value in values])
         for name, *values in table.itertuples()
@@ -151,7 +151,7 @@ def _write_page(folder: Path, table: pd.DataFrame, home: str, training_homes: in
 
 
 def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
-    """Return the test home's rows from the results of `make repro`, or no rows without these results."""
+    """Return the test home's rows from the results of `make repro`, or no rows if there are no results."""
     column = f"all frames ({COMPLETE})"
     if not paths.ACCURACIES.is_file():
         return pd.DataFrame({column: []}, dtype=float)

@@ -19,7 +19,7 @@ from placecat.stages.sequences import list_homes
 from placecat.training import plan as plans
 from placecat.training import system as systems
 
-# Our choice: these frames teach enough, and the whole demo takes half a minute.
+# Our choice: these frames are enough to learn from, and the whole demo takes half a minute.
 EVERY = 10
 SYSTEM, SCHEME, SEED = "das_551_best", "5-5-1", 0
 FRAMES = Path("frames")

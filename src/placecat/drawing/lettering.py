@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from placecat.drawing.palette import written
 
 _FONT = "DejaVu Sans"
-# Depth below the baseline and line height, as fractions of the font size.
+# The depth below the baseline and the height of a line, as fractions of the font size.
 _DESCENT, _LINE = 0.28, 1.3
-# Dots per inch at which a point is a pixel.
+# At this number of dots per inch, a point is a pixel.
 _DPI = 72
 
 
@@ -51,10 +51,10 @@ def write(
     bold: bool = False,
     align: str = "left",
 ) -> int:
-    """Write a line into an (H, W, 3) uint8 BGR picture, cut off at its edges, and return the text's width.
+    """Write a line of text into an (H, W, 3) uint8 BGR picture, and return the width of the text.
 
-    `where` is (x, y) of the line's upper left corner, or of its upper right corner if `align` is ``right``;
-    `size` is the font size in pixels; `color` is BGR.
+    The text is cut off at the edges of the picture. `where` is (x, y) of the line's upper left corner, or of
+    its upper right corner if `align` is ``right``. `size` is the font size in pixels, and `color` is BGR.
     """
     cover = mask(text, size, bold=bold)
     left = where[0] - (cover.shape[1] if align == "right" else 0)

@@ -1,4 +1,4 @@
-"""Colours with the same meaning in every figure, distinct for colour-blind readers and in grey print."""
+"""Colours that mean the same in every figure, and are distinct for colour-blind readers and in grey print."""
 
 from collections.abc import Sequence
 

@@ -26,7 +26,7 @@ def save(figure: Figure, target: Path) -> None:
 
 
 def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None:
-    """Write a figure as PDF; `save` must come first. The same figure always produces the same bytes.
+    """Write a figure as PDF; call `save` first. The same figure always produces the same bytes.
 
     The PDF's properties contain `title` as its title and `settings` as its subject.
     """

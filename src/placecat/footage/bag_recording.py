@@ -15,21 +15,21 @@ from placecat.footage.image_messages import Damaged
 from placecat.footage.recording import Size, are, named
 
 MOST_LATE = 1.0
-"""Largest backward step in time between frames, in seconds; a larger one means that the clock was set. Our
+"""Largest step back in time between frames, in seconds. A larger step means that the clock was set. Our
 choice."""
 _NANOSECOND = Fraction(1, 10**9)
 
 
 @dataclass(frozen=True, eq=False)
 class BagFrame:
-    """A frame of a bag, not yet decoded; numbers start at 1."""
+    """A frame of a bag that is not decoded yet. Frame numbers start at 1."""
 
     number: int
     _picture: Picture
     _recording: "BagRecording"
 
     def image(self) -> NDArray[np.uint8] | None:
-        """Decode the frame to (H, W, 3) uint8, BGR; None if it is lost."""
+        """Decode the frame to (H, W, 3) uint8 BGR; return None if it is lost."""
         try:
             return self._picture.image()
         except Damaged as error:
@@ -38,7 +38,7 @@ class BagFrame:
 
     @property
     def size(self) -> Size | None:
-        """(width, height) in pixels; None if the frame is lost."""
+        """The (width, height) in pixels, or None if the frame is lost."""
         image = self.image()
         return None if image is None else (image.shape[1], image.shape[0])
 
@@ -46,26 +46,28 @@ class BagFrame:
 class BagRecording:
     """A bag's frames: the pictures of one topic, ordered by their stamps.
 
-    Opening reads the topic once. A frame that is not later than all frames before it came late or twice: it
-    is skipped and has no number. Raises PlacecatError if the bag cannot be read, the topic has no pictures,
-    or its times are implausible.
+    Opening reads the topic once. A frame must be later than all previous frames. Otherwise, it came late or
+    twice, so it is skipped and has no number. Raises PlacecatError if the bag cannot be read, the topic has
+    no pictures, or its times are implausible.
 
     Parameters
     ----------
     topic
         The topic; None uses the only topic with pictures.
     fps
-        Frames per second, to replace wrong stamps: all frames count and are evenly spaced. None uses the
-        stamps, or the times of reception if any stamp is zero.
+        Frames per second, as a replacement for wrong stamps. In this case, no frame is skipped, and frames
+        are evenly spaced. None uses the stamps or, if any stamp is zero, the times of reception.
     settings
-        Prefix of ``topic`` and ``fps`` in messages.
+        Prefix of the settings ``topic`` and ``fps`` in messages.
 
     Attributes
     ----------
     count, lost
-        Number of frames, including lost ones, and numbers, from 1, of those that could not be decoded.
+        `count` is the number of frames, including lost ones. `lost` has the numbers of the frames that could
+        not be decoded, counted from 1.
     positions, received
-        (count,) int64: `placecat.footage.bags.Picture.number` minus 1, and time of reception in nanoseconds.
+        For each frame, `placecat.footage.bags.Picture.number` minus 1, and the time of reception in
+        nanoseconds. Both are (count,) int64.
     start
         The first frame's stamp in nanoseconds since 1970.
     """
@@ -89,7 +91,7 @@ class BagRecording:
         if (stamps == 0).any():
             stamps = self.received
             self._remarks.append(
-                "some stamps are zero, so times are when the bag received the messages of this topic"
+                "some stamps are zero, so the times at which the bag received the messages are used"
             )
         if fps is None:
             stamps = self._without_late(stamps, f"{settings}fps")
@@ -111,14 +113,17 @@ class BagRecording:
         self._why = self._why or why
 
     def size(self) -> Size:
-        """Return the first readable frame's (width, height) in pixels; raise PlacecatError without one."""
+        """Return the (width, height) of the first readable frame in pixels.
+
+        Raises PlacecatError if no frame is readable.
+        """
         for frame in self.pictures():
             if (size := frame.size) is not None:
                 return size
         raise PlacecatError(f"{self.path}: no picture on {self.topic} can be decoded: {self._why}")
 
     def note(self) -> str:
-        """Describe problems found on opening and in the last pass; "" if there were none."""
+        """Describe the problems found on opening and in the last pass; return "" if there were none."""
         parts = self._remarks
         if self.lost:
             lost = f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost"

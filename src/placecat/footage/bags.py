@@ -40,8 +40,8 @@ def is_bag(path: Path) -> bool:
 class Picture:
     """A message with a picture.
 
-    `number` is its number among the picture messages of all topics, from 1, in order of reception. `received`
-    is the time of reception and `stamp` the time in the header, both in nanoseconds.
+    `number` is its number among the picture messages of all topics, counted from 1 in order of reception.
+    `received` is the time of reception and `stamp` the time in the header, both in nanoseconds.
     """
 
     number: int
@@ -51,7 +51,7 @@ class Picture:
     _name: str
 
     def image(self) -> NDArray[np.uint8]:
-        """Decode to (height, width, 3) uint8, BGR; errors are as in `placecat.footage.image_messages`."""
+        """Decode to (height, width, 3) uint8 BGR; raise the errors of `placecat.footage.image_messages`."""
         decode = compressed_image if hasattr(self._message, "format") else raw_image
         return decode(self._message, self._name)
 
@@ -59,9 +59,9 @@ class Picture:
 class Bag:
     """A ROS 1 ``.bag``, a ROS 2 folder, or a single ROS 2 ``.mcap`` or ``.db3``.
 
-    `topics` maps each topic to its message type and number of messages, sorted by topic; `count` is the
-    number of messages with pictures. Each pass over the messages opens the bag again. Raises PlacecatError if
-    rosbags is not installed, or cannot read the bag.
+    `topics` maps each topic to its message type and its number of messages; the topics are sorted. `count` is
+    the number of messages with pictures. Each pass over the messages opens the bag again. Raises
+    PlacecatError if rosbags is not installed, or cannot read the bag.
     """
 
     def __init__(self, path: Path) -> None:
@@ -76,7 +76,7 @@ class Bag:
         self.count = sum(count for kind, count in self.topics.values() if kind in _PICTURES)
 
     def topic_of_pictures(self, topic: str | None, setting: str) -> str:
-        """Check and return the frames' topic; None chooses the only topic with pictures.
+        """Check the topic of the frames and return it; None chooses the only topic with pictures.
 
         Raises a PlacecatError that names the `setting` if the topic is wrong or the choice is ambiguous.
         """
@@ -95,7 +95,7 @@ class Bag:
         return having[0]
 
     def require(self, topic: str, kinds: Collection[str], setting: str) -> None:
-        """Refuse a topic that is missing, empty, or of another type."""
+        """Raise an error if a topic is missing, empty, or of another type."""
         if topic not in self.topics:
             raise PlacecatError(
                 f"{self.path}: there is no topic {topic!r}{did_you_mean(topic, self.topics)}; the bag has "
@@ -186,7 +186,7 @@ class Bag:
 
 @cache
 def _store(is_ros1: bool) -> Any:
-    """Return ROS 1 or ROS 2 message definitions; all versions agree on pictures and strings."""
+    """Return the message definitions of ROS 1 or ROS 2; all versions define pictures and strings equally."""
     from rosbags.typesys import Stores, get_typestore
 
     return get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.ROS2_HUMBLE)

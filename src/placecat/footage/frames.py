@@ -21,15 +21,15 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    A video is decoded from the last frame, at or before the first row, at which decoding can start; a bag is
-    read from its start. A row with an earlier position than the previous row restarts the pass, so rows in
-    ascending order need at most one pass. The code never seeks in a file, because containers may silently
-    return a nearby frame.
+    In a video, decoding starts as late as possible, but not after the first row. A bag is read from its
+    start. If a row has an earlier position than the previous row, reading starts again, so rows in ascending
+    order need at most one pass. The code never seeks in a file, because containers may silently return a
+    nearby frame.
 
-    `home_root` is `Home.root`; `frames` are any rows of `Home.frames`, in any order; `size` is the required
-    (width, height) of every frame in pixels, after turning (None: the first row's size). Yields (H, W, 3)
-    uint8, BGR, turned by the angle in the column ``turn``, if any. Raises PlacecatError, naming the file, if
-    a frame is missing, unreadable, or of another size.
+    `home_root` is `Home.root`, and `frames` are any rows of `Home.frames`, in any order. `size` is the
+    (width, height) in pixels that every frame must have after rotation; None takes it from the first row.
+    Yields (H, W, 3) uint8 BGR. Each frame is rotated by the angle in the column ``turn`` if there is one.
+    Raises PlacecatError, which names the file, if a frame is missing, unreadable, or of another size.
     """
     root = Path(home_root)
     turns = frames["turn"] if "turn" in frames else [0] * len(frames)
@@ -95,7 +95,7 @@ class _Video:
         return image
 
     def _is_elsewhere(self, number: int) -> bool:
-        """Return whether to restart because the frame is behind, or so far ahead that a jump saves time."""
+        """Return whether to restart, because the frame is behind or so far ahead that a jump saves time."""
         if self._last is None or number < self._last.number:
             return True
         if isinstance(self._recording, Bag):

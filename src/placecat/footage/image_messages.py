@@ -31,8 +31,8 @@ class CompressedImage(Protocol):
     data: Any
 
 
-# The encodings of sensor_msgs/image_encodings with 8 bits per channel: bytes per pixel within a row, and
-# OpenCV's conversion to BGR. ROS calls UYVY yuv422.
+# The encodings of sensor_msgs/image_encodings that have 8 bits per channel. Each has the number of bytes per
+# pixel within a row, and OpenCV's conversion to BGR. ROS calls UYVY yuv422.
 _ENCODINGS: dict[str, tuple[int, int | None]] = {
     "bgr8": (3, None),
     "8UC3": (3, None),
@@ -57,10 +57,10 @@ ENCODINGS = tuple(_ENCODINGS)
 
 
 def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/Image to (height, width, 3) uint8, BGR; errors call it `name`.
+    """Decode a sensor_msgs/Image to (height, width, 3) uint8 BGR; errors call the picture `name`.
 
     Raises PlacecatError if the encoding is not in `ENCODINGS` or the picture has more pixels than
-    `placecat.footage.pictures.MOST_PIXELS`, and Damaged if the sizes contradict each other or the length of
+    `placecat.footage.pictures.MOST_PIXELS`, and Damaged if the sizes do not fit each other or the length of
     the data.
     """
     width, height, step, encoding = message.width, message.height, message.step, message.encoding
@@ -92,7 +92,7 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
 
 
 def compressed_image(message: CompressedImage, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/CompressedImage to (H, W, 3) uint8, BGR; errors call it `name`.
+    """Decode a sensor_msgs/CompressedImage to (H, W, 3) uint8 BGR; errors call the picture `name`.
 
     The content determines the format; the field ``format`` is ignored. Raises Damaged if the picture is cut
     off, damaged, or not a JPEG or PNG that :func:`placecat.footage.pictures.decode_image` accepts.

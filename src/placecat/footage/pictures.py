@@ -21,7 +21,7 @@ from placecat.footage.names import natural
 
 SUFFIXES = (".jpeg", ".jpg", ".png")
 """Suffixes of frame files, in upper or lower case."""
-# Suffixes of pictures that are refused: they lose quality, decode slowly, or need rare libraries.
+# Pictures with these suffixes raise an error, since they lose quality, decode slowly, or need rare libraries.
 _OTHERS = (
     ".apng .arw .avif .bmp .cr2 .cr3 .dib .dng .exr .gif .hdr .heic .heif .jfif .jp2 .jpe .jxl .nef .pbm .pgm"
     " .pnm .ppm .tga .tif .tiff .webp"
@@ -32,7 +32,7 @@ MOST_PIXELS = 50_000_000
 MOST_BYTES = 256_000_000
 
 TURNS = {90: cv2.ROTATE_90_CLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_COUNTERCLOCKWISE}
-"""Clockwise degrees that :func:`turned` accepts."""
+"""Maps clockwise degrees to OpenCV's rotations. :func:`turned` also accepts 0."""
 
 _NUMBER = re.compile(r"[0-9]+")
 # Only one point is allowed: 1.2.3 is not a decimal number.
@@ -48,9 +48,10 @@ def list_frames(folder: Path) -> list[str]:
     (1.25 before 1.5). If trailing zeros show that the digits after the point are a counter (1.9, 1.10), these
     digits are compared as a separate number. Hidden files and subfolders are ignored.
 
-    Returns file names, perhaps none. Raises PlacecatError if the folder cannot be read, contains other kinds
-    of pictures, or contains two pictures of one frame: the same name with two suffixes, or the same numbers
-    with different words, such as colour and depth.
+    Returns file names; the list may be empty. Raises PlacecatError if the folder cannot be read, contains
+    other kinds of pictures, or contains two pictures of the same frame. Two pictures show the same frame if
+    their names differ only in the suffix, or have the same numbers but different words, such as colour and
+    depth.
     """
     paths = _visible(folder)
     others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)
@@ -61,7 +62,7 @@ def list_frames(folder: Path) -> list[str]:
         )
     names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
     numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
-    # If all names have the same numbers, these do not count frames.
+    # If all names have the same numbers, then these numbers do not count frames.
     are_counted = len(set(numbers)) > 1
     seen: dict[object, str] = {}
     for name, own in zip(names, numbers, strict=True):
@@ -69,14 +70,15 @@ def list_frames(folder: Path) -> list[str]:
             first = seen.setdefault(key, name)
             if first != name:
                 raise PlacecatError(
-                    f"{folder / name}: by its name, this is the same frame as {first}, as with colour and "
-                    "depth or two cameras; keep one picture per frame, or number all pictures consecutively."
+                    f"{folder / name}: by its name, this is the same frame as {first}, perhaps as colour "
+                    "and depth, or from two cameras; keep one picture per frame, or number all pictures "
+                    "consecutively."
                 )
     return names
 
 
 def in_order(names: Iterable[str]) -> list[str]:
-    """Sort file names like `list_frames`."""
+    """Sort file names as `list_frames` does."""
     files = list(names)
     decimals = [found[2] for name in files for found in _DECIMAL.finditer(Path(name).stem)]
     # Decimals of equal length sort the same either way.
@@ -92,13 +94,13 @@ def in_order(names: Iterable[str]) -> list[str]:
 
 
 def read_image(path: Path) -> NDArray[np.uint8]:
-    """Decode a JPEG or PNG file to (H, W, 3) uint8, BGR, turned according to its EXIF data.
+    """Decode a JPEG or PNG file to (H, W, 3) uint8 BGR, rotated according to its EXIF data.
 
     A grey picture is returned with three equal channels.
 
     Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or cut
     off, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (grey, 16 bits) and transparent,
-    animated and CMYK pictures are also refused.
+    animated or CMYK pictures also raise this error.
     """
     try:
         status = path.stat()
@@ -117,7 +119,7 @@ def read_image(path: Path) -> NDArray[np.uint8]:
 
 
 def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
-    """Decode the content of a JPEG or PNG file like :func:`read_image`; messages call it `path`."""
+    """Decode the content of a JPEG or PNG file as :func:`read_image` does; messages call it `path`."""
     if content.startswith(_PNG):
         _check_png(path, content)
     elif content.startswith(_JPEG):
@@ -131,15 +133,15 @@ def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
 
 
 def turned(image: NDArray[np.uint8], degrees: int) -> NDArray[np.uint8]:
-    """Turn a picture, (H, W, 3) uint8, clockwise by 0, 90, 180 or 270 degrees.
+    """Rotate a picture, (H, W, 3) uint8, clockwise by 0, 90, 180 or 270 degrees.
 
-    Returns (H, W, 3) uint8, or (W, H, 3) for 90 and 270 degrees; for 0, `image` itself. Raises PlacecatError
-    for other angles.
+    Returns (H, W, 3) uint8, or (W, H, 3) for 90 and 270 degrees. For 0 degrees, returns `image` itself.
+    Raises PlacecatError for other angles.
     """
     if degrees == 0:
         return image
     if degrees not in TURNS:
-        raise PlacecatError(f"a picture cannot be turned by {degrees} degrees; choose 0, 90, 180 or 270.")
+        raise PlacecatError(f"a picture cannot be rotated by {degrees} degrees; choose 0, 90, 180 or 270.")
     return cv2.rotate(image, TURNS[degrees])  # type: ignore[return-value]
 
 
@@ -151,7 +153,7 @@ def _visible(folder: Path) -> list[Path]:
 
 
 def check_size(path: Path | str, width: int, height: int) -> None:
-    """Refuse a picture of more than `MOST_PIXELS` before allocating memory for it."""
+    """Raise an error if a picture has more than `MOST_PIXELS`, before memory is allocated for it."""
     if width * height > MOST_PIXELS:
         raise PlacecatError(
             f"{path}: {width}x{height} pixels are more than {MOST_PIXELS // 10**6} million; scale it down."
@@ -163,13 +165,16 @@ def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
 
 
 def _check_jpeg(path: Path | str, content: bytes) -> None:
-    """Refuse damage that OpenCV hides by filling in areas that it cannot decode."""
+    """Raise an error if a JPEG has CMYK colours, is too large, or is damaged.
+
+    OpenCV would hide damage, because it fills in the areas that it cannot decode.
+    """
     try:
         height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
         check_size(path, width, height)
         if colors in ("CMYK", "YCCK"):
             raise PlacecatError(f"{path}: its colours are {colors}, for printing; convert it to RGB.")
-        # This decodes the file in grey at an eighth of its width and height, in a fifth of the time.
+        # This decodes the file in grey at an eighth of its width and height, which takes a fifth of the time.
         simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
     except PlacecatError:
         raise
@@ -178,7 +183,7 @@ def _check_jpeg(path: Path | str, content: bytes) -> None:
 
 
 def _check_png(path: Path | str, content: bytes) -> None:
-    """Refuse chunks with wrong checksums, and kinds of PNG that cannot be frames."""
+    """Raise an error for chunks with wrong checksums, and for kinds of PNG that cannot be frames."""
     kinds: set[bytes] = set()
     at = len(_PNG)
     while b"IEND" not in kinds:
@@ -194,7 +199,8 @@ def _check_png(path: Path | str, content: bytes) -> None:
     check_size(path, width, height)
     if depth == 16 and color in (0, 4):
         raise PlacecatError(
-            f"{path}: grey with 16 bits, like a depth picture; remove it from the folder, or convert it."
+            f"{path}: the picture is grey with 16 bits, like a depth picture; remove it from the "
+            "folder, or convert it."
         )
     if b"acTL" in kinds:
         raise PlacecatError(f"{path}: the picture is animated; remove it, or save its frames one by one.")

@@ -29,7 +29,7 @@ _FLATTEST = 4.0
 # Playlist formats are excluded: FFmpeg would open the files and addresses that they list.
 _FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
 _OPENING = {"format_whitelist": _FORMATS, "protocol_whitelist": "file"}
-# Convert BT.2020 with a curve that swscale supports (HDR from phones) to BT.709.
+# Colours in BT.2020, as in HDR video from phones, are converted to BT.709 if swscale supports their curve.
 _WIDE, _CURVES, _USUAL = 9, (14, 15, 16, 18), 1
 
 
@@ -41,8 +41,8 @@ class _Damaged(Exception):
 class Picture:
     """A decoded frame.
 
-    `number` is its number in the file, from 1, including lost frames; `size` is its (width, height) as shown:
-    upright, with square pixels.
+    `number` is its number in the file, counted from 1; lost frames count too. `size` is its (width, height)
+    as shown, which means upright and with square pixels.
     """
 
     number: int
@@ -58,10 +58,10 @@ class Picture:
 class Recording:
     """A video file, read by FFmpeg.
 
-    Opening reads all packets without decoding them; every packet of the video is a frame with a time. A frame
-    that cannot be decoded is lost; later frames keep their numbers and times. `count` is the number of
-    frames, including lost ones; `positions` is (count,) int64: 0, 1, ... Raises PlacecatError if the file is
-    missing or not a video.
+    Opening reads all packets without decoding them. Every packet of the video is a frame with a time. A frame
+    that cannot be decoded is lost, but later frames keep their numbers and times. `count` is the number of
+    frames, including lost ones. `positions`, (count,) int64, is 0, 1, and so on. Raises PlacecatError if the
+    file is missing or not a video.
     """
 
     def __init__(self, path: Path) -> None:
@@ -76,16 +76,20 @@ class Recording:
             self._rates = (stream.average_rate, stream.guessed_rate)
 
     def size(self) -> Size:
-        """Return the first frame's (width, height) as shown, in pixels; raise PlacecatError without one."""
+        """Return the (width, height) of the first frame as shown, in pixels.
+
+        Raises PlacecatError if no frame is readable.
+        """
         first = next(self.pictures(), None)
         if first is None:
             raise self._empty()
         return first.size
 
     def timing(self, fps: float | None = None, setting: str = "dataset.fps") -> timing.Timing:
-        """Return the times of all frames: from the file, or at `fps` frames per second if it is not None.
+        """Return the times of all frames: those in the file or, if `fps` is given, those at `fps` frames/s.
 
-        If the times in the file are missing or implausible, the PlacecatError names the `setting` of `fps`.
+        Raises PlacecatError if the times in the file are missing or implausible. Its message names the
+        `setting` that gives `fps`.
         """
         if fps is not None:
             return timing.even(self.count, fps)
@@ -105,9 +109,9 @@ class Recording:
     def pictures(self, first: int = 1) -> Generator[Picture, None, None]:
         """Decode the frames from `first` on in display order; lost frames are skipped.
 
-        Decoding starts at `start_before`, so a late `first` costs little. FFmpeg decodes several frames at
-        once and does not report which of them has an error. After the first error, the file is decoded again
-        from its start, one frame at a time.
+        Decoding starts at the frame that `start_before` returns, so a late `first` costs little. FFmpeg
+        decodes several frames at once and does not report which of them has an error. After the first error,
+        the file is decoded again from its start, one frame at a time.
         """
         self._start(first)
         start = self.start_before(first)
@@ -121,7 +125,7 @@ class Recording:
                 return
 
     def start_before(self, number: int) -> int:
-        """Return the last frame, up to `number`, at which decoding can start and yield the same bytes."""
+        """Return the last frame, at most `number`, from which decoding yields the same bytes."""
         after = bisect.bisect_right(self._fresh, number)
         return 1 if self._is_careful or after == 0 else self._fresh[after - 1]
 
@@ -141,7 +145,7 @@ class Recording:
         return sorted(self._erroneous & self._seen)
 
     def note(self) -> str:
-        """Describe the damage that the last pass found; "" if there was none."""
+        """Describe the damage that the last pass found; return "" if there was none."""
         parts = []
         if self.lost:
             parts.append(f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost")
@@ -172,7 +176,7 @@ class Recording:
         return cast(NDArray[np.uint8], image if turn is None else cv2.rotate(image, turn))
 
     def _square(self, frame: VideoFrame) -> Size:
-        """Return the size in square pixels, before the frame is turned."""
+        """Return the size in square pixels, before the frame is rotated."""
         return max(1, round(frame.width * self._flatness)), frame.height
 
     def _shown(self, frame: VideoFrame) -> Size:
@@ -225,8 +229,8 @@ class Recording:
                 "high, which is implausible; convert the video to square pixels."
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
-        # Processes of `placecat.compute.parallel` have one thread; FFmpeg's threads would cost a fifth more
-        # CPU time.
+        # Processes of `placecat.compute.parallel` have one thread. With threads, FFmpeg would need a fifth
+        # more CPU time.
         if self._is_careful or cv2.getNumThreads() == 1:
             stream.codec_context.thread_count = 1
             stream.thread_type = "NONE"
@@ -287,7 +291,7 @@ class Recording:
     def _decoded(self, start: int) -> Generator[Picture, None, None]:
         """Decode once, starting at the frame `start`, but yield only frames after `_reached`.
 
-        Raises _Damaged on an error if several frames are decoded at once.
+        Raises _Damaged if an error occurs while several frames are decoded at once.
         """
         given, last, is_in = self._reached, start - 1, start == 1
         with self._opened() as (container, stream):

@@ -8,10 +8,11 @@ from av.video.stream import VideoStream
 
 # Number of consecutive errors after which reading a file stops.
 _PATIENCE = 100
-# Codecs whose key frames are independent: no frame after one refers to a frame before it.
+# Codecs whose key frames are independent: no frame after a key frame refers to a frame before it.
 _FRESH = ("ffv1", "mjpeg", "png", "vp8", "vp9")
-# For two codecs with sized units: position of the unit size in the header, shift and mask of the unit type,
-# and the types of IDR pictures (ITU-T H.264, 7.4.1; H.265, 7.4.2.2).
+# These two codecs store the size of each unit. For each codec: the position of this size in the header, the
+# shift and mask that extract the type of a unit, and the types of IDR pictures (ITU-T H.264, 7.4.1; H.265,
+# 7.4.2.2).
 _UNITS = {"h264": (4, 0, 0x1F, (5,)), "hevc": (21, 1, 0x3F, (19, 20))}
 
 
@@ -32,7 +33,10 @@ def packets(container: av.container.InputContainer, stream: VideoStream | None =
 
 
 def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
-    """Return whether a packet is a shown frame; edit lists cut some, and others are only references."""
+    """Return whether a packet is a frame that is shown.
+
+    Edit lists cut off some frames, and other frames only serve as references.
+    """
     is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
     return not packet.is_discard and not is_hidden
 
@@ -65,7 +69,10 @@ def run_forward(stamps: Sequence[int | None]) -> bool:
 
 
 def drain(stream: VideoStream) -> None:
-    """Let the decoder threads finish; a thread that reports an error while Python closes it hangs forever."""
+    """Let the decoder threads finish.
+
+    A thread that reports an error while Python closes it would hang forever.
+    """
     for _ in range(_PATIENCE):
         try:
             if not stream.codec_context.is_open or not stream.codec_context.decode(None):

@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 MOST_RATE = 500.0
-"""Highest plausible frames per second. Slow motion has 240; 1,000 or more in a header are clock units."""
+"""Highest plausible number of frames per second. Slow motion has 240. A value of 1,000 or more in a header is
+the unit of a clock."""
 LONGEST = 3600.0
 """Longest gap between two frames in seconds; timestamps with a longer gap are damaged."""
 
-# Rounding error, in seconds, of a file converted from one that stores milliseconds.
+# Rounding error, in seconds, of a file that was converted from one with times in milliseconds.
 _ROUNDING = 0.001
 
 
@@ -22,9 +23,9 @@ _ROUNDING = 0.001
 class Timing:
     """Times of n frames, in seconds.
 
-    `seconds`, (n,) float64, are the times since the first frame; `end` is the end of the last frame. `fps` is
-    the file's rate or, if the times do not fit it, the rate without long gaps. If `is_even`, frame i, from 0,
-    is shown at i / `fps`.
+    `seconds`, (n,) float64, are the times since the first frame, and `end` is the time at which the last
+    frame ends. `fps` is the frame rate in the file or, if the times do not fit it, the rate without long
+    gaps. If `is_even` is true, frame i, counted from 0, is shown at the time i / `fps`.
     """
 
     seconds: NDArray[np.float64]
@@ -34,7 +35,7 @@ class Timing:
 
     @property
     def starts(self) -> NDArray[np.float64]:
-        """(n + 1,) float64, start of each frame and end of the last, in seconds."""
+        """The start of each frame and the end of the last frame in seconds, (n + 1,) float64."""
         return np.append(self.seconds, self.end)
 
 
@@ -52,15 +53,15 @@ def usual(count: int, rates: Sequence[Fraction | None]) -> Timing | None:
 def measure(
     ticks: NDArray[np.int64], tick: Fraction, last: int, rates: Sequence[Fraction | None]
 ) -> Timing | None:
-    """Find the frames' times and rate.
+    """Find the times of the frames and their rate.
 
-    Containers round times, some of them to milliseconds. If all times are multiples of a frame period within
-    this rounding, the exact multiples replace them. Returns None if no rate is plausible.
+    Containers round times, some of them to milliseconds. If every time could be a rounded multiple of one
+    frame period, the times are replaced by the exact multiples. Returns None if no rate is plausible.
 
     Parameters
     ----------
     ticks
-        (n,) timestamps, increasing.
+        (n,) timestamps in increasing order.
     tick
         Length of a tick in seconds.
     last
@@ -89,9 +90,9 @@ def measure(
 
 
 def check_gaps(found: Timing, title: str, setting: str) -> None:
-    """Refuse times with a gap longer than `LONGEST` between two frames.
+    """Raise an error if the gap between two frames is longer than `LONGEST`.
 
-    The PlacecatError names the frame after the gap, the file (`title`) and the frame rate's `setting`.
+    The PlacecatError names the frame after the gap, the file (`title`), and the `setting` for the frame rate.
     """
     steps = np.diff(found.seconds)
     if len(steps) and steps.max() > LONGEST:

@@ -21,7 +21,7 @@ SETTINGS = paths.CONF / "panoramas.yaml"
 LOOKS = "looks.csv"
 # Name of the data set in conf/dataset that reads the homes.
 DATASET = "my_homes"
-# The terminal lists at most this many unused panoramas; the card lists all.
+# The terminal lists at most this many unused panoramas. The card lists all of them.
 _NAMED = 5
 
 
@@ -39,7 +39,7 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
     """Turn the panoramas in a folder into homes, and print the next command.
 
     `destination` is a new folder, which appears only when it is complete. `changes` are as for
-    :func:`read_settings`. Returns 0. Raises PlacecatError for user errors, and then leaves nothing behind.
+    :func:`read_settings`. Returns 0. User errors raise PlacecatError and leave nothing behind.
     """
     settings = read_settings(changes)
     classes = read_yaml(paths.CONF / "dataset" / f"{DATASET}.yaml")["classes"]

@@ -31,10 +31,12 @@ _IN_ROW = 3
 
 
 def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint8]:
-    """Prepare a cube's faces for `look`: six (N, N, 3) uint8 pictures in the order of `FACES`.
+    """Prepare the faces of a cube for `look`.
 
-    `focal` is as for :func:`placecat.panoramas.sphere.prepare`. Returns a (2 (N' + 2), 3 (N' + 2), 3) uint8
-    picture of all faces, each with a border of pixels from its neighbours.
+    `faces` are six (N, N, 3) uint8 pictures in the order of `FACES`. `focal` is as for
+    :func:`placecat.panoramas.sphere.prepare`; faces are scaled down to (N', N', 3) if they are finer. Returns
+    one picture of all faces, (2 (N' + 2), 3 (N' + 2), 3) uint8. Each face has a border of pixels from its
+    neighbours.
     """
     side = min(len(faces[0]), int(np.ceil(2 * focal)))
     if side < len(faces[0]):
@@ -55,7 +57,7 @@ def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint
 
 
 def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Render the view along rays, (h, w, 3) uint8, with bilinear interpolation.
+    """Render the view along the given rays with bilinear interpolation; return (h, w, 3) uint8.
 
     `prepared` comes from :func:`prepare`, and `rays`, (h, w, 3), from `placecat.panoramas.render.view_rays`.
     """

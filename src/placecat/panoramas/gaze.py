@@ -25,12 +25,12 @@ def gaze(
 ) -> NDArray[np.float64]:
     """Turn the view for one or more frames.
 
-    Returns (frames, 3) float64: pan, which may exceed 360, tilt and field of view in degrees.
+    Returns (frames, 3) float64: pan, tilt and field of view in degrees. The pan may exceed 360.
 
     Parameters
     ----------
     fps
-        Frames per second; it does not affect the turns, only when they are sampled.
+        Frames per second. This does not affect the turns, but only the times at which they are sampled.
     fov, tilt
         Ranges of the horizontal field of view, which stays constant, and of the tilt, in degrees.
     turn, speed
@@ -66,9 +66,9 @@ def gaze(
 
 
 def least_jerk(done: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the share of a movement's way that is done after a share of its time (Flash and Hogan 1985).
+    """Return how much of its way a movement has covered after a share of its time.
 
-    Both shares are from 0 to 1; the movement starts and ends at rest.
+    Both are shares from 0 to 1. The movement starts and ends at rest (Flash and Hogan 1985).
 
     Examples
     --------

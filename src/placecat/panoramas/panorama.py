@@ -14,9 +14,9 @@ class Panorama:
     """The view in all directions from one point.
 
     The names `home` and `floor` are used as folder names; `room` is unique on its floor, and `label` is its
-    place category. `files` are one equirectangular picture, or six faces of a cube in the order of
-    `placecat.panoramas.cube.FACES`, as POSIX paths relative to the source's folder. `origin`, for messages,
-    is the file and the place in it where the panorama is listed.
+    place category. `files` are the paths of one equirectangular picture, or of the six faces of a cube in the
+    order of `placecat.panoramas.cube.FACES`. They are POSIX paths relative to the folder of the source.
+    `origin` is used in messages: it names the file that lists the panorama, and the place in that file.
     """
 
     home: str

@@ -1,4 +1,4 @@
-"""Plan the direction of view of each frame of a walk through a home, floor by floor."""
+"""Plan a walk through a home, floor by floor, and the direction in which each frame looks."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -21,8 +21,9 @@ _OF_GAZE = ("fps", "fov", "tilt", "turn", "speed", "rest")
 class Look:
     """Consecutive frames that show one panorama.
 
-    `stay` is the number of the stay on its floor, from 0, and `first` is the number of the first frame on
-    that floor, from 1. `path` is (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
+    `stay` is the number of the stay, counted from 0 on each floor. `first` is the number of the look's first
+    frame, counted from 1 on each floor. `path` is (frames, 3) float64: pan, tilt and horizontal field of view
+    in degrees.
     """
 
     panorama: Panorama
@@ -32,19 +33,19 @@ class Look:
 
     @property
     def last(self) -> int:
-        """Number of the last frame on this floor."""
+        """The number of the look's last frame, counted from 1 on each floor."""
         return self.first + len(self.path) - 1
 
 
 Plans = Mapping[str, Mapping[str, Sequence[Look]]]
-"""The looks of each home's floors."""
+"""The looks on each floor of each home."""
 
 
 def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str, list[Look]]:
     """Plan the walk through a home from its panoramas and the settings of conf/panoramas.yaml.
 
-    Returns the looks of each floor in order; floors are in natural order. Seeds depend on the home's and the
-    floor's names and on the setting `walk`.
+    Returns the looks of each floor in order. The floors are in natural order. Seeds depend on the names of
+    the home and the floor, and on the setting `walk`.
     """
     of_walk = {name: settings[name] for name in _OF_WALK}
     of_gaze = {name: settings[name] for name in _OF_GAZE}

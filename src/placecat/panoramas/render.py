@@ -68,7 +68,7 @@ def focal_length(fov: float, width: int) -> float:
 
 
 def view_rays(pan: float, tilt: float, fov: float, width: int, height: int) -> NDArray[np.float64]:
-    """Return the direction of each pixel's centre, as (height, width, 3) float64, not normalized.
+    """Return the direction of each pixel's centre, (height, width, 3) float64, without normalizing it.
 
     `pan`, positive to the right, and `tilt`, positive upwards, are in degrees; `fov` is as for
     :func:`focal_length`. Pixels are square, and the optical axis passes through the view's centre.

@@ -14,9 +14,9 @@ _BORDER = 1
 def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
     """Prepare a panorama, (H, 2 H, 3) uint8, for :func:`look`.
 
-    `focal` is the largest focal length of the views, in pixels. A panorama whose angular resolution is finer
-    than at the centre of that view is scaled down, because bilinear interpolation alone would skip pixels.
-    Returns (H' + 2, 2 H' + 2, 3) uint8: the panorama with a border.
+    `focal` is the largest focal length of the views, in pixels. A panorama is scaled down if its angular
+    resolution is finer than that at the centre of such a view, because bilinear interpolation alone would
+    skip pixels. Returns (H' + 2, 2 H' + 2, 3) uint8: the panorama with a border.
     """
     side = int(np.ceil(np.pi * focal))
     if side < len(picture):
@@ -29,7 +29,7 @@ def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
 
 
 def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Render the view along rays, (h, w, 3) uint8, with bilinear interpolation.
+    """Render the view along the given rays with bilinear interpolation; return (h, w, 3) uint8.
 
     `prepared` comes from :func:`prepare`, and `rays`, (h, w, 3), from `placecat.panoramas.render.view_rays`.
     """

@@ -1,4 +1,4 @@
-"""The files that accompany the frames: each home's label file and table of looks, and one data card."""
+"""The files that accompany the frames: a label file and a table of looks per home, and one data card."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby
@@ -28,7 +28,11 @@ def label_file(floors: Mapping[str, Sequence[Look]]) -> str:
 
 
 def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
-    """Tabulate looks: floor, stay (from 1), frames, field of view in degrees, room, label, picture."""
+    """Return a table with one row per look.
+
+    Its columns are the floor, the number of the stay (counted from 1), the first and the last frame, the
+    field of view in degrees, the room, the label, and the panorama's first picture.
+    """
     columns = ["floor", "stay", "start", "end", "fov", "room", "label", "panorama"]
     rows = []
     for floor, looks in floors.items():
@@ -42,8 +46,8 @@ def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
 def card(plans: Plans, panoramas: Sequence[Panorama], settings: Mapping[str, Any], folder: str) -> str:
     """Render the data card.
 
-    `panoramas` are all panoramas of the source, including those in no frame; `settings` come from
-    conf/panoramas.yaml; `folder` is the source folder's name.
+    `panoramas` are all panoramas of the source, including those that no frame shows. `settings` come from
+    conf/panoramas.yaml. `folder` is the name of the source folder.
     """
     by_home = {_plain(home): counts(floors) for home, floors in plans.items()}
     places = [(home, floor) for home, floors in plans.items() for floor in floors]

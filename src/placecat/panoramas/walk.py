@@ -15,7 +15,10 @@ class Room(NamedTuple):
 
 
 class Part(NamedTuple):
-    """Part of a stay: the numbers of the stay, room and panorama, from 0, and the number of frames."""
+    """Part of a stay, with a number of frames.
+
+    The stay, the room and the panorama are given by their numbers, which are counted from 0.
+    """
 
     stay: int
     room: int
@@ -37,9 +40,10 @@ def walk(
 ) -> list[Part]:
     """Walk through a floor's rooms.
 
-    The first round enters every room; later rounds enter rooms that have visits left. No room follows itself.
-    Rooms with a label in `ways` are only passed through, one between any two other rooms. If there are more
-    ways than the walk can pass, it enters the rest like other rooms.
+    The first round enters every room, and later rounds enter the rooms that have visits left. No room is
+    entered twice in a row. Rooms with a label in `ways` are only passed through: the walk passes one of them
+    between any two other rooms. If there are more such rooms than it can pass, it enters the rest like other
+    rooms.
 
     Parameters
     ----------
@@ -52,8 +56,8 @@ def walk(
     ways
         Labels of rooms that people only pass through.
     stays, other_stays
-        Mean and standard deviation of a stay's duration in seconds, by label and for all other labels.
-        Durations have a gamma distribution.
+        Mean and standard deviation of the duration of a stay, in seconds. `stays` has them for some labels,
+        and `other_stays` for all other labels. Durations have a gamma distribution.
     shortest_stay, longest_look
         Limits in seconds. A stay longer than `longest_look` is split among the room's panoramas.
     rng
@@ -61,7 +65,7 @@ def walk(
     """
     is_way = [room.label in ways for room in rooms]
     ways_first = sorted(range(len(rooms)), key=lambda number: not is_way[number])
-    # A walk that enters n rooms once passes n - 1 ways; it enters surplus ways like other rooms.
+    # A walk that enters n rooms once passes n - 1 ways, and enters the surplus ways like other rooms.
     surplus = max(0, -(-(2 * sum(is_way) - len(rooms) + 1) // 2))
     entered = sorted(ways_first[:surplus] + ways_first[sum(is_way) :])
     passed = ways_first[surplus : sum(is_way)]

@@ -1,1 +1,1 @@
-"""``placecat predict``: apply a trained system to footage; write tables, a timeline and a video."""
+"""``placecat predict`` applies a trained system to footage and writes tables, a timeline and a video."""

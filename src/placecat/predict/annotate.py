@@ -15,15 +15,17 @@ from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]
 LEAST_HEIGHT, MOST_HEIGHT = 480, 540
-"""Heights in pixels. Smaller frames are enlarged to keep text readable; larger ones shrink to save space."""
+"""Limits of a frame's height in pixels. Smaller frames are enlarged to keep the text readable, and larger
+frames are reduced to save space."""
 _PAPER, _INK, _GREY, _LIGHT = (255, 255, 255), (34, 34, 34), (120, 120, 120), (232, 232, 232)
 _RIM, _REGION = (30, 30, 30), (120, 235, 255)
 
 
 class Annotator:
-    """Draws frames of a fixed size, (width, height).
+    """Draws frames that all have the same size.
 
-    The attribute `size` is the (width, height) of the pictures; both are even, as videos require.
+    The parameter `size` is the (width, height) of the frames. The attribute `size` is the (width, height) of
+    the pictures that are drawn; both numbers are even, as videos require.
     """
 
     def __init__(self, classes: Sequence[str], size: tuple[int, int]) -> None:
@@ -42,7 +44,7 @@ class Annotator:
         self.size = (total + total % 2, height + height % 2)
 
     def __call__(self, frame: Frame, decision: Decision, label: str | None = None) -> NDArray[np.uint8]:
-        """Return the picture of a frame, with its true place if known: (h, w, 3) uint8, BGR."""
+        """Return the picture of a frame, (h, w, 3) uint8 BGR, with the true place if it is known."""
         picture = np.full((self.size[1], self.size[0], 3), 255, np.uint8)
         image = cv2.resize(frame.image, (self._width, self._height), interpolation=self._method)
         self._regions(image, decision.regions)  # type: ignore[arg-type]
@@ -53,7 +55,7 @@ class Annotator:
         return picture
 
     def _regions(self, image: NDArray[np.uint8], regions: NDArray[np.float32]) -> None:
-        """Draw a circle around each region, the strongest on top."""
+        """Draw a circle around each region; stronger regions cover weaker ones."""
         line = max(2, round(self._height / 360))
         sizes = radius(regions[:, 2], self._width)
         for (x, y, *_), size in zip(regions[::-1], np.atleast_1d(sizes)[::-1], strict=True):
@@ -110,12 +112,12 @@ class Annotator:
 
 
 def _fitting(text: str, size: int, width: int) -> int:
-    """Return the largest font size up to `size` at which the text fits in `width` pixels, but at least 6."""
+    """Return the largest font size, up to `size`, at which the text fits into `width` pixels; at least 6."""
     return max(6, min(size, size * width // max(1, mask(text, size, bold=True).shape[1])))
 
 
 def _bar(picture: NDArray[np.uint8], box: tuple[int, int, int, int], share: float, color: Color) -> None:
-    """Draw a bar and fill its `share`, from 0 to 1; `box` is (left, top, right, bottom)."""
+    """Draw a bar in `box`, (left, top, right, bottom), and fill it up to `share`, from 0 to 1."""
     left, top, right, bottom = box
     picture[top:bottom, left:right] = _LIGHT
     picture[top:bottom, left : left + round(share * (right - left))] = color

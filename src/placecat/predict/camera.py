@@ -1,4 +1,4 @@
-"""Read the newest frame from a camera or stream; drop older ones."""
+"""Read the newest frame from a camera or stream, and drop older frames."""
 
 import threading
 import time
@@ -14,7 +14,8 @@ from placecat.predict.frame import Frame, Source
 
 # Used if a camera reports no rate or an implausible one; some streams report 90,000.
 USUAL_FPS = 30.0
-# Number of failed reads in a row after which the camera counts as gone, and seconds to wait after each.
+# After this many failed reads in a row, the camera counts as gone. The second number is the pause after each
+# failed read, in seconds.
 _FAILURES, _PAUSE = 10, 0.05
 PATIENCE = 10.0
 """The camera counts as gone after this many seconds without a frame."""
@@ -27,10 +28,11 @@ class Camera(Source):
     footage ends when the camera stops delivering frames. Raises PlacecatError if the camera cannot be opened
     or delivers no frames.
 
-    `address` is a camera's number or a stream's address; `name` is for the results folder, and `title` for
-    messages. `fps` replaces the camera's reported rate in frames per second. `size` is the (width, height)
-    requested from a numbered camera; its frames may differ. The attribute `arrived` is the number of frames
-    delivered, up to the last one used.
+    `address` is the number of a camera or the address of a stream. `name` is used for the results folder, and
+    `title` in messages. `fps` replaces the frame rate that the camera reports, in frames per second. `size`
+    is the (width, height) requested from a numbered camera, but its frames may have another size. The
+    attribute `arrived` is the number of frames that the camera had delivered when the last used frame
+    arrived.
     """
 
     is_live, timing = True, None
@@ -63,7 +65,7 @@ class Camera(Source):
         self._is_over = False
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Wait for new frames and yield the newest; ignore `every`, which applies only to files."""
+        """Wait for new frames and yield the newest. `every` is ignored, since it applies only to files."""
         thread = threading.Thread(target=self._read, name="camera", daemon=True)
         thread.start()
         start: float | None = None

@@ -62,7 +62,7 @@ class Options:
 
 @dataclass(frozen=True)
 class _Job:
-    """The footage, the system, how to fit frames to it, and the labels of all frames, if any."""
+    """The footage, the system, how to fit frames to it, and the labels of all frames (or None)."""
 
     options: Options
     source: Source
@@ -79,7 +79,7 @@ class _Job:
 def predict_command(options: Options) -> int:
     """Apply a trained system to footage, write the results and print a summary.
 
-    Returns 0; user errors raise PlacecatError and leave no files behind.
+    Returns 0. User errors raise PlacecatError and leave no files behind.
     """
     _check(options)
     _quiet()
@@ -266,7 +266,7 @@ def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None
 
 
 def _print(folder: Path, job: _Job, prediction: Prediction, speed: Speed, content: dict[str, Any]) -> None:
-    """Print the summary, notes first."""
+    """Print the notes, then the summary."""
     for note in content.get("notes", []):
         print(f"placecat: note: {note}", file=sys.stderr)
     print("\nShare of time:", *report.shares(prediction), sep="\n")

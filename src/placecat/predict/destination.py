@@ -16,20 +16,22 @@ from placecat.predict.tables import TABLES
 
 SUMMARY = "summary.json"
 CHECKED = "sha256"
-"""Entry of the summary with the tables' checksums, which reveal tables that were edited later."""
+"""The entry of the summary that holds the checksums of the tables. They reveal whether a table was edited
+later."""
 
 
 @contextmanager
 def reserved(
     output: Path | None, name: str, source: str, read: list[Path], *, is_live: bool, force: bool
 ) -> Iterator[Path]:
-    """Reserve the results folder for this prediction alone; parameters are as for :func:`check`.
+    """Reserve the results folder for this prediction alone.
 
-    The folder is `output` or, by default, predictions/NAME. A camera's default is the first of NAME,
-    NAME_2, ... that does not exist and that no other prediction is writing. Raises PlacecatError like
-    :func:`check`, and if the folder is in use.
+    The folder is `output` or, by default, predictions/NAME. For a camera, the default is the first of NAME,
+    NAME_2, ... that does not exist and is not being written by another prediction. The other parameters are
+    as for :func:`check`. Raises PlacecatError in the same cases as :func:`check`, and also if the folder is
+    in use.
     """
-    # A file name like `...mp4` leaves only dots.
+    # Only dots are left of a file name such as `...mp4`.
     name = name if name.strip(". ") else "footage"
     is_numbered = is_live and output is None
     for number in count(1):
@@ -70,12 +72,12 @@ def reserved(
 
 
 def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
-    """Refuse to replace files in the results folder that cannot be recreated.
+    """Raise an error if replacing the results folder would lose files that cannot be recreated.
 
-    Only a prediction is ever replaced. Without `force`, it must be unedited and have the same `source`, which
-    must not be a camera; with `force`, any prediction is replaced (see :func:`keep`). `source` is the footage
-    as the user typed it, without any password. None of the inputs `read` may be in `folder`. The
-    PlacecatError names the obstacle.
+    Only a prediction is ever replaced. Without `force`, it must be unedited and come from the same `source`,
+    and the source must not be a camera. With `force`, any prediction is replaced, and :func:`keep` saves what
+    a user added or edited. `source` is the footage as the user typed it, but without any password. None of
+    the input files `read` may be in `folder`. The PlacecatError says what prevents the replacement.
     """
     files.check_target(folder)
     for path in read:
@@ -108,16 +110,17 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 
 def keep(folder: Path, new: Path) -> dict[str, str]:
-    """Copy files that a user added to or edited in a prediction into the prediction that replaces it.
+    """Copy the files that a user added to a prediction, or edited in it, into its replacement.
 
-    Returns a mapping from each copied file or folder to its copy, both as names. A copy keeps its name, or is
-    called ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... if the new prediction uses that name. The summary
-    does not list copies, so the next prediction also keeps them.
+    `folder` is the old prediction, and `new` the one that replaces it. Returns a dictionary from the name of
+    each copied file or folder to the name of its copy. A copy keeps its name unless the new prediction uses
+    that name. In that case, it is called ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... The summary does not
+    list copies, so the next prediction keeps them too.
     """
     summary = _summary(folder)
     kept: dict[str, str] = {}
     changed = [] if summary is None else _changed(folder, summary)
-    # Sort names without a conflict first, so that earlier copies keep theirs.
+    # Names without a conflict come first, so that earlier copies keep their names.
     for name in sorted(changed, key=lambda one: (new / one).exists()):
         old, copy = folder / name, new / name
         for number in count(1):

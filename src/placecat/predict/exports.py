@@ -29,11 +29,12 @@ def _kind(option: str) -> "type[McapFile] | type[RerunFile]":
 
 
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
-    """Before any work starts, refuse files that must not or cannot be written.
+    """Before any work starts, raise an error for files that must not or cannot be written.
 
     `wanted` maps each option, one of `OPTIONS`, to its file. `folder` is the results folder, which will be
-    replaced. An existing file is replaced only with `force`, and an input, one of `read`, never. The
-    PlacecatError names a missing package, a wrong suffix, or a file that must not or cannot be written.
+    replaced. An existing file is replaced only with `force`. The input files, which `read` lists, are never
+    replaced. Raises PlacecatError if a package is missing, a suffix is wrong, or a file must not or cannot be
+    written.
     """
     for option, path in wanted.items():
         ending = _ENDINGS[option]
@@ -56,7 +57,7 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
 def opened(
     wanted: Mapping[str, Path], classes: tuple[str, ...], size: tuple[int, int], start: int
 ) -> Iterator[list["Export"]]:
-    """Open files that :func:`check` accepted; rename them to their final names if the block succeeds.
+    """Open the files that :func:`check` accepted, and give them their final names if the block succeeds.
 
     `size` is the (width, height) of the frames. `start` is the first frame's time in nanoseconds since 1970,
     or 0 if unknown.

@@ -22,9 +22,9 @@ _CODECS = {
 class Film:
     """Writes a video file in a ``with`` block.
 
-    `path` ends with .mp4 (H.264) or .webm (VP8), `fps` is in frames per second, and `size` is (width,
-    height), both even. Raises PlacecatError if FFmpeg cannot write the format, or if the file is incomplete
-    at the end of the block.
+    `path` ends with .mp4 (for H.264) or .webm (for VP8). `fps` is in frames per second. `size` is the (width,
+    height), and both numbers must be even. Raises PlacecatError if FFmpeg cannot write the format, or if the
+    file is incomplete at the end of the block.
     """
 
     def __init__(self, path: Path, fps: float, size: tuple[int, int]) -> None:
@@ -37,8 +37,8 @@ class Film:
             stream = self._container.add_stream(codec, rate=rate, options=options)
         except (av.FFmpegError, ValueError):
             raise PlacecatError(
-                f"this FFmpeg cannot write {path.suffix} with {codec}: use the other one of --video "
-                "and --webm, or neither"
+                f"this FFmpeg cannot write {path.suffix} with {codec}: use the other "
+                "option (--video or --webm), or neither"
             ) from None
         assert isinstance(stream, VideoStream)
         self._stream = stream
@@ -80,7 +80,7 @@ class Film:
         return PlacecatError(f"the film {self._path.name} could not be written completely: is the disk full?")
 
     def _is_whole(self) -> bool:
-        """Return whether the last picture exists; FFmpeg does not always report a failed write."""
+        """Return whether the file has its last picture; FFmpeg does not always report a failed write."""
         film = cv2.VideoCapture(str(self._path), cv2.CAP_FFMPEG)
         try:
             film.set(cv2.CAP_PROP_POS_FRAMES, self._count - 1)

@@ -15,9 +15,9 @@ from placecat.footage.timing import Timing
 class Frame:
     """One frame.
 
-    `number` counts from 1, without a camera's unused frames; `seconds` is the time since the first frame.
-    `file` is the name of the image file, or "". `image` is (H, W, 3) uint8, BGR. If `begins`, a cut precedes
-    the frame, and the system restarts.
+    `number` counts from 1 and skips the unused frames of a camera. `seconds` is the time since the first
+    frame. `file` is the name of the image file, or "" if there is none. `image` is (H, W, 3) uint8 BGR. If
+    `begins` is true, a cut precedes the frame, and the system restarts.
     """
 
     number: int
@@ -28,19 +28,25 @@ class Frame:
 
 
 def nanoseconds(seconds: float) -> int:
-    """Convert seconds to whole nanoseconds; exact up to a hundred days for times measured in nanoseconds."""
+    """Convert seconds to whole nanoseconds.
+
+    Times that were measured in nanoseconds are converted exactly up to a hundred days.
+    """
     return round(seconds * 1e9)
 
 
 def clock(seconds: float) -> str:
-    """Format seconds as minutes and seconds, and hours if needed, such as "0:07" or "1:02:03"."""
+    """Format a time as minutes and seconds, and as hours if needed, such as "0:07" or "1:02:03"."""
     minutes, rest = divmod(int(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02d}:{rest:02d}" if hours else f"{minutes}:{rest:02d}"
 
 
 class Damage(NamedTuple):
-    """The numbers of the lost (undecodable) and damaged (decoded with errors) frames, and a note."""
+    """The numbers of the lost and the damaged frames, and a note for the user.
+
+    A lost frame cannot be decoded. A damaged frame was decoded with errors.
+    """
 
     lost: Sequence[int] = ()
     damaged: Sequence[int] = ()
@@ -50,12 +56,12 @@ class Damage(NamedTuple):
 class Source(ABC):
     """Base class for footage.
 
-    `name` is the default name of the results folder, `fps` is in frames per second, and `size` is the (width,
-    height) of the first frame in pixels; later frames may differ if a phone was turned. `timing` has the
-    times of all frames, including lost ones; it is None for a camera. If `is_live`, frames that are not read
-    in time are lost. `reached` is the number of the last frame read, from 1, or 0 before the first. `start`
-    is the time of the first frame in nanoseconds since 1970, or 0 if unknown. `topic` is a bag's image topic,
-    or "".
+    `name` is the default name of the results folder, and `fps` is in frames per second. `size` is the (width,
+    height) of the first frame in pixels; later frames may differ if a phone was rotated. `timing` has the
+    times of all frames, including lost ones, or is None for a camera. If `is_live` is true, frames that are
+    not read in time are lost. `reached` is the number of the last frame that was read, counted from 1, or 0
+    before the first frame. `start` is the time of the first frame in nanoseconds since 1970, or 0 if it is
+    unknown. `topic` is the image topic of a bag, or "" for other footage.
     """
 
     name: str
@@ -69,12 +75,13 @@ class Source(ABC):
 
     @abstractmethod
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode one frame in `every`, the first that is not lost; a camera ignores `every`."""
+        """In each run of `every` frames, decode the first that is not lost; a camera ignores `every`."""
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
-        """Return (frames,) indices into the model's `classes`, or -1 if unscored; None without labels.
+        """Return the true place of each frame, or None if there are no labels.
 
-        Frames with a label in `ignored` are not scored.
+        The places are (frames,) indices into the model's `classes`, or -1 for frames that are not scored,
+        such as those with a label in `ignored`.
         """
         return None
 

@@ -15,15 +15,15 @@ from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import open_home_of, place_labels
 
 PREFIX = "home:"
-"""Prefix of a source that is a home; the home's name follows."""
+"""Prefix of a source that is a home from a data set; the name of the home follows."""
 
 
 class DataSetHome(Source):
     """The frames of a home, floor by floor.
 
     The system restarts at each floor and at any other cut. Times continue from the previous floor. `name` is
-    a home of `dataset`, which holds settings as in conf/dataset. Raises PlacecatError if the home is unknown
-    or cannot be read. `fps` replaces the data set's rate in frames per second.
+    a home of `dataset`, which has the settings of a file in conf/dataset. Raises PlacecatError if the home is
+    unknown or cannot be read. `fps` replaces the data set's rate in frames per second.
     """
 
     timing: Timing
@@ -72,7 +72,10 @@ class DataSetHome(Source):
         return Damage(self._home.lost, self._home.damaged, self._home.note)
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
-        """Like `Source.truth`. Raises PlacecatError if a label is neither in `classes` nor ignored."""
+        """Return the true place of each frame, as `Source.truth` does.
+
+        Raises PlacecatError if a label is neither in `classes` nor ignored.
+        """
         own = [name for name in self._dataset["classes"] if name not in ignored]
         labels = place_labels(
             self._home.frames["label"],
@@ -92,7 +95,7 @@ class DataSetHome(Source):
 
 
 def data_set(overrides: Sequence[str]) -> Mapping[str, Any]:
-    """Return the data set settings from params.yaml or, with overrides, from conf/."""
+    """Return the settings of the data set from params.yaml or, if there are overrides, from conf/."""
     from placecat.config.check import check
     from placecat.config.compose import compose
 

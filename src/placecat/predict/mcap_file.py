@@ -14,8 +14,8 @@ from placecat.predict.annotate import Annotator
 from placecat.predict.frame import Frame, nanoseconds
 
 PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classification", "/placecat/place"
-"""Topics. The first two carry one message per frame. The last is latched and carries the place, or
-`unknown`, whenever this changes."""
+"""The topics. The first two carry one message per frame. The last one is latched, and carries a message
+whenever the place changes or becomes `unknown`."""
 JPEG_QUALITY = 90
 """JPEG quality of the pictures, from 0 to 100. Our choice."""
 
@@ -35,13 +35,13 @@ _WORK = ".folder"
 class McapFile:
     """Writes an MCAP file, with a summary and indices, in a ``with`` block.
 
-    Its final name, without the suffix, is `name`. `classes` are the names of the places, and `size` is the
-    (width, height) of the frames. `start` is the time of the first frame in nanoseconds since 1970.
+    `name` is the final name of the file without the suffix. `classes` are the names of the places, and `size`
+    is the (width, height) of the frames. `start` is the time of the first frame in nanoseconds since 1970.
     """
 
     @staticmethod
     def require() -> tuple[Any, Any]:
-        """Return the message definitions and the writer's module; raise PlacecatError without rosbags."""
+        """Return the message definitions and the writer module; raise PlacecatError if rosbags is missing."""
         try:
             from rosbags import rosbag2
             from rosbags.typesys import Stores, get_types_from_msg, get_typestore
@@ -89,7 +89,7 @@ class McapFile:
             shutil.rmtree(self._folder, ignore_errors=True)
 
     def add(self, frame: Frame, decision: Decision, label: str | None = None) -> None:
-        """Add a frame of the size `size`, with its true place if known."""
+        """Add a frame, and its true place if it is known. Frames must have the (width, height) `size`."""
         types = self._store.types
         now = self._start + nanoseconds(frame.seconds)
         stamp = types["builtin_interfaces/msg/Time"](now // 10**9, now % 10**9)
@@ -112,7 +112,10 @@ class McapFile:
 
 
 def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
-    """Encode an (H, W, 3) uint8 BGR picture as JPEG, (n,) uint8; `quality` is from 0 to 100."""
+    """Encode an (H, W, 3) uint8 BGR picture as a JPEG, and return its bytes as (n,) uint8.
+
+    `quality` is from 0 to 100.
+    """
     done, coded = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, quality])
     if not done:
         raise RuntimeError("OpenCV cannot write JPEG")
@@ -120,7 +123,10 @@ def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
 
 
 def _quality(*, is_latched: bool) -> Any:
-    """Return a topic's quality of service; late subscribers receive the last message of a latched topic."""
+    """Return the quality of service of a topic.
+
+    If a topic is latched, late subscribers receive its last message.
+    """
     from rosbags.interfaces import Qos, QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
 
     # The ROS 2 defaults.

@@ -14,13 +14,16 @@ from placecat.sequences.labels import Segment
 class Prediction:
     """The n categorized frames, in order.
 
-    The K places are `classes`. The footage has `fps` frames per second; `length` is the number, from 1, of
-    the last frame that was read. Each frame has a number in the footage, `numbers` (n,) int64 from 1, a time
-    since the first frame, `seconds` (n,) float64, and an image file in `names`, which is empty if there are
-    none. The smoothed probabilities `proba` (n, K) float64 decide the place; `integrated` are those of each
-    frame alone. The last frame ends at `end` seconds; None if it lasts as long as the median frame. `turned`
-    are the numbers of the frames whose size differs from that of the first, and `cuts` the indices of the
-    frames that follow a cut, such as a new floor. Decisions with a confidence below `threshold` are unknown.
+    `classes` are the names of the K places. The footage has `fps` frames per second, and `length` is the
+    number of the last frame that was read. `numbers`, (n,) int64, are the numbers of the categorized frames
+    in the footage, counted from 1. `seconds`, (n,) float64, are their times since the first frame. `names`
+    has their image files, or is empty if there are none.
+
+    `proba`, (n, K) float64, are the smoothed probabilities, which decide the place. `integrated` are the
+    probabilities of each frame alone. The last frame ends at `end` seconds; None means that it lasts as long
+    as the median frame. `turned` are the numbers of the frames whose size differs from that of the first
+    frame. `cuts` are the indices of the frames that follow a cut, such as a change of floor. Decisions with a
+    confidence below `threshold` are unknown.
     """
 
     classes: tuple[str, ...]
@@ -38,32 +41,35 @@ class Prediction:
 
     @property
     def decision(self) -> NDArray[np.int64]:
-        """(n,) int64, class index of each decision."""
+        """The class index of each decision, (n,) int64."""
         return self.proba.argmax(axis=1)
 
     @property
     def frame_decision(self) -> NDArray[np.int64]:
-        """(n,) int64, class index that each frame alone suggests."""
+        """The class index that each frame alone suggests, (n,) int64."""
         return self.integrated.argmax(axis=1)
 
     @property
     def confidence(self) -> NDArray[np.float64]:
-        """(n,) probability of the decision."""
+        """The probability of each decision, (n,)."""
         return self.proba.max(axis=1)
 
     @property
     def is_known(self) -> NDArray[np.bool_]:
-        """(n,) bool, whether the confidence reaches the threshold."""
+        """Whether the confidence of each decision reaches the threshold, (n,) bool."""
         return self.confidence >= self.threshold
 
     @property
     def place_names(self) -> list[str]:
-        """Place of each frame, or ``unknown``."""
+        """The place of each frame, or ``unknown``."""
         pairs = zip(self.decision.tolist(), self.is_known.tolist(), strict=True)
         return [self.classes[place] if known else UNKNOWN for place, known in pairs]
 
     def visits(self) -> list[Visit]:
-        """List stays like :meth:`placecat.categorizer.Categorizer.visits`; the last ends with the footage."""
+        """List the stays in order; the last stay ends with the footage.
+
+        See :meth:`placecat.categorizer.Categorizer.visits`.
+        """
         log = VisitLog()
         frames = zip(self.place_names, self.confidence.tolist(), self.seconds.tolist(), strict=True)
         for number, frame in enumerate(frames):
@@ -72,14 +78,15 @@ class Prediction:
 
     @property
     def ends(self) -> NDArray[np.float64]:
-        """(n,) float64, time in seconds at which each frame ends."""
+        """The time in seconds at which each frame ends, (n,) float64."""
         step = float(np.median(np.diff(self.seconds))) if len(self.seconds) > 1 else 1 / self.fps
         return np.append(self.seconds[1:], self.seconds[-1] + step if self.end is None else self.end)
 
     def segments(self) -> list[Segment]:
-        """List the runs of frames in one place, without gaps, by frame numbers of the footage.
+        """List the segments of the footage: runs of frames in the same place, with no gaps between them.
 
-        A frame that was not categorized joins the previous frame. `line` is a segment's line in segments.csv.
+        The start and end of a segment are frame numbers of the footage. A frame that was not categorized
+        belongs to the segment of the frame before it. `line` is the line of the segment in segments.csv.
         """
         decision = self.decision
         firsts = np.flatnonzero(np.r_[True, decision[1:] != decision[:-1]])

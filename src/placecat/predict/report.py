@@ -14,16 +14,17 @@ from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed
 
 SLOW = 0.95
-"""A frame rate below this share of the model's is slow; 4.995 instead of 5 frames/s is not. Our choice."""
+"""A frame rate below this share of the model's frame rate counts as slow; 4.995 instead of 5 frames/s does
+not. Our choice."""
 
 
 def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> list[str]:
-    """List warnings for the user, one line each; call this after reading all frames of the source."""
+    """List warnings for the user, one line each. Call this after all frames of the source have been read."""
     found = [source.damage().note]
     if prediction.turned:
         found.append(
             f"from frame {prediction.turned[0]} on, {len(prediction.turned)} frames differ in size from the "
-            "first frame (was the phone turned?): only their centre is used"
+            "first frame (was the phone rotated?): only their centre is used"
         )
     data = categorizer.card["data"]
     # Data sets with equal titles count as the same.
@@ -66,7 +67,10 @@ def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[s
 
 
 def shares(prediction: Prediction) -> list[str]:
-    """Return lines with each seen place's share of time, longest first, and the unknown share, if any."""
+    """Return one line with the share of time for each place that was seen, the largest share first.
+
+    If the place is unknown for part of the time, another line gives that share.
+    """
     longest_first = sorted(_share_of_time(prediction).items(), key=lambda one: -one[1])
     width = max(map(len, prediction.classes))
     lines = [f"  {name:{width}}  {value:6.1%}" for name, value in longest_first if value > 0]
@@ -75,7 +79,7 @@ def shares(prediction: Prediction) -> list[str]:
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Return lines with the accuracy, a confusion table (a row per label) and the share of named frames."""
+    """Return lines with the accuracy, the share of named frames, and a confusion table (a row per label)."""
     if agreement["accuracy"] is None:
         return ["No categorized frame is labelled with one of the model's places, so nothing is scored."]
     table = pd.DataFrame(agreement["confusion"], list(classes), pd.Index(classes, name="label"))
@@ -98,11 +102,12 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
 
 
 def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = None) -> str:
-    """Compare the speed with the footage's frame rate `fps`, if one frame in `every` is used.
+    """Compare the speed of a prediction with the frame rate of the footage.
 
-    `dropped` is the number of camera frames that were not used.
+    The footage has `fps` frames per second, and one frame out of `every` is used. `dropped` is the number of
+    camera frames that were not used.
     """
-    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} that are used of the footage's"
+    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} frames/s that are used out of the footage's"
     text = (
         f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
         f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"

@@ -15,9 +15,10 @@ from placecat.predict.mcap_file import JPEG_QUALITY, jpeg
 from placecat.vision.regions import radius
 
 IMAGE, REGIONS, PROBABILITIES, PLACE = "camera/image", "camera/image/regions", "probabilities", "place"
-"""Entities. Each class has an entity under `PROBABILITIES`."""
+"""The entities. Each class has its own entity under `PROBABILITIES`."""
 FRAME, TIME = "frame", "time"
-"""Timelines: the frame number, and the time since 1970 or, if that is unknown, since the first frame."""
+"""The timelines: the frame number, and the time since 1970. If that time is unknown, the time since the first
+frame is used."""
 LEAST_FREE = 64_000_000
 """Bytes that must be free on the disk, because Rerun hangs on a full disk. Our choice."""
 _REGION = (255, 235, 120)
@@ -28,7 +29,7 @@ class RerunFile:
 
     The bytes differ between runs because Rerun stores when each message was logged. The parameters are the
     same as for :class:`placecat.predict.mcap_file.McapFile`, but frames may have any size, and a `start` of 0
-    means unknown.
+    means that the time is unknown.
     """
 
     def __init__(
@@ -69,7 +70,7 @@ class RerunFile:
         self._stream.disconnect()
 
     def add(self, frame: Frame, decision: Decision, label: str | None = None) -> None:
-        """Add a frame, with its true place if known. Raises PlacecatError if the disk is nearly full."""
+        """Add a frame, and its true place if it is known. Raises PlacecatError if the disk is nearly full."""
         if shutil.disk_usage(self._path.parent).free < LEAST_FREE:
             raise PlacecatError(
                 f"--rerun needs at least {LEAST_FREE // 10**6} MB of free disk space: make room"

@@ -21,10 +21,11 @@ Shown = Callable[[Frame, Decision, "Speed"], None]
 
 @dataclass
 class Speed:
-    """Speed of a prediction: `wanted` frames are categorized per second of footage.
+    """The speed of a prediction.
 
-    So far, `frames` frames have been categorized. This took `seconds` in total (decoding, categorizing,
-    drawing), of which the categorizer took `categorizing`.
+    `wanted` is the number of frames to categorize per second of footage. So far, `frames` frames have been
+    categorized. Decoding, categorizing and drawing them took `seconds` in total, and the categorizer alone
+    took `categorizing` seconds.
     """
 
     wanted: float
@@ -55,16 +56,16 @@ def run(
     truth: NDArray[np.int16] | None = None,
     pace: float = 1.0,
 ) -> tuple[Prediction, Speed, bool]:
-    """Categorize every `every`-th frame of the footage, or only of its first `limit` seconds.
+    """Categorize every `every`-th frame of the footage or, with `limit`, of its first `limit` seconds.
 
-    The system must not have seen any frames yet; `fit` fits frames to a size that the system accepts. `shown`
-    is called after each frame. An annotated video is written to `film_path`, if any, at a `pace` relative to
-    the footage. The video shows the labels `truth`: (frames of the footage,) int16, class indices, or -1 for
-    unlabelled frames.
+    The system must not have seen any frames yet. `fit` fits frames to a size that the system accepts, and
+    `shown` is called after each frame. If `film_path` is given, an annotated video is written there; it plays
+    `pace` times as fast as the footage. The video shows the labels `truth`, which are (frames of the
+    footage,) int16 class indices, or -1 for unlabelled frames.
 
-    Returns the prediction, which has at least one frame; the speed; and whether Ctrl-C ended the footage.
-    Ctrl-C ends a camera's footage once a frame is categorized; before that, and with other footage, it raises
-    KeyboardInterrupt. Raises PlacecatError if a frame cannot be read, or no frame is used.
+    Returns the prediction (which has at least one frame), the speed, and whether Ctrl-C ended the footage.
+    Ctrl-C ends the footage of a camera as soon as one frame has been categorized. In all other cases, Ctrl-C
+    raises KeyboardInterrupt. Raises PlacecatError if a frame cannot be read, or if no frame is used.
     """
     rows: list[tuple[int, float, str, NDArray[np.float64], NDArray[np.float64]]] = []
     speed = Speed(source.fps / every)
@@ -133,7 +134,7 @@ def run(
 
 
 def true_label(truth: NDArray[np.int16] | None, number: int, classes: tuple[str, ...]) -> str | None:
-    """Return a frame's true place, "" if it is not scored, or None without labels."""
+    """Return the true place of a frame: "" if it is not scored, and None if there are no labels."""
     if truth is None:
         return None
     place = int(truth[number - 1])

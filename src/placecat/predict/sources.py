@@ -14,7 +14,7 @@ from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import video
 
-# Frames per second. The upper limit is that of dataset.fps; the lower one is our choice.
+# Limits in frames per second. The upper limit is that of dataset.fps, and the lower limit is our choice.
 SLOWEST, FASTEST = 0.001, 1000.0
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
@@ -30,10 +30,12 @@ def open_source(
 ) -> Source:
     """Open footage. Raises PlacecatError if it cannot be read.
 
-    `text` is the path of a video file, a folder of images or a bag; ``camera`` or ``camera:NUMBER``; or the
-    address of a stream (rtsp, http). A file or folder takes precedence over a camera of the same name. `fps`
-    replaces the footage's rate in frames per second; a folder has none, so its default is `usual_fps`. `size`
-    is the (width, height) requested from a camera. `topic` is a bag's image topic; None uses the only one.
+    `text` names the footage: a video file, a folder of images, a bag, the address of a stream (rtsp, http),
+    ``camera``, or ``camera:NUMBER``. A file or folder takes precedence over a camera of the same name.
+
+    `fps` replaces the frame rate of the footage, in frames per second. A folder has no frame rate, so its
+    default is `usual_fps`. `size` is the (width, height) requested from a camera. `topic` is the image topic
+    of a bag; None uses the only one.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
@@ -77,7 +79,7 @@ def _video(path: Path, fps: float | None) -> "Recorded":
 
 
 class Recorded(Source):
-    """A video or a bag, decoded from the start exactly as the stages decode it."""
+    """A video or a bag. It is decoded from the start, exactly as the stages decode it."""
 
     timing: Timing
 
@@ -88,7 +90,7 @@ class Recorded(Source):
             self.topic, self.start = recording.topic, recording.start
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode one frame in `every`, the first that is not lost."""
+        """In each run of `every` frames, decode the first that is not lost."""
         last = -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number

@@ -14,16 +14,16 @@ TABLES = (FRAMES, SEGMENTS, VISITS)
 
 
 def write_frames(path: Path, prediction: Prediction) -> None:
-    """Write one row per frame, with its decision and probabilities and those of the frame alone.
+    """Write one row per frame: the smoothed decision and probabilities, and those of the frame alone.
 
-    ``name`` is the place, or ``unknown`` if the confidence is too low. Probabilities have enough digits to
-    be read back bit for bit.
+    ``name`` is the place, or ``unknown`` if the confidence is too low. Probabilities have enough digits that
+    reading them back gives exactly the same numbers.
     """
     classes = prediction.classes
     columns = {
         "frame": prediction.numbers,
         "seconds": [f"{seconds:.3f}" for seconds in prediction.seconds],
-        # Objects, because pandas strings must be valid UTF-8.
+        # The file names are objects, because pandas strings must be valid UTF-8.
         **({"file": pd.Series(prediction.names, dtype=object)} if prediction.names else {}),
         "place": [classes[place] for place in prediction.decision],
         "confidence": prediction.confidence,

@@ -24,7 +24,7 @@ LINE = 96
 
 
 def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
-    """Draw a prediction's timeline; it must have at least one frame.
+    """Draw the timeline of a prediction, which must have at least one frame.
 
     `truth` holds (n,) int16 class indices, or -1 for unlabelled frames; None omits the label strip.
     """
@@ -87,7 +87,7 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.set_yticks([0.0, 0.5, 1.0], ["0", "0.5", "1"])
     axes.set_ylabel("confidence")
     axes.set_xlim(0.0, end)
-    # Steps that are round numbers on a clock.
+    # These steps are round numbers on a clock.
     steps = [1, 1.5, 2, 3, 6, 10] if end > 60 else [1, 2, 5, 10]
     axes.xaxis.set_major_locator(MaxNLocator(8, steps=steps, integer=end > 8))
     axes.xaxis.set_major_formatter(

@@ -48,10 +48,10 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
 
 
 def open_home_of(dataset: Mapping[str, Any], name: str, **changed: Any) -> Home:
-    """Read a home with the settings of its data set, except those in `changed`.
+    """Read a home with the settings of its data set; the settings in `changed` replace them.
 
-    `dataset` is as in conf/dataset; its ``camera`` is one name for all homes, or maps each home to a name.
-    Errors are as for :func:`open_home`.
+    `dataset` has the settings of a file in conf/dataset. Its ``camera`` is one name for all homes, or maps
+    each home to a name. Raises the same errors as :func:`open_home`.
     """
     layout, camera = dataset["layout"], dataset["camera"]
     if not isinstance(camera, str):

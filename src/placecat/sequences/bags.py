@@ -1,7 +1,7 @@
-"""Layout with a folder per home and a bag per floor: ``<name>/<floor>.bag``, ``<floor>.mcap``, or a folder.
+"""Layout with one folder per home, ``<name>``, and one bag per floor in it.
 
-The labels of a floor are in ``<name>/<floor>.csv``, or on a string topic of the bag. Without labels, every
-frame is unlabelled.
+A bag is a file ``<floor>.bag``, ``<floor>.mcap`` or ``<floor>.db3``, or a folder. The labels of a floor are
+in ``<name>/<floor>.csv``, or on a string topic of the bag. Without labels, every frame is unlabelled.
 """
 
 from collections.abc import Iterator
@@ -27,7 +27,7 @@ def read_home(
     topic: str | None = None,
     labels_topic: str | None = None,
 ) -> Home:
-    """Read one home, one sequence per bag; see `placecat.sequences.open_home`.
+    """Read one home, with one sequence per bag; see `placecat.sequences.open_home`.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def _bags(folder: Path) -> dict[str, Path]:
 
 
 def _labels_on_topic(recording: BagRecording, topic: str) -> Labels:
-    """Match labels and frames by the times they were received, since strings have no stamps."""
+    """Match labels with frames by the time at which each was received, since strings have no stamps."""
     bag = Bag(recording.path)
     bag.require(topic, (STRING,), "dataset.labels_topic")
     times, labels = zip(*bag.strings(topic), strict=True)

@@ -13,38 +13,44 @@ from placecat.footage.pictures import read_image, turned
 COLUMNS = ("sequence", "number", "source", "position", "seconds", "label")
 """The columns of `Home.frames`."""
 TURN = "turn"
-"""Additional column for pictures that must be turned."""
+"""Additional column if pictures must be rotated."""
 
 
 @dataclass(frozen=True, eq=False)
 class Home:
-    """A home: the location and label of each frame, without pixels.
+    """A home: the label of each frame and where its picture is stored, but not the pixels.
 
     Attributes
     ----------
     name
-        Unique within its data set. A COLD name includes the site (``freiburg-seq1_cloudy1``).
+        The name of the home, unique within its data set. In COLD, it includes the site
+        (``freiburg-seq1_cloudy1``).
     fps
         Frames per second.
     camera
         Name of the camera; homes with the same name have the same camera height, lens and colour response.
     width, height
-        Size of every frame in pixels after turning, measured on the first frame.
+        Size of every frame in pixels after rotation, measured on the first frame.
     frames
-        One row per frame, in order, indexed 0, 1, ...: ``sequence`` (str: the floor of a VPC home, the
-        sequence folder of COLD, "1" for a video or a folder), ``number`` (int32, from 1 in each sequence),
-        ``source`` (str, POSIX path relative to `root`: an image, the video file or the bag), ``position``
-        (int32, from 0: index of the frame in the video, counting lost frames, or of the message among the
-        picture messages of the bag; -1 for an image file), ``seconds`` (float64, since the start of the
-        sequence) and ``label`` (str as in the label file; "" for none). If pictures must be turned, also
-        ``turn`` (int32, degrees clockwise: 0, 90, 180 or 270).
+        One row per frame, in order, with the index 0, 1, ... The columns are:
+
+        - ``sequence`` (str): the floor of a VPC home, the sequence folder of COLD, or "1" for a video or a
+          folder.
+        - ``number`` (int32): the number of the frame in its sequence, counted from 1.
+        - ``source`` (str): the image, the video file or the bag, as a POSIX path relative to `root`.
+        - ``position`` (int32): the index of the frame in its video, where lost frames count, or the index of
+          the message among the picture messages of its bag. It starts at 0, and is -1 for an image file.
+        - ``seconds`` (float64): the time since the start of the sequence.
+        - ``label`` (str): the label as in the label file, or "" for none.
+        - ``turn`` (int32), only if pictures must be rotated: 0, 90, 180 or 270 degrees clockwise.
     label_files
         Maps each sequence to its label file, relative to `root`; empty without labels.
     label_lines
-        (frames,) int32, each frame's line in the label file, from 1; 0 without a label.
+        Each frame's line in the label file, (frames,) int32, counted from 1; 0 for a frame without a label.
     lost, damaged, note
-        Numbers of the frames that cannot be decoded and so have no row; numbers of the frames decoded with
-        errors; and a description of the damage, or "" if there is none.
+        `lost` has the numbers of the frames that cannot be decoded and therefore have no row. `damaged` has
+        the numbers of the frames that were decoded with errors. `note` describes the damage, or is "" if
+        there is none.
     """
 
     name: str
@@ -62,7 +68,7 @@ class Home:
 
     @property
     def is_even(self) -> bool:
-        """Whether consecutive frames of a sequence are always 1 / `fps` apart."""
+        """Whether consecutive frames of a sequence are always 1 / `fps` seconds apart."""
         names = self.frames["sequence"].to_numpy()
         steps = np.diff(self.frames["seconds"])[names[1:] == names[:-1]]
         return bool((np.abs(steps * self.fps - 1) < 1e-6).all())

@@ -1,11 +1,11 @@
 """The COLD database: ``<site>/<sequence>/localization/places.lst`` and images in ``<sequence>/std_cam``.
 
-Each line of the label file has the form ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. Labels
-stay codes; the data set's setting ``aliases`` maps each code to a class.
+Each line of the label file has the form ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. Labels are
+kept as codes; the data set's setting ``aliases`` maps each code to a class.
 
-A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. A site's
-name alone stands for all its sequences as one home. Sequences of one site show the same rooms, so only folds
-by site keep the test rooms out of training.
+A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. The name of a
+site alone stands for a home with all sequences of that site. Sequences of one site show the same rooms, so
+only folds by site keep the test rooms out of training.
 
 References
 ----------
@@ -38,10 +38,11 @@ _LABEL = re.compile(r"([0-9]*[A-Z]+)[0-9]*(-[AB])?")
 def read_home(
     root: Path, name: str, *, fps: float | None = None, camera: str = "", images: str = "std_cam"
 ) -> Home:
-    """Read one sequence, ``<site>-<sequence>``, or all of a ``<site>``; see `placecat.sequences.open_home`.
+    """Read a sequence, ``<site>-<sequence>``, or all sequences of a site, ``<site>``.
 
-    Times come from the file names. Without `fps`, the rate is computed from the median time between frames.
-    `images` is the image folder of each sequence. Images that the label file does not list are skipped.
+    See `placecat.sequences.open_home`. Times come from the file names. Without `fps`, the rate is computed
+    from the median time between frames. `images` is the name of the image folder in each sequence. Images
+    that the label file does not list are skipped.
     """
     relative(name, "dataset.homes")
     if "/" in name:
@@ -78,7 +79,7 @@ def read_home(
 
 
 class Entry(NamedTuple):
-    """A line of a ``places.lst``: image name, code, time in microseconds, and line number."""
+    """A line of a ``places.lst``: its image name, its code, its time in microseconds, and its number."""
 
     image: str
     code: str
@@ -87,7 +88,7 @@ class Entry(NamedTuple):
 
 
 def code(label: str) -> str | None:
-    """Return the code of a label, without the number and building part (``-A`` or ``-B``) at its end.
+    """Return the code of a label, without the number and the building (``-A`` or ``-B``) at its end.
 
     ``2PO1-A`` becomes ``2PO``, a two-person office. Returns None for labels that are not from COLD.
     """
@@ -96,10 +97,10 @@ def code(label: str) -> str | None:
 
 
 def read_places(file: Path) -> list[Entry]:
-    """Read the entries of a ``places.lst`` in file order, in which their times must increase.
+    """Read the entries of a ``places.lst``. Their times must increase from line to line.
 
-    Raises PlacecatError, naming the line, if a line is not an image name and a label, or if its image is not
-    later than the previous one.
+    Raises PlacecatError, naming the line, if a line does not consist of an image name and a label, or if its
+    image is not later than the previous one.
     """
     entries: list[Entry] = []
     for line, text in enumerate(read_text(file).split("\n"), start=1):

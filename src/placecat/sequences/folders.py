@@ -11,7 +11,10 @@ from placecat.footage.names import natural, relative
 
 
 def inside(path: Path, folder: Path, origin: str) -> None:
-    """Refuse a path that leaves a folder through a symbolic link; `origin` is where the path is listed."""
+    """Raise an error if a path leaves a folder through a symbolic link.
+
+    `origin` is where the path is listed; the message names it.
+    """
     if not path.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
             f"{origin}: {path} is a link that leads out of {folder}; replace the link with the data itself."
@@ -19,9 +22,10 @@ def inside(path: Path, folder: Path, origin: str) -> None:
 
 
 def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, str], remedy: str) -> None:
-    """Refuse missing frames, and links that leave the folder `limit`.
+    """Raise an error if a frame is missing, or if a link leads out of the folder `limit`.
 
-    `origin` is the file that lists the frames; `listed` maps each frame name to its place in that file.
+    `origin` is the file that lists the frames. `listed` maps the name of each frame to its place in that
+    file. `remedy` tells the user what to do about a missing frame.
     """
     inside(folder, limit, origin)
     links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)} if folder.is_dir() else {}
@@ -55,7 +59,10 @@ def existing(folder: Path, advice: str) -> Path:
 
 
 def by_name(paths: Iterable[Path]) -> dict[str, Path]:
-    """Map names, those of files without suffixes, to paths in natural order; refuse duplicates."""
+    """Map the names of folders, and of files without their suffixes, to their paths in natural order.
+
+    Raises PlacecatError if two of the names are equal.
+    """
     named: dict[str, Path] = {}
     for path in sorted(paths, key=lambda one: natural(one.name)):
         first = named.setdefault(path.name if path.is_dir() else path.stem, path)
@@ -65,9 +72,10 @@ def by_name(paths: Iterable[Path]) -> dict[str, Path]:
 
 
 def frame_rate(fps: float | None, home: str, known: float | None = None) -> float:
-    """Return the frame rate of a home in frames per second: `fps` or, if None, `known` from its files.
+    """Return the frame rate of a home in frames per second.
 
-    Raises PlacecatError unless the rate is positive.
+    The rate is `fps` or, if that is None, `known`, which comes from the files of the home. Raises
+    PlacecatError unless the rate is positive.
     """
     rate = known if fps is None else fps
     if rate is None or not np.isfinite(rate) or rate <= 0:

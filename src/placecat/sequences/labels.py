@@ -1,4 +1,4 @@
-"""Check and expand labels given as frame intervals, and read label CSV files."""
+"""Check and expand labels that are given as intervals of frames, and read label files (CSV)."""
 
 import codecs
 import csv
@@ -15,9 +15,9 @@ from placecat.errors import PlacecatError
 from placecat.footage.timing import Timing
 
 FRAME_HEADER = ("start", "end", "label")
-"""CSV columns for intervals in frames, from 1, both ends included (as in VPC-2009)."""
+"""CSV columns for intervals of frames, which are counted from 1. Both ends are included, as in VPC-2009."""
 SECOND_HEADER = ("start_seconds", "end_seconds", "label")
-"""CSV columns for intervals in seconds from 0, the end excluded."""
+"""CSV columns for intervals in seconds from 0. The end is excluded."""
 # Both limits are above the number of frames of any footage.
 _WHOLE = re.compile(r"-?[0-9]{1,10}")
 _MOST_FRAMES = 1e10
@@ -26,7 +26,7 @@ MOST_BYTES = 16 << 20
 
 
 class Segment(NamedTuple):
-    """Frames `start` to `end` (from 1, both included) with one label, and the line that lists them."""
+    """Frames `start` to `end`, counted from 1 and both included, with their label and the label's line."""
 
     start: int
     end: int
@@ -38,9 +38,9 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
     """Check that segments, in file order, cover frames 1 to `count` exactly once.
 
     Raises PlacecatError, naming the line, if there is a gap or an overlap, if a segment ends before it starts
-    or after the last frame, or if frames at the end are unlabelled. In the message, `file` is the label file,
-    `sequence` is what the frames belong to (``floor 1``, ``the video``), and `counted` is the source of the
-    count (``line 2``).
+    or after the last frame, or if frames at the end are unlabelled. The other parameters are for the message:
+    `file` is the label file, `sequence` is what the frames belong to (``floor 1`` or ``the video``), and
+    `counted` says where `count` comes from (``line 2``).
     """
     if not segments:
         raise PlacecatError(f"{file}: {sequence} has no labels; label its frames 1 to {count}.")
@@ -91,10 +91,10 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
 
 
 def label_csv(root: Path, *names: str) -> str | None:
-    """Find the label file with one of these names (``....csv``, relative to `root`).
+    """Find the label file that has one of these names, which end with ``.csv`` and are relative to `root`.
 
-    Returns its relative path as spelled on disk, where the suffix may be upper or lower case; None if there
-    is no such file. Raises PlacecatError if there are several.
+    Returns its relative path as it is spelled on disk, where the suffix may be in upper or lower case.
+    Returns None if there is no such file. Raises PlacecatError if there are several.
     """
     found: list[Path] = []
     for wanted in (root / name for name in names):
@@ -106,9 +106,11 @@ def label_csv(root: Path, *names: str) -> str | None:
 
 
 class Labels(NamedTuple):
-    """The labels of n frames: names ("" for none), and lines in `file`, (n,) int32 (0 for none).
+    """The labels of n frames, and where they come from.
 
-    `file` is the label file's path relative to the folder of the homes, or None.
+    `names` has the label of each frame, or "" for none. `lines`, (n,) int32, has the line of each label in
+    the label file, or 0 for none. `file` is the path of that file relative to the folder of the homes, or
+    None.
     """
 
     names: list[str]
@@ -131,13 +133,14 @@ def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str)
 def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str], NDArray[np.int32]]:
     """Read the UTF-8 label CSV of a video or a folder of frames.
 
-    The header is ``start,end,label`` with frame numbers from 1, both ends included, or
-    ``start_seconds,end_seconds,label`` with times from 0. A time selects the nearest boundary between frames,
-    so a few decimals are enough. Every frame must be in exactly one row.
+    With the header ``start,end,label``, the rows hold frame numbers from 1, and both ends are included. With
+    the header ``start_seconds,end_seconds,label``, the rows hold times from 0. A time selects the nearest
+    boundary between frames, so a few decimals are enough. Every frame must be in exactly one row.
 
-    `timing` covers all frames; messages call them `sequence` (``the video`` or ``the folder``). Returns the
-    label of each frame, stripped of spaces, and the line of its row, (frames,) int32. Raises PlacecatError,
-    naming the line, if the header, a number or a label is wrong, or if a frame is in no row or in several.
+    `timing` covers all frames. Messages call the frames `sequence`, which is ``the video`` or ``the folder``.
+    Returns the label of each frame, stripped of spaces, and the line of its row, (frames,) int32. Raises
+    PlacecatError, naming the line, if the header, a number or a label is wrong, or if a frame is in no row or
+    in several.
     """
     rows = read_rows(path)
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
@@ -190,7 +193,8 @@ def read_text(path: Path) -> str:
 def read_rows(path: Path) -> list[tuple[int, list[str]]]:
     """Read the line number and cells of each non-empty row of a CSV file.
 
-    Raises PlacecatError like `read_text`, and, naming the line, if the file is not UTF-8 or not a CSV.
+    Raises PlacecatError in the same cases as `read_text`. Also raises it, and names the line, if the file is
+    not UTF-8 or not a CSV file.
     """
     lines = read_text(path).splitlines()
     for number, line in enumerate(lines, start=1):
@@ -247,9 +251,12 @@ def _from_seconds(
 
 
 def _boundary(seconds: float, starts: NDArray[np.float64], fps: float) -> int:
-    """Return the number of frames before the nearest boundary; beyond the end, extrapolate at `fps`."""
+    """Return the number of frames before the nearest boundary between frames.
+
+    Beyond the last frame, further frames are assumed at the rate `fps`.
+    """
     if seconds > starts[-1]:
-        # Cap the excess at a day.
+        # Assume frames for one more day at most.
         return len(starts) - 1 + math.floor(min(seconds - float(starts[-1]), 86400.0) * fps + 0.5)
     after = int(np.searchsorted(starts, seconds))
     return after - 1 if after and seconds - starts[after - 1] < starts[after] - seconds else after

@@ -11,7 +11,7 @@ from placecat import files, paths
 
 
 def read_labels(home: str) -> NDArray[np.int16]:
-    """Return a home's (frames,) class indices in time order, -1 for unlabelled frames."""
+    """Return the class index of each frame of a home in time order, (frames,); -1 if it is unlabelled."""
     return files.read_csv(paths.sequences(home) / "labels.csv")["class"].to_numpy(np.int16)
 
 
@@ -23,7 +23,7 @@ def read_frames(home: str) -> pd.DataFrame:
 
 
 def sequence_slices(home: str) -> list[slice]:
-    """Return a slice of a home's frames for each of its sequences, such as a floor."""
+    """Return one slice of a home's frames for each of its sequences, which may be floors."""
     names = read_frames(home)["sequence"].to_numpy()
     cuts = np.flatnonzero(names[1:] != names[:-1]) + 1
     return [slice(start, end) for start, end in pairwise([0, *cuts.tolist(), len(names)])]

@@ -19,25 +19,25 @@ def place_labels(
     *,
     home: Home | None = None,
 ) -> NDArray[np.int16]:
-    """Convert label names to class numbers: (len(labels),) int16, -1 for unlabelled frames.
+    """Convert label names to class numbers, (len(labels),) int16; unlabelled frames get -1.
 
     Frames without a label, or with a label in `ignored` (``transition``, ``corridor``, ...), stay in the
-    sequence unlabelled. They are neither scored nor trained on, but the smoothing filter does not skip them
-    (thesis 3.3.2). Raises PlacecatError if a label is not a class, an ignored label or an alias, or if an
-    alias stands for neither a class nor an ignored label.
+    sequence as unlabelled frames. They are neither scored nor trained on, but the smoothing filter does not
+    skip them (thesis 3.3.2). Raises PlacecatError if a label is neither a class nor an ignored label nor an
+    alias, or if an alias stands for neither a class nor an ignored label.
 
     Parameters
     ----------
     labels
-        The ``label`` column of `Home.frames`, or rows of it with their index. A missing value counts as an
-        empty label; pandas reads empty cells as missing.
+        The ``label`` column of `Home.frames`, or some of its rows with their index. A missing value counts as
+        an empty label, because pandas reads empty cells as missing values.
     classes, ignored
         The classes, numbered by their position, and the labels that have no class.
     aliases
         Maps other spellings and codes to classes or ignored labels. An alias overrides a class of the same
         name.
     home
-        The home of the labels, for messages.
+        The home that the labels belong to, for messages.
     """
     if not classes:
         raise PlacecatError("dataset.classes is empty; list at least one class.")

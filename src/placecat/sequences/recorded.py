@@ -1,4 +1,4 @@
-"""Homes made of recordings (videos or bags); each recording is a sequence."""
+"""Homes that consist of recordings (videos or bags), each of which is a sequence."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -20,9 +20,9 @@ Part = tuple[str, Recording | BagRecording, Timing, Labels]
 def home_of(name: str, root: Path, camera: str, parts: Iterable[Part], kind: str) -> Home:
     """Decode all frames of a home's recordings to find the lost ones, and list the rest.
 
-    A lost frame has no row but keeps its number, because labels refer to frame numbers. The home's frame rate
-    is the median rate of the recordings; messages call a recording `kind` (``video`` or ``bag``). Raises
-    PlacecatError if no frame of a recording can be decoded, or if frames differ in size.
+    A lost frame has no row but keeps its number, because labels refer to frame numbers. The frame rate of the
+    home is the median of the recordings' rates. Messages call a recording `kind`, which is ``video`` or
+    ``bag``. Raises PlacecatError if no frame of a recording can be decoded, or if frames differ in size.
     """
     rates, tables, lines, label_files = [], [], [], {}
     recordings: list[Recording | BagRecording] = []
@@ -64,7 +64,7 @@ def home_of(name: str, root: Path, camera: str, parts: Iterable[Part], kind: str
 
 
 def _readable(recording: Recording | BagRecording, first: Size, kind: str) -> list[int]:
-    """Return the numbers of the frames that can be decoded; refuse frames whose size is not `first`."""
+    """Return the numbers of the frames that can be decoded; raise an error if a size differs from `first`."""
     numbers = []
     for frame in recording.pictures():
         if (size := frame.size) is None:
@@ -72,7 +72,7 @@ def _readable(recording: Recording | BagRecording, first: Size, kind: str) -> li
         if size != first:
             raise PlacecatError(
                 f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, but earlier frames are "
-                f"{first[0]}x{first[1]} (was the camera turned?); all frames of a home must have the same "
+                f"{first[0]}x{first[1]} (was the camera rotated?); all frames of a home must have the same "
                 f"size: cut the {kind} there."
             )
         numbers.append(frame.number)

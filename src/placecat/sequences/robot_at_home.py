@@ -1,8 +1,8 @@
 """Robot@Home2: the database ``rh.db`` and the pictures in ``files/rgbd``, as unpacked from the archive.
 
-A robot with four cameras drove through five homes. A home has one sequence per session: the frames of one
-camera, ordered by time. The label of a frame is the type of its room, such as ``livingroom``; the data set's
-setting ``aliases`` maps each type to a class. Recordings of several rooms have the type ``fullhouse``.
+A robot with four cameras drove through five homes. A home has one sequence per session, with the frames of
+one camera in order of time. The label of a frame is the type of its room, such as ``livingroom``; the data
+set's setting ``aliases`` maps each type to a class. Recordings of several rooms have the type ``fullhouse``.
 
 References
 ----------
@@ -28,7 +28,8 @@ from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
 DATABASE, PICTURES = "rh.db", "files/rgbd"
 OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
-"""Tables for each value of `observations`: frames with labelled objects, or all, even discarded frames."""
+"""The tables for each value of `observations`: only frames with labelled objects, or all frames, even those
+that were discarded."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
 """Suffix of colour pictures; other files hold depth and labels."""
@@ -53,7 +54,7 @@ _TABLES: dict[str, Columns] = {
 
 
 class _Observation(NamedTuple):
-    """A frame: session, time, number in the database, room type ("" for none) and picture."""
+    """A frame: its session, time, number in the database, room type ("" for none), and picture."""
 
     session: str
     ticks: int
@@ -74,13 +75,15 @@ def read_home(
     database: str = DATABASE,
     pictures: str = PICTURES,
 ) -> Home:
-    """Read one home with one camera, a sequence per session; see `placecat.sequences.open_home`.
+    """Read the frames of one camera in one home, with a sequence per session.
+
+    See `placecat.sequences.open_home`.
 
     Parameters
     ----------
     fps
-        Frames per second; frames are then evenly spaced. None uses the times in the database, and computes
-        the rate from the median time between frames.
+        Frames per second. If it is given, frames are evenly spaced. None uses the times in the database, and
+        computes the rate from the median time between frames.
     camera
         ``RGBD_1`` to ``RGBD_4``.
     observations
@@ -140,7 +143,8 @@ def _observations(data: SqliteFile, file: Path, table: str, home: int, sensor: i
     for number, session, room, ticks, *_ in data.rows(table, home_id=home, sensor_id=sensor):
         where = f"{file}: observation {number} of {table}"
         if number not in pictures:
-            # rh_raw repeats labelled observations, but FILES lists their pictures by rh_lblrgbd numbers.
+            # rh_raw repeats labelled observations, but FILES lists their pictures by their numbers in
+            # rh_lblrgbd.
             if table == "rh_raw":
                 continue
             raise PlacecatError(f"{where} has no picture *{COLOR} in {FILES}; restore the file.")
@@ -161,7 +165,10 @@ def _known(named: Mapping[int, Any], number: int, where: str, table: str) -> Any
 
 
 def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], list[float], float | None]:
-    """Return each frame's number in its session, its time in seconds, and the rate of the median step."""
+    """Return each frame's number and time in its session, and the frame rate from the median step.
+
+    Times are in seconds. The rate is None if there is no step.
+    """
     # Whole ticks are exact; seconds since 1601 are not.
     longest = round(longest_gap * TICKS)
     numbers, ticks, steps = [1], [0], []

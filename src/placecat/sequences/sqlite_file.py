@@ -1,4 +1,4 @@
-"""Read untrusted SQLite files: read-only, with checks of tables and value types."""
+"""Read untrusted SQLite files in read-only mode, and check their tables and the types of values."""
 
 import sqlite3
 from collections.abc import Iterator, Mapping
@@ -23,7 +23,7 @@ class SqliteFile:
         self._path, self._connection, self._tables = path, connection, tables
 
     def rows(self, table: str, **equal: int) -> Iterator[tuple[Any, ...]]:
-        """Yield the expected columns of the rows that match `equal`; refuse values of a wrong type."""
+        """Yield the expected columns of the rows that match `equal`; raise an error for a wrong type."""
         columns = self._tables[table]
         condition = " AND ".join(f"{name} = ?" for name in equal) or "TRUE"
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {condition}"

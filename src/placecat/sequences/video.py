@@ -1,4 +1,4 @@
-"""Layout with a video file and a label CSV per home: ``<name>.mp4`` and ``<name>.csv``.
+"""Layout with one video and one label file per home: ``<name>.mp4`` and ``<name>.csv``.
 
 Without the CSV, every frame is unlabelled; predictions on new footage need no labels.
 """

@@ -1,8 +1,9 @@
 """The VPC-2009 home database: ``HomeN/<floor>/%08d.jpg`` and ``HomeN/label.txt``.
 
-For each floor in turn, the label file lists the folder, the number of frames, the segments (``first last
-label``, counted from 1 on every floor, both ends included) and an end line. A second end line ends the
-labels; free text may follow. Spaces or tabs separate columns.
+For each floor in turn, the label file lists the folder, the number of frames, the segments, and an end line.
+A segment is a line ``first last label``. Its frames are counted from 1 on every floor, and both ends are
+included. A second end line ends the labels, and free text may follow. Columns are separated by spaces or
+tabs.
 
 References
 ----------
@@ -30,7 +31,7 @@ _FRAME = re.compile(r"([0-9]{1,10})\.jpe?g", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Floor:
-    """A floor: folder, declared number of frames, the line that declares it, and segments in order."""
+    """A floor: its folder, its declared number of frames, the line of that number, and its segments."""
 
     name: str
     count: int
@@ -39,9 +40,9 @@ class Floor:
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
-    """Read one home, one sequence per floor in label file order; see `placecat.sequences.open_home`.
+    """Read one home, with one sequence per floor, in the order of the label file.
 
-    `fps` is required. The frames on disk must match the label file.
+    See `placecat.sequences.open_home`. `fps` is required. The frames on disk must match the label file.
     """
     folder = home_folder(root, name)
     rate = frame_rate(fps, name)

@@ -22,9 +22,9 @@ from placecat.training.plan import Part, Plan
 class Cue:
     """The settings of a cue.
 
-    `descriptor` is as in :func:`placecat.cues.cue_input.check`, `classifier` as in :func:`placecat.cues.fit`.
-    `codebook` has ``cells`` and ``tree``, as in :meth:`placecat.cues.codebook.Codebook.fit`; it is None for a
-    cue without clusters.
+    `descriptor` is as in :func:`placecat.cues.cue_input.check`, and `classifier` is as in
+    :func:`placecat.cues.fit`. `codebook` has ``cells`` and ``tree``, as in
+    :meth:`placecat.cues.codebook.Codebook.fit`; it is None for a cue without clusters.
     """
 
     descriptor: Mapping[str, Any]
@@ -43,7 +43,7 @@ class Cue:
 
 @dataclass(frozen=True)
 class TrainingFrames:
-    """Training frames, one part after another: their descriptors, (n,) classes, and (n,) sequence names."""
+    """The n training frames, part by part: their descriptors, classes (n,) and sequence names (n,)."""
 
     described: Descriptors
     truth: NDArray[np.int16]
@@ -65,7 +65,7 @@ class TrainedCue:
     cross_validated: NDArray[np.float64] | None
 
     def predict(self, home: str, rows: NDArray[np.int64] | None = None) -> NDArray[np.float64]:
-        """Return (n, n_classes) distributions for a sequence's frames in `rows`; None means all frames."""
+        """Return (n, n_classes) distributions for the frames `rows` of a sequence; None means all frames."""
         return self.model.predict_proba(store.read_descriptors(home, self.descriptor, rows))
 
     def predict_chosen(self, parts: Sequence[Part]) -> dict[str, NDArray[np.float64]]:
@@ -82,14 +82,14 @@ class TrainedCue:
 
     @cached_property
     def temperature(self) -> float:
-        """Temperature of the distributions; 1 if the cue was not cross-validated."""
+        """The temperature of the distributions, or 1 if the cue was not cross-validated."""
         return 1.0 if self.cross_validated is None else fit_temperature(self.cross_validated, self.truth)
 
 
 def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> TrainingFrames:
     """Read the parts' chosen frames, in order.
 
-    Raises PlacecatError as :func:`placecat.training.store.read_descriptors` does.
+    Raises the errors of :func:`placecat.training.store.read_descriptors`.
     """
     chosen = {part.home: part.chosen() for part in parts}
     rows = {home: frames for home, (frames, _) in chosen.items()}
@@ -105,8 +105,9 @@ def cluster(
 ) -> Codebook:
     """Cluster a cue's training frames.
 
-    The seed of the clustering is derived from the plan, the cue and `seed`, one of ``protocol.seeds``.
-    `numbers` are the numbers of clusters that will be used; None means those in the codebook's settings.
+    The seed of the clustering is derived from the plan, the cue, and `seed`, which is one of
+    ``protocol.seeds``. `numbers` are the numbers of clusters that will be used; None means those in the
+    settings of the codebook.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]
@@ -127,10 +128,10 @@ def fit(
     *,
     cross_validate: bool = False,
 ) -> TrainedCue:
-    """Train a cue on frames, with a codebook if it needs one. Errors are as in :func:`placecat.cues.fit`.
+    """Train a cue on frames, with a codebook if it needs one.
 
-    With `cross_validate`, each sequence's frames are also predicted by a cue trained on the other ones.
-    `classes` are the names of the places.
+    With `cross_validate`, the frames of each sequence are also predicted, by a cue that was trained on the
+    other sequences. `classes` are the names of the places. Raises the errors of :func:`placecat.cues.fit`.
     """
     data = frames.described, frames.truth, frames.home_of_frame
     options: dict[str, Any] = {"classifier": cue.classifier, "classes": classes, "codebook": codebook}
@@ -149,8 +150,8 @@ def train(
 ) -> TrainedCue:
     """Train a cue according to a plan: read the plan's frames, cluster them if needed, and learn.
 
-    `seed` and `numbers` are as in :func:`cluster` (not needed without clusters), `cross_validate` as in
-    :func:`fit`. Raises PlacecatError like :func:`read_frames` and :func:`fit`.
+    `seed` and `numbers` are as in :func:`cluster`, and are not needed without clusters. `cross_validate` is
+    as in :func:`fit`. Raises the errors of :func:`read_frames` and :func:`fit`.
     """
     frames = read_frames(plan.cues, cue.descriptor)
     codebook = None

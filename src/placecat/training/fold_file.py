@@ -1,6 +1,7 @@
-"""Store a cue's or system's results for one test home and seed: arrays in one file, facts in another.
+"""Store the results of a cue or system for one test home and seed.
 
-A result has no folder of its own, since DVC takes about a millisecond per folder.
+Arrays are in one file, and facts are in another. A result has no folder of its own, because DVC takes about a
+millisecond per folder.
 """
 
 from collections.abc import Mapping
@@ -46,7 +47,7 @@ def has(path: Path, name: str) -> bool:
 
 
 def read(path: Path, name: str) -> NDArray[Any]:
-    """Read one array; raises FileNotFoundError or KeyError unless `has` returns True."""
+    """Read one array; raise FileNotFoundError or KeyError if `has` returns False."""
     with np.load(path, allow_pickle=False) as archive:
         return archive[name]
 

@@ -21,7 +21,10 @@ def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def fused_parts(plan: Plan, *, method: str, extra: bool) -> tuple[Part, ...]:
-    """Return the parts that train an integration: those of the cues if it learns from held-out frames."""
+    """Return the parts that train an integration.
+
+    If its method learns from held-out frames, these are the parts that train the cues.
+    """
     if integrate.learns_from_held_out(method):
         return plan.cues
     return (*plan.integration, *(plan.extra if extra else ()))
@@ -36,10 +39,11 @@ def fuse(
     temperatures: Sequence[float] | None = None,
     cross_validated: bool = True,
 ) -> integrate.Trained:
-    """Train an integration on `parts`; other parameters are as in :func:`placecat.fusion.integrate.fit`.
+    """Train an integration on `parts`.
 
     `outputs` has one dictionary per cue, which maps the name of each part to the distributions for the part's
-    chosen frames. `classes` are the names of the places.
+    chosen frames. `classes` are the names of the places. The other parameters are as in
+    :func:`placecat.fusion.integrate.fit`.
     """
     train = {part.home: np.stack([proba[part.home] for proba in outputs], axis=1) for part in parts}
     truth = {part.home: part.chosen()[1] for part in parts}
@@ -54,10 +58,10 @@ def fit_smoothing(
     truth: NDArray[np.int16],
     options: Mapping[str, Any],
 ) -> smoothing.SmoothingModel:
-    """Estimate the smoothing's statistics from `parts`.
+    """Fit the smoothing: estimate its statistics on the frames of `parts`.
 
-    `proba` holds (n, n_classes) cross-validated distributions for the parts' frames, and `truth` their (n,)
-    classes. `options` are as in :func:`placecat.fusion.smoothing.fit`.
+    `proba` holds (n, n_classes) cross-validated distributions for the frames of the parts, and `truth` holds
+    the classes of these frames, (n,). `options` are as in :func:`placecat.fusion.smoothing.fit`.
     """
     walks, rates = training_walks(parts)
     return smoothing.fit(walks, proba, truth, proba.shape[1], training_frame_rates=rates, **options)
@@ -66,7 +70,10 @@ def fit_smoothing(
 def apply_smoothing(
     model: smoothing.SmoothingModel, home: str, proba: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
-    """Smooth the (frames, n_classes) distributions of `home`; return ``hmm`` and ``delayed`` likewise."""
+    """Smooth the (frames, n_classes) distributions of `home`.
+
+    Returns ``hmm`` and ``delayed``, the distributions after the filter and after the delay.
+    """
     return smoothing.apply(
         model,
         proba,
@@ -79,7 +86,7 @@ def apply_smoothing(
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
     """Return the labels and the frame rate of each stretch between cuts, for counting transitions.
 
-    Unevenly timed frames are resampled to what a camera with this frame rate would have recorded.
+    If frames have uneven times, they are resampled as if a camera had recorded them at this frame rate.
     """
     walks: list[NDArray[np.int16]] = []
     rates: list[float] = []

@@ -19,8 +19,8 @@ class Part:
     """Frames of one sequence.
 
     `home` names the sequence, as in :func:`placecat.paths.sequences`. `numbers` has the class index of each
-    place in the sequence's data set, or -1 for a place that does not count. `offset` and `step` select
-    frames; see :func:`placecat.training.protocol.select_frames`.
+    place in the sequence's data set, or -1 if the place does not count. `offset` and `step` select frames;
+    see :func:`placecat.training.protocol.select_frames`.
     """
 
     home: str
@@ -38,7 +38,7 @@ class Part:
         return np.array([*self.numbers, -1], dtype=np.int16)[listing.read_labels(self.home)]
 
     def chosen(self) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
-        """Return the (n,) ascending indices and the (n,) classes of the chosen frames, which all have one."""
+        """Return the ascending indices (n,) and the classes (n,) of the chosen frames; each has a class."""
         labels = self.labels()
         rows = protocol.select_frames(labels, offset=self.offset, step=self.step)
         return rows, labels[rows]
@@ -48,10 +48,11 @@ class Part:
 class Plan:
     """The training sequences and the tested sequences.
 
-    `classes` are the names of the places; `dataset` is the name of the data set. The parts `cues` train
-    codebooks, scalings and cues; `integration` trains the integration and the smoothing; `extra` also trains
-    the integration if a system asks for it (thesis 4.5). No trained component has seen `tested`. The homes
-    `left_out` do not train the cues; it is None for a fixed split.
+    `classes` are the names of the places, and `dataset` is the name of the data set. The parts in `cues`
+    train codebooks, scalings and cues. Those in `integration` train the integration and the smoothing. If a
+    system asks for it, those in `extra` also train the integration (thesis 4.5). No trained component has
+    seen the parts in `tested`. `left_out` has the homes that do not train the cues, or is None for a fixed
+    split.
     """
 
     classes: tuple[str, ...]
@@ -147,7 +148,7 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
 
 
 def on_training_homes(plan: Plan) -> list[Plan]:
-    """For each training home of a plan, plan a test on it after training on the plan's other training homes.
+    """For each training home, plan a test on this home after training on the plan's other training homes.
 
     The sequence that the plan itself tests is not used.
     """

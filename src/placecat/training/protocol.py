@@ -38,13 +38,15 @@ def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tup
 def training_homes(
     homes: Sequence[str], scheme: str, without: Sequence[str] = ()
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Choose the homes that train the cues, and those that train the integration, all except `without`.
+    """Choose the homes that train the cues, and the homes that train the integration.
 
-    The test home comes first in `without`, which may be empty. The schemes keep their names from the thesis
-    for any number of homes. In "5-5-1", cues and integration train on different frames of all other homes. In
-    "4-5-1", the next of these homes (cyclically) after the test home trains only the integration, not the
-    cues; if `without` is empty, the first home does. (The thesis does not say which home it used.) Raises
-    PlacecatError if the scheme or a home is unknown, or if there are too few homes for the scheme.
+    Homes in `without` are never chosen. The test home comes first in `without`, which may be empty.
+
+    The schemes keep their names from the thesis for any number of homes. In "5-5-1", the cues and the
+    integration train on different frames of all other homes. In "4-5-1", one of these homes trains only the
+    integration, not the cues. It is the next one after the test home (cyclically), or the first home if
+    `without` is empty. The thesis does not say which home it used. Raises PlacecatError if the scheme or a
+    home is unknown, or if there are too few homes for the scheme.
     """
     for home in without:
         if home not in homes:
@@ -74,11 +76,12 @@ def least_homes(scheme: str) -> int:
 
 
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:
-    """Return the (n,) ascending indices of the labelled frames among every `step`-th frame from `offset` on.
+    """Take every `step`-th frame from `offset` on, and return the indices of those that are labelled.
 
-    `labels` are (frames,) class indices, -1 for unlabelled. The step counts all frames; unlabelled ones are
-    dropped afterwards, so selections with the same step and different offsets never share a frame (thesis 4.2
-    and 4.5). Raises PlacecatError unless ``0 <= offset < step``.
+    `labels` are (frames,) class indices, or -1 for unlabelled frames. The returned indices, (n,), ascend. The
+    step counts all frames, and unlabelled frames are dropped afterwards. Selections with the same step and
+    different offsets therefore never share a frame (thesis 4.2 and 4.5). Raises PlacecatError unless `offset`
+    is at least 0 and less than `step`.
     """
     if not 0 <= offset < step:
         raise PlacecatError(

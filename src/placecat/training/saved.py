@@ -16,9 +16,10 @@ from placecat.training.plan import Part, Plan
 
 
 class CueResults:
-    """Results of a system's cues that the stage `cues` saved for the test home `test` and one seed.
+    """Results of a system's cues, as saved by the stage `cues` for one test home and one seed.
 
-    `system` holds the system's settings; `seed` is one of ``protocol.seeds``, or None if no cue has clusters.
+    `system` holds the settings of the system, and `test` is the test home. `seed` is one of
+    ``protocol.seeds``, or None if no cue has clusters.
     """
 
     def __init__(self, system: Mapping[str, Any], test: str, seed: int | None) -> None:
@@ -53,7 +54,7 @@ class CueResults:
     def training(
         self, plan: Plan, parts: Sequence[Part], method: str
     ) -> list[dict[str, NDArray[np.float64]]]:
-        """Like `outputs`, but for the parts that train an integration method (see `fused_parts`).
+        """Return the same as `outputs`, for the parts that train an integration (see `fused_parts`).
 
         If the method learns from held-out frames, the distributions come from cues that have not seen the
         part.
@@ -81,7 +82,7 @@ class CueResults:
 
 
 def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Smooth one fold's test home using statistics from the fold's training homes.
+    """Smooth the test home of a fold with statistics from the training homes of the fold.
 
     `source` is a cue's or a system's result file for the fold. Raises PlacecatError if it has no
     cross-validated distributions. `model` is as in :func:`placecat.fusion.smoothing.fit`.

@@ -16,9 +16,9 @@ from placecat.errors import PlacecatError
 def read_descriptors(
     home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64] | None = None
 ) -> Descriptors:
-    """Read a cue's descriptor for one home, for the frames `rows` or for all frames.
+    """Read a cue's descriptor for the frames `rows` of one home, or for all its frames.
 
-    `home` is as for :func:`placecat.paths.features`, `descriptor` as for
+    `home` is as for :func:`placecat.paths.features`, and `descriptor` is as for
     :func:`placecat.cues.cue_input.check`. Raises PlacecatError for an unknown setting, too many regions, or a
     descriptor that was not computed for these frames.
     """
@@ -46,7 +46,7 @@ def read_descriptors(
 
 
 def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
-    """Return the paths of all files that :func:`read_descriptors` reads for a home, existing or not."""
+    """Return the paths of all files that :func:`read_descriptors` reads for a home, even missing ones."""
     folder = folder_of(home, descriptor)
     names = [f"{name}.npy" for name in cue_input.array_names(descriptor)]
     if "variant" in descriptor:
@@ -57,7 +57,7 @@ def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
 
 
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return the frames of `rows` that have a descriptor, in time order; region variants lack some frames."""
+    """Return the frames of `rows` that have a descriptor, in time order. Region variants lack some frames."""
     if "variant" not in descriptor:
         return rows
     return np.intersect1d(rows, _described(folder_of(home, descriptor)))

@@ -29,9 +29,9 @@ from placecat.training.plan import Part, Plan
 class System:
     """The settings of a system, and its cues by name, in order.
 
-    `integrator` has ``method`` and ``classifier``, as in :func:`placecat.fusion.integrate.fit`; `smoothing`
-    is as in :func:`placecat.fusion.smoothing.fit`. If `tempered`, the cues' distributions are tempered first;
-    if `extra`, the integration also trains on the plan's additional sequences.
+    `integrator` has ``method`` and ``classifier``, as in :func:`placecat.fusion.integrate.fit`. `smoothing`
+    is as in :func:`placecat.fusion.smoothing.fit`. If `tempered` is true, the distributions of the cues are
+    tempered first. If `extra` is true, the integration also trains on the additional sequences of the plan.
     """
 
     cues: Mapping[str, Cue]
@@ -80,8 +80,8 @@ class Trained:
 def train(plan: Plan, system: System, seed: int) -> Trained:
     """Train a system according to a plan, with its cues in parallel.
 
-    `seed`, one of ``protocol.seeds``, is that of the clusterings. Raises PlacecatError for missing features
-    or invalid settings.
+    `seed` is the seed of the clusterings; it is one of ``protocol.seeds``. Raises PlacecatError for missing
+    features or invalid settings.
     """
     method = system.integrator["method"]
     parts = fused_parts(plan, method=method, extra=system.extra)

@@ -14,9 +14,9 @@ from placecat.training import store
 from placecat.training.cue import Cue, TrainingFrames, cluster, fit, read_frames
 from placecat.training.plan import Plan
 
-# Decision counts (rows are true places) or the reason they are missing, and facts about the model.
+# Decision counts (rows are true places), or the reason why they are missing, and facts about the model.
 Outcome = tuple[NDArray[np.int64] | str, Mapping[str, Any]]
-# (frames, classes) distributions or the reason they are missing, and facts about the model.
+# (frames, classes) distributions, or the reason why they are missing, and facts about the model.
 Prediction = tuple[NDArray[np.float64] | str, Mapping[str, Any]]
 
 
@@ -41,9 +41,9 @@ def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
 def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[np.int16], list[Prediction]]:
     """Train cues that share a descriptor and codebook settings; predict the plan's only tested sequence.
 
-    Returns the true classes of the scored frames, and each cue's distributions on them. The sequence's
-    labelled frames are scored or, with a region variant, those that have a descriptor. `seed` is one of
-    ``protocol.seeds``, or None without clusters.
+    Returns the true classes of the scored frames, and the distributions of each cue for these frames. The
+    labelled frames of the sequence are scored; with a region variant, only those that have a descriptor.
+    `seed` is one of ``protocol.seeds``, or None without clusters.
     """
     descriptor = cues[0].descriptor
     frames = read_frames(plan.cues, descriptor)

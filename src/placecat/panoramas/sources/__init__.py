@@ -59,7 +59,7 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
 
 
 def _check_names(panoramas: list[Panorama]) -> None:
-    """Refuse homes whose names differ only in case, and pictures that are listed twice."""
+    """Raise an error if the names of homes differ only in case, or if a picture is listed twice."""
     homes: dict[str, str] = {}
     files: dict[str, str] = {}
     for one in panoramas:

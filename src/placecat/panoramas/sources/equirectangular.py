@@ -28,9 +28,9 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
 def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
     """Read the table in a source's folder; each row is a panorama.
 
-    `settings` are those of conf/panoramas.yaml; `files` maps the value in the column `file` to the
-    panorama's pictures, relative to `root`. Raises PlacecatError, naming the line, if the table is missing or
-    not a CSV, or if a row has invalid cells, a path that leaves `root`, or a room without a label.
+    `settings` are those of conf/panoramas.yaml. `files` maps the value in the column `file` to the pictures
+    of the panorama, relative to `root`. Raises PlacecatError, naming the line, if the table is missing or not
+    a CSV, or if a row has invalid cells, a path that leaves `root`, or a room without a label.
     """
     path = root / settings["table"]
     if not path.is_file():

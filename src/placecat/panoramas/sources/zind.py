@@ -1,7 +1,8 @@
 """The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular pictures that it lists.
 
-A home is named ``zind_HOME``, because YAML would read a name of digits as a number. A room is the part of a
-complete room that has one label: an open kitchen with a dining area is one complete room, but two rooms here.
+A home is named ``zind_HOME``, because YAML would read a name that consists of digits as a number. The data
+set divides homes into complete rooms, and a complete room may have parts with different labels. Each such
+part is a room here: an open kitchen with a dining area is one complete room, but two rooms.
 
 References
 ----------
