@@ -15,7 +15,7 @@ _SECTIONS = (
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse references to missing settings; the PlacecatError lists the existing names."""
+    """Raise a PlacecatError that lists the existing names if a reference's target is missing."""
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
             question, there = did_you_mean(name, valid), ", ".join(valid) or "none"
