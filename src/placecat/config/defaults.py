@@ -24,7 +24,7 @@ class Unusual(Exception):
 
 
 class _Entry(NamedTuple):
-    """A defaults list entry: choice ("" if it has none), group, file, package, and whether it overrides."""
+    """An entry of a defaults list: choice ("" if none), group, file, package, and whether it overrides."""
 
     choice: str
     group: str
