@@ -41,7 +41,7 @@ def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
 class Expected:
     """Requirements that a worker must meet.
 
-    `folder` is the absolute path of the project folder. `mark` is a file in it, as a relative path, that
+    `folder` is the absolute path of the project folder. `mark` is the relative path of a file in it, which
     exists while the stage runs. `items` come from :func:`placecat.compute.fingerprint.fingerprint`; the items
     in `may_differ` may differ. `scheduler` is the scheduler's address, for messages.
     """
