@@ -1,4 +1,4 @@
-"""Stage `codebooks`: cluster once per training set and seed, for all cluster numbers and classifiers."""
+"""Stage `codebooks`: cluster each training set once per seed, for all numbers of clusters and classifiers."""
 
 from collections.abc import Mapping
 from pathlib import Path
