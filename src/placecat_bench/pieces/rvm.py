@@ -1,11 +1,11 @@
 """Relevance vector machine against fastrvm and sklearn-rvm: one place against the rest.
 
 fastrvm and our code maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and
-Faul 2003), with the same kernel and a bias, and compute the Gram matrix. fastrvm updates its statistics after
-every change, our code after many changes. fastrvm needs thousands of changes, more than 3000 for two of the
-five places; the place that needs the fewest is used. The evidences cannot be compared, since fastrvm has no
-prior for the bias, but the shares of correctly decided training frames can. Only our code is timed on 8000
-frames.
+Faul 2003). Both use the same kernel and a bias, and both compute the Gram matrix. fastrvm updates its
+statistics after every change, our code only after many changes. fastrvm needs thousands of changes, for two
+of the five places more than 3000, so the place that needs the fewest is used. The evidences cannot be
+compared, since fastrvm has no prior for the bias; the shares of correctly decided training frames are
+compared instead. Only our code is timed on 8000 frames.
 
 sklearn-rvm starts with all basis functions and prunes them (Tipping 2001). Its time grows with the third
 power of the number of frames, so it receives fewer frames.
