@@ -14,7 +14,7 @@ from placecat.training.saved import smooth_home
 
 
 def main() -> None:
-    """Smooth the results of all systems, and those of the cues and filters that the settings list."""
+    """Smooth the results of all systems, and of those cues and filters that the settings list."""
     params = settings.load()
     tested = settings.get(params, "protocol.test_homes")
     model = smoothing_settings(params)

@@ -95,7 +95,7 @@ class Outcomes:
         self._waiting = zip(groups, results, strict=True)
 
     def of(self, trial: Trial) -> dict[_Cell, Outcome]:
-        """Return a trial's outcomes for each of its homes and each seed; untested homes are left out."""
+        """Return a trial's outcomes, one per home and seed. Homes that are not tested are left out."""
         cells = [cell for cell in self._cells(trial) if cell[1] in self._plans]
         while not self._computed.keys() >= set(cells):
             group, results = next(self._waiting)
