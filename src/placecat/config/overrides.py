@@ -86,7 +86,7 @@ def for_shell(argument: str) -> str:
 
 
 def for_make(argument: str) -> str:
-    """Quote an argument for the Makefile's ``SET=``, which make, make's shell and the user's shell read."""
+    """Quote an argument for ``SET=``, which the user's shell, make and make's shell read in turn."""
     inner = for_shell(argument)
     if inner.startswith('"') and "'" in inner:
         escaped = inner.replace('"', '\\"')
