@@ -30,7 +30,7 @@ _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair the damage done by a killed run, inside `lock.alone`; return one line per repair."""
+    """Repair the damage done by a killed run; return one line per repair. Call it inside `lock.alone`."""
     said = []
     if LOCK.exists():
         text = LOCK.read_text(encoding="utf-8", errors="replace")
@@ -48,7 +48,7 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Back up the complete records of dvc.lock; keep earlier copies of incomplete or missing ones.
+    """Back up the complete records of dvc.lock; if a record is incomplete or missing, keep its earlier copy.
 
     Without a dvc.lock, the backup is deleted.
     """

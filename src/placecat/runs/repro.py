@@ -72,7 +72,7 @@ def _content(path: Path) -> bytes | None:
 
 
 def _check_git() -> None:
-    """Reject a folder without git, such as one from a ZIP file; unlike DVC's message, say what to do."""
+    """Raise a PlacecatError that says what to do if the folder has no git, such as one from a ZIP file."""
     configurations = [path for path in (Path(".dvc/config"), Path(".dvc/config.local")) if path.is_file()]
     if not Path(".git").exists() and not any("no_scm" in path.read_text() for path in configurations):
         raise PlacecatError(

@@ -59,7 +59,7 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
 
 
 def known() -> dict[str, float]:
-    """Return each stage's seconds in a full run: the last one here, or else the one in git."""
+    """Return each stage's seconds in the last full run here or, without one, in the run kept in git."""
     try:
         by_stage, _ = read_complete()
     except PlacecatError:
