@@ -32,7 +32,7 @@ _DONE = "done.json"
 
 @dataclass(frozen=True)
 class Group:
-    """A group of a data set's homes: its number, from 1; its homes; and all settings of a run on these."""
+    """A group of homes, with its number (from 1), its homes, and all settings for a run on these homes."""
 
     number: int
     homes: tuple[str, ...]
