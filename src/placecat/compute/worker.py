@@ -17,7 +17,7 @@ from placecat.errors import PlacecatError
 # By default, Dask workers return freed memory at once, which doubles the time to describe a frame. These
 # variables override placecat.vision.memory.
 _MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": str(32 << 20)}
-# Marks that this worker has already seen.
+# The marks (files in the project's folder) that this worker has already seen.
 _seen: set[str] = set()
 
 
