@@ -56,8 +56,8 @@ def table_run(
 ) -> TableRun:
     """Gather one table's content from its definition and its filled `cells`.
 
-    `dataset` describes the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are the flat
-    settings that affect its numbers; `written` are the table's files, such as its CSV; `made` takes a
+    `dataset` describes the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are those
+    that affect its numbers, by dotted name; `written` are the table's files, such as its CSV. `made` takes a
     result's name and describes how the result was made.
     """
     # An addition's title already starts with this label.

@@ -57,7 +57,7 @@ DESCRIPTION = (
 class RowRun:
     """One row's content for MLflow, with a readable name such as "Table 26: 5-5-1, all cues, Gist".
 
-    `params` identify the row; `metrics` are its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
+    `params` identify the row. `metrics` are its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
     and the quality of its probabilities (:meth:`placecat.results.measured.Quality.averages`). `description`
     is Markdown. `files` writes the row's files into a folder and returns their paths.
     """
@@ -73,10 +73,10 @@ class RowRun:
 class TableRun:
     """One table's content for MLflow, with a name such as "table_26", and a title.
 
-    `content` is everything that the table shows, as text. `params` are the flat settings that affect the
-    numbers; `metrics` are in percent unless the name says otherwise. `description` is Markdown; `RUN_ID` in
-    it becomes the run's id. `rows` are nested runs; `files` is as for a row. `kind` is "table", or "figures"
-    or "findings" for the two runs that are not tables.
+    `content` is everything that the table shows, as text. `params` are the settings that affect the numbers,
+    by dotted name. `metrics` are in percent unless their name says otherwise. `description` is Markdown, in
+    which `RUN_ID` is replaced by the run's id. `rows` are nested runs, and `files` is as for a row. `kind` is
+    "table", or "figures" or "findings" for the two runs that are not tables.
     """
 
     name: str
