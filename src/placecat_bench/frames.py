@@ -50,7 +50,7 @@ def jpegs(homes: Path = HOMES) -> list[Image]:
 def consecutive(count: int, homes: Path = HOMES) -> list[Image]:
     """Decode `count` consecutive frames of the first rendered home, from one third into its video.
 
-    Each is (H, W, 3) uint8 BGR. Raises PlacecatError like `jpegs`.
+    Each frame is (H, W, 3) uint8 BGR. Raises the same errors as `jpegs`.
     """
     return _frames(_videos(homes)[0], count)
 

@@ -193,7 +193,7 @@ def markdown(ran: Sequence[Ran]) -> str:
 
 
 def text_of_one(result: dict[str, Any]) -> str:
-    """Format one experiment's result: accuracy by home and seed, mean other measures, and confusions."""
+    """Format one experiment's result: accuracies by home and seed, the other measures, and confusions."""
     if result["accuracy"] is None:
         return output.shown(result)
     own = result["settings"]

@@ -6,7 +6,7 @@ from typing import Any
 from placecat import paths
 from placecat.errors import PlacecatError, did_you_mean
 
-# A reference's location, its target's kind and name, and the existing names.
+# Where a reference stands, the kind and name of its target, and the names that exist.
 _Reference = tuple[str, str, str, Collection[str]]
 _SECTIONS = (
     *("cues", "codebooks", "systems", "filters", "splits"),

@@ -36,9 +36,10 @@ PLACE = 1
 def entries(
     *, fewest: int = 400, few: int = 1600, many: int = 8000, features: int = 1024
 ) -> Iterator[Comparison | Limit]:
-    """Yield comparisons of times and accuracies on few frames, and our slowest class's time on many frames.
+    """Yield comparisons of times and accuracies on few frames, and the time of our slowest class on many.
 
-    sklearn-rvm receives the `fewest` frames, fastrvm a `few`. `features` is a descriptor's length.
+    `fewest` is the number of frames for sklearn-rvm, `few` that for fastrvm, and `many` that for our code
+    alone. `features` is a descriptor's length.
     """
     for peer, call, number, faster in ((PRUNING, by_pruning, fewest, 10), (PEER, theirs, few, 1)):
         yield from _beside(peer, call, *scaled_frames(number, features), faster)

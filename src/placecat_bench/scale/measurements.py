@@ -1,4 +1,4 @@
-"""Run stages in a folder, measure their time and memory, and fit the growth by power laws."""
+"""Run stages in a folder, measure their time and memory, and fit power laws to their growth."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -14,7 +14,7 @@ GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds",
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
-    """Run stages in a folder; return a row of `COLUMNS` for each; raises PlacecatError if one fails."""
+    """Run stages in a folder, and return a row of `COLUMNS` for each; raise PlacecatError if one fails."""
     rows = []
     for stage, command in steps.items():
         watched = watch(command, folder, folder / "logs" / f"{stage}.log")
