@@ -22,7 +22,7 @@ _STATUS = (
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run a subcommand; a user's mistake ends it with a message and exit status 1."""
+    """Run a subcommand. After a user's mistake, print a message and exit with status 1."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     with exiting(), redirect_stdout(Terminal(sys.stdout)):
         if given[:1] in (["experiment"], ["search"]):

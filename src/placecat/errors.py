@@ -28,7 +28,7 @@ class SettingError(PlacecatError):
     """A setting that is wrong for any data."""
 
 
-# Remedies for errors of disks, file systems and system limits.
+# Remedies for errors that come from disks, file systems and system limits.
 _REFUSED = {
     errno.ENOSPC: "free some space and run again",
     errno.EDQUOT: "free some space and run again",
@@ -79,7 +79,7 @@ def printable(text: str) -> str:
 
 
 def one_line(text: object) -> str:
-    """Escape a name like :func:`printable`, including line ends."""
+    """Escape a name as :func:`printable` does, and escape line ends, too."""
     return printable(str(text)).replace("\n", "\\n")
 
 
@@ -110,6 +110,6 @@ def refusal(error: OSError, path: object = None) -> str:
 
 
 def did_you_mean(name: object, valid: Iterable[str]) -> str:
-    """Return a semicolon and a question that suggests the nearest valid name; "" if none is near."""
+    """Suggest the nearest valid name as a question after a semicolon; return "" if no name is near."""
     nearest = difflib.get_close_matches(str(name), list(valid), n=1)
     return f"; did you mean {nearest[0]!r}?" if nearest else ""

@@ -1,4 +1,4 @@
-"""Read and write result files; writes are atomic, and equal content gives equal bytes.
+"""Read and write result files. Writes are atomic, and the same content always gives the same bytes.
 
 NumPy and pandas are imported late, since commands that only write settings must start quickly.
 """
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 @contextmanager
 def replacing(target: Path) -> Iterator[Path]:
-    """Yield a temporary path beside `target`; rename it if the block succeeds, remove it otherwise.
+    """Yield a temporary path beside `target`; if the block succeeds, rename it to `target`, else remove it.
 
     The block creates a file or a folder at that path. Either may replace a file at `target`, but only a
-    folder may replace a folder. Raises PlacecatError like :func:`check_target`, if a file would replace a
-    folder, or if writing fails, for example because the disk is full.
+    folder may replace a folder. Raises PlacecatError if :func:`check_target` does, if a file would replace
+    a folder, or if writing fails, for example because the disk is full.
     """
     target = Path(target)
     check_target(target)
@@ -52,13 +52,13 @@ def replacing(target: Path) -> Iterator[Path]:
 
 
 def check_target(target: Path) -> None:
-    """Refuse a path that is or contains the current folder, or that has no name (``.``, ``..``)."""
+    """Raise PlacecatError if a path is or contains the current folder, or has no name (``.``, ``..``)."""
     if target.name in ("", ".", "..") or Path.cwd().is_relative_to(target.resolve()):
         raise PlacecatError(f"{target} is or contains a folder that is in use: choose another name")
 
 
 def check_file(target: Path) -> None:
-    """Refuse to overwrite a folder, device or pipe, and any path that :func:`check_target` refuses."""
+    """Raise PlacecatError if a path is a folder, device or pipe, or if :func:`check_target` rejects it."""
     check_target(target)
     if target.is_dir():
         raise PlacecatError(f"{target} is a folder: choose the name of a file")
@@ -67,7 +67,7 @@ def check_file(target: Path) -> None:
 
 
 def check_writable(target: Path) -> None:
-    """Check in advance that a file can be written; otherwise, raise PlacecatError like :func:`check_file`."""
+    """Check in advance that a file can be written; raise PlacecatError if it cannot."""
     check_file(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -92,7 +92,7 @@ def _remove(path: Path) -> None:
 
 
 def existing(path: Path) -> Path:
-    """Return the path of a stage's output; PlacecatError if the stage has not run."""
+    """Return the path of a stage's output; raise PlacecatError if the stage has not run."""
     if not path.exists():
         raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
     return path
@@ -181,7 +181,7 @@ def read_table(path: Path, text: Collection[str]) -> "pd.DataFrame":
 
 
 def read_cells(path: Path) -> "pd.DataFrame":
-    """Read a CSV file whose cells all stay text: names of homes can look like numbers."""
+    """Read a CSV file and keep every cell as text, since names of homes can look like numbers."""
     import pandas as pd
 
     return pd.read_csv(existing(path), dtype=str, keep_default_na=False)

@@ -94,8 +94,8 @@ def _add_predict(commands: Commands) -> None:
     rerun = "also write frames, regions and probabilities for Rerun (.rrd)"
     predict.add_argument("--rerun", type=Path, metavar="FILE", help=rerun)
     force = (
-        "replace files of --mcap and --rerun, and predictions that were edited or come from another source; "
-        "an edited table is kept as NAME.edited.csv"
+        "replace files that --mcap and --rerun wrote, and predictions that were edited or come from another "
+        "source; an edited table is kept as NAME.edited.csv"
     )
     predict.add_argument("--force", action="store_true", help=force)
 

@@ -1,4 +1,4 @@
-"""Find the code that a setting names: a module of a package, and its definitions.
+"""Find the code that a setting names: a module in a package, and what the module defines.
 
 Settings use module names, so a new file need not be registered. Signatures are read from the source, since
 imports take seconds (scikit-learn) and composing the settings must be quick.
@@ -32,16 +32,16 @@ class _Definition(NamedTuple):
 
 
 def names(package: str, *defining: str) -> list[str]:
-    """List a package's modules that define all of `defining`, sorted; PlacecatError if one is not Python."""
+    """List a package's modules that define all of `defining`; raise PlacecatError for invalid Python."""
     found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
     return [name for name in found if _defines(package, name, defining)]
 
 
 def require(package: str, name: object, what: str, *defining: str) -> str:
-    """Return `name` if that module exists; otherwise, the PlacecatError suggests the nearest and lists all.
+    """Return `name` if that module exists.
 
-    `package` and `defining` are as for `names`; `what` describes `name` in the message, e.g.
-    ``classifier.model``.
+    `package` and `defining` are as for `names`. Otherwise, raises a PlacecatError that suggests the nearest
+    name and lists all names. In this message, `what` describes `name`, e.g. as ``classifier.model``.
     """
     # Try this module first, since listing all takes time.
     if not _defines(package, name, defining):
@@ -52,7 +52,10 @@ def require(package: str, name: object, what: str, *defining: str) -> str:
 
 
 def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
-    """Import a module; parameters and errors as for `require`, or PlacecatError if the import fails."""
+    """Import a module, with the parameters of `require`.
+
+    Raises PlacecatError if `require` does, or if the import fails.
+    """
     # Look here first, since this is called for every frame.
     there = sys.modules.get(f"{package}.{name}")
     if there is not None and all(hasattr(there, one) for one in defining):
@@ -65,7 +68,10 @@ def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
 
 
 def estimator(package: str, name: object, what: str) -> str:
-    """Return the name of a module's only estimator; errors as for `require`, or if it has none or several."""
+    """Return the name of a module's only estimator.
+
+    Raises PlacecatError if `require` does, or if the module does not define exactly one estimator.
+    """
     full = f"{package}.{require(package, name, what)}"
     classes = [node for node in _statements(full).values() if isinstance(node, ast.ClassDef)]
     public = [
@@ -85,10 +91,10 @@ def parameters(package: str, name: str, definition: str) -> dict[str, tuple[bool
     """List the settings of a function or class without importing it.
 
     A function's settings are its keyword-only parameters; a class's are all parameters of ``__init__``.
-    Maps each setting, in source order, to whether it is required and its type; the result is empty if the
-    module lacks `definition`. A type includes its range, if any (:mod:`placecat.ranges`). It is Any if the
-    annotation uses anything but Python's types, :mod:`typing`, the ranges, and names defined in this
-    package's modules.
+    Maps each setting, in source order, to a pair: whether the setting is required, and its type. The result
+    is empty if the module lacks `definition`. A type includes its range, if any (:mod:`placecat.ranges`). It
+    is Any if the annotation uses anything but Python's types, :mod:`typing`, the ranges, and names defined
+    in this package's modules.
     """
     found = _taking(package, name, definition)
     if found is None:
@@ -100,9 +106,10 @@ def parameters(package: str, name: str, definition: str) -> dict[str, tuple[bool
 
 
 def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
-    """List the entries of a dictionary such as ``FIGURES`` in all modules, tuples that end in a function.
+    """List the entries of a dictionary such as ``FIGURES`` in all modules.
 
-    Maps each key to the names of its module and function; a lambda, which has no settings, is named "".
+    An entry's value is a tuple that ends in a function; other values are skipped. Maps each key to the names
+    of its module and its function. A lambda, which has no settings, gets the name "".
     """
     listed = {}
     for name in names(package, dictionary):

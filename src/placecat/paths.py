@@ -73,7 +73,7 @@ VARIANT_FRAMES = "frames.npy"
 
 
 def sequences(home: str) -> Path:
-    """Return the frame and label folder of a home (``home_1``) or split sequence (``university/north_2``)."""
+    """Return the folder of frames and labels for a home (``home_1``) or sequence (``university/north_2``)."""
     return (SITE_SEQUENCES if "/" in home else SEQUENCES) / home
 
 
@@ -83,7 +83,7 @@ def features(home: str) -> Path:
 
 
 def seed_name(seed: int | None) -> str:
-    """Return a seed's name in file names: `seed-0`, or `no-seed` if nothing is random."""
+    """Return the part of a file name that states the seed: `seed-0`, or `no-seed` if nothing is random."""
     return NO_SEED if seed is None else f"seed-{seed}"
 
 

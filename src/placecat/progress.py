@@ -18,8 +18,8 @@ class Progress(tqdm):
     """A progress line on standard error, with the time left.
 
     In a terminal, it is a single line that disappears at the end. Elsewhere, a line is written every `IN_LOG`
-    seconds, so short loops write nothing. `iterable` is None if :meth:`update` is called instead; `total` is
-    None if unknown; `unit` names the steps, in the plural.
+    seconds, so short loops write nothing. `iterable` is None if the caller uses :meth:`update` instead.
+    `total` is None if unknown. `unit` is the plural noun for the steps.
     """
 
     def __init__(

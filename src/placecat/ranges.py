@@ -1,4 +1,4 @@
-"""Types and ranges of settings, for annotations; ranges exclude NaN and infinity.
+"""Types and ranges of settings, for use in annotations. All ranges exclude NaN and infinity.
 
 :mod:`placecat.schema` applies them to params.yaml, and :mod:`placecat.schema.signatures` to the
 parameters of code.

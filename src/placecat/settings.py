@@ -1,4 +1,4 @@
-"""Read and look up the settings of params.yaml, and refuse unknown ones."""
+"""Read and look up the settings of params.yaml, and reject unknown ones."""
 
 import copy
 import inspect
@@ -16,7 +16,7 @@ Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def load(path: Path = paths.PARAMS) -> dict[str, Any]:
-    """Read the composed settings; errors as in :func:`read_yaml`."""
+    """Read the composed settings; raises the same errors as :func:`read_yaml`."""
     return read_yaml(path, "run `placecat params` in the project's folder to write it")
 
 
@@ -34,7 +34,7 @@ def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]
 
 
 def get(params: Mapping[str, Any], name: str) -> Any:
-    """Look up a setting by its dotted name; if it is missing, the PlacecatError lists the existing ones."""
+    """Look up a setting by its dotted name; if it is missing, raise a PlacecatError with the valid names."""
     value: Any = params
     walked: list[str] = []
     for part in name.split("."):
@@ -48,7 +48,7 @@ def get(params: Mapping[str, Any], name: str) -> Any:
 
 
 def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str) -> None:
-    """Refuse settings that are not parameters of `function`; the PlacecatError lists the valid ones."""
+    """Raise a SettingError that lists the valid settings if one is not a parameter of `function`."""
     refuse_unknown(settings, list(inspect.signature(function).parameters), where)
 
 
@@ -73,7 +73,7 @@ def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], 
 
 
 def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, where: str) -> dict[str, Any]:
-    """Return a copy of nested settings with some changed by dotted name.
+    """Return a copy of nested settings with new values for those that dotted names select.
 
     For an unknown setting, the PlacecatError begins with `who`, e.g. ``table_12 changes``, and says that
     `where` has no such setting.

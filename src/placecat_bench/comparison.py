@@ -1,4 +1,4 @@
-"""The entries of a benchmark: they compare our code with a peer, or a number with a limit."""
+"""The entries of a benchmark. Each compares our code with a peer, or a number with a limit."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -14,8 +14,8 @@ TORCH = "bench-torch"
 class Peer:
     """An alternative that a user could pick, e.g. "scikit-image: local_binary_pattern and histogram".
 
-    `package` is its distribution, whose version is recorded. It may be in a separate `folder`, or belong to
-    an `extra` other than ``bench``; such an extra need not be installed.
+    `package` is the distribution that contains it, whose version is recorded. This package may be in a
+    separate `folder`, or belong to an `extra` other than ``bench``, which need not be installed.
     """
 
     name: str
@@ -28,10 +28,10 @@ class Peer:
 class Comparison:
     """Our code and a peer, timed in alternation on the same input.
 
-    The target is `faster`, the least factor by which our code must be faster, or `at_most`, the largest
-    allowed multiple of the peer's time. `ours` and `theirs` are the calls to time; `repeats` is the number of
-    pairs. `warm_up` first makes each call once; turn it off if a call takes minutes. If the target is missed,
-    the `parts` of our code are timed, to show where the time goes.
+    The target is either `faster`, the minimum factor by which our code must be faster, or `at_most`, the
+    largest allowed multiple of the peer's time. `ours` and `theirs` are the calls to time, and `repeats` is
+    the number of pairs. With `warm_up`, each call is first made once; turn this off if a call takes minutes.
+    If the target is missed, the `parts` of our code are timed, to show where the time goes.
     """
 
     piece: str

@@ -18,9 +18,9 @@ from placecat.vision.maps import FrameMaps
 from placecat.vision.memory import keep_freed_memory
 
 HOMES = Path("data/homes")
-# As in the thesis.
+# Number of regions per frame, as in the thesis.
 REGIONS = 25
-# Pairs of calls, each with all frames.
+# Number of pairs of calls; each call describes all frames.
 REPEATS = 15
 
 Image = NDArray[np.uint8]
@@ -29,7 +29,7 @@ Described = tuple[FrameMaps, NDArray[np.float32]]
 
 
 def prepared(frames: Sequence[Image] | None = None) -> tuple[list[Image], list[Image]]:
-    """Return JPEG files of frames, by default one from each rendered home, and the decoded frames.
+    """Return frames as JPEG files and decoded; by default, one frame from each rendered home.
 
     Like the stage `features`, the process keeps freed memory from now on.
     """
@@ -50,7 +50,7 @@ def jpegs(homes: Path = HOMES) -> list[Image]:
 def consecutive(count: int, homes: Path = HOMES) -> list[Image]:
     """Decode `count` consecutive frames of the first rendered home, from one third into its video.
 
-    Each is (H, W, 3) uint8 BGR. Raises PlacecatError like `jpegs`.
+    Each frame is (H, W, 3) uint8 BGR. Raises the same errors as `jpegs`.
     """
     return _frames(_videos(homes)[0], count)
 

@@ -1,11 +1,12 @@
 """Synthetic frames of walks through homes, as hard to learn from as Gist descriptors.
 
-The time that kernel machines take depends on the frames: with few support vectors, they and their peers have
-little to do. The constants below therefore make 2000 synthetic frames resemble 1978 real ones (five rendered
-homes, Gist with 1024 standardised numbers), whose values follow in brackets. The first, the first 21 and the
-first 101 principal components explain 0.23, 0.74 and 0.95 of the variance (0.22, 0.73 and 0.94); 66 % of the
-frames are support vectors of a class's nu-SVM (56 %); a class's RVM has 63 to 82 relevance vectors (51 to
-99); and 36 % of the frames in an unseen home are classified correctly (36 %).
+The time that kernel machines take depends on the frames: with few support vectors, there is little to do. The
+constants below therefore make 2000 synthetic frames resemble 1978 Gist descriptors of five rendered homes
+(1024 standardised numbers each). Here are the values for the synthetic frames, with those for the rendered
+homes in brackets. The first principal component explains 0.23 of the variance (0.22), the first 21 explain
+0.74 (0.73), and the first 101 explain 0.95 (0.94). Of the frames, 66 % are support vectors of a class's
+nu-SVM (56 %). A class's RVM has 63 to 82 relevance vectors (51 to 99). In an unseen home, 36 % of the frames
+are classified correctly (36 %).
 """
 
 from collections.abc import Sequence
@@ -33,10 +34,10 @@ class Frames:
 
 
 def draw_frames(n: int, features: int, homes: Sequence[int]) -> Frames:
-    """Walk through homes: visit each room four times; each frame lies between two of the room's views.
+    """Walk through homes, visiting each room four times; a frame lies between two of the room's views.
 
-    Homes are numbers of 0 or more. Each home has about n / len(homes) frames with D `features`, and does not
-    depend on the other homes.
+    `homes` are numbers of 0 or more. Each home has about n / len(homes) frames of D = `features` numbers, and
+    does not depend on the other homes.
     """
     rng = np.random.default_rng(0)
     mixing = rng.normal(size=(_SOURCES, features))
@@ -56,7 +57,7 @@ def draw_frames(n: int, features: int, homes: Sequence[int]) -> Frames:
 def points_behind(
     ours: NDArray[np.generic], theirs: NDArray[np.generic], positive: NDArray[np.bool_]
 ) -> float:
-    """Return how many percentage points the accuracy of our (n,) decisions is below that of theirs."""
+    """Return by how many percentage points our (n,) decisions are less accurate than theirs."""
     return 100.0 * float(np.mean(theirs == positive) - np.mean(ours == positive))
 
 

@@ -1,4 +1,4 @@
-"""Measure the entries of a benchmark; each gives one row."""
+"""Measure the entries of a benchmark. Each entry gives one row."""
 
 import statistics
 import sys
@@ -83,7 +83,7 @@ def _version(peer: Peer) -> str | None:
 
 
 def _spent(parts: Mapping[str, Callable[[], Any]], whole: float | None) -> str:
-    """List parts, slowest first, with their shares of the total time or, without a total, their seconds."""
+    """List parts, slowest first, with their shares of the total time, or their seconds if `whole` is None."""
     times = {name: median_seconds(part, _PART_REPEATS) for name, part in parts.items()}
     ordered = sorted(times.items(), key=lambda item: -item[1])
     if whole is None:

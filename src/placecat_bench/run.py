@@ -18,7 +18,7 @@ _MODULE = "module"
 
 
 def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
-    """Measure pieces on one thread; write their rows after each piece, and keep other pieces' rows.
+    """Measure pieces on one thread. Write the rows after each piece, and keep the rows of other pieces.
 
     `chosen` are names of modules in :mod:`placecat_bench.pieces`; if empty, all are measured. `target` is the
     CSV file; facts about the machine and the packages go to a JSON file of the same name. Returns the CSV's
@@ -72,7 +72,7 @@ def summary(row: dict[str, object]) -> str:
 
 
 def _facts() -> dict[str, str]:
-    """Return facts that the numbers depend on, except the peers' versions."""
+    """Return the facts that the numbers depend on, apart from the peers' versions."""
     processor = Path("/proc/cpuinfo")
     lines = processor.read_text(encoding="utf-8").splitlines() if processor.exists() else []
     model = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")

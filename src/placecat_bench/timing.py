@@ -13,7 +13,8 @@ def time_in_turn(
 ) -> tuple[list[float], list[float]]:
     """Time pairs of calls in the order A B, B A, A B, ..., so that a temporary slowdown affects both.
 
-    `warm_up` first makes each call once, untimed. Returns the seconds of our and of their `repeats` calls.
+    With `warm_up`, each call is first made once, untimed. Returns the seconds that each of our `repeats`
+    calls took, and the same for theirs.
     """
     if warm_up:
         ours()

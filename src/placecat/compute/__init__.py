@@ -21,7 +21,7 @@ _connect: Callable[[], "Cluster | None"] | None = None
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Run the loops in a block as set in params.yaml; disconnect from the cluster, if any, when it ends."""
+    """Run the loops in a block where params.yaml says; at its end, disconnect from the cluster, if any."""
     global _connect
     before = _connect
     with ExitStack() as connected:
@@ -76,5 +76,5 @@ def wanted_workers() -> int | None:
 
 
 def cluster() -> "Cluster | None":
-    """Return the cluster that runs loops, or None for this machine; errors as for `Cluster`."""
+    """Return the cluster that runs loops, or None for this machine; raises the errors of `Cluster`."""
     return None if _connect is None else _connect()

@@ -20,7 +20,7 @@ _SECONDS_BETWEEN_LOOKS = 1.0
 
 
 class Cluster:
-    """Run tasks on a scheduler's Dask cluster.
+    """Run tasks on the Dask cluster that a scheduler manages.
 
     `scheduler` is an address, such as ``tcp://10.0.0.1:8786``. `wait` is the time in seconds to wait for the
     scheduler, for the first worker, and for a new worker after all have gone. `may_differ` lists the items of
@@ -51,7 +51,7 @@ class Cluster:
             raise
 
     def _check_workers(self) -> None:
-        """Refuse unfit workers before the first task; tasks check workers that join later."""
+        """Raise PlacecatError if a worker is unfit. Workers that join later are checked by their tasks."""
         scheduler = self._expected.scheduler
         try:
             self._client.wait_for_workers(1, timeout=self._wait)

@@ -14,10 +14,11 @@ PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
 
 @cache
 def fingerprint() -> dict[str, str]:
-    """Describe this process's environment, once: later changes to files do not affect loaded modules.
+    """Describe this process's environment; this happens only once per process.
 
-    Returns each item's state. ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by
-    NumPy, SciPy and OpenCV, and ``processor`` the vector instructions used by NumPy and OpenCV.
+    Later changes to files do not matter, since the modules are already loaded. Returns each item's state.
+    ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by NumPy, SciPy and OpenCV, and
+    ``processor`` the vector instructions used by NumPy and OpenCV.
     """
     # Imported late: PACKAGES alone does not need OpenCV.
     import cv2
@@ -53,6 +54,9 @@ def _digest(folder: Path) -> str:
 
 
 def _used(features: str) -> str:
-    """Return the instructions in OpenCV's list that this processor has; the others end with "?"."""
+    """Return those vector instructions in OpenCV's list that this processor has.
+
+    OpenCV writes a "?" after the instructions that the processor lacks.
+    """
     dispatched = [name[1:] for name in features.split() if name.startswith("*")]
     return " ".join(name for name in dispatched if not name.endswith("?")) or "baseline"

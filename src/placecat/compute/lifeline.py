@@ -42,7 +42,7 @@ def end_stage_with_dvc() -> None:
 
 
 def stop_on_signals() -> None:
-    """Raise `Stopped` on Ctrl-C or SIGTERM, only once, since the terminal and the run may both send one."""
+    """Raise `Stopped` on the first Ctrl-C or SIGTERM only; the terminal and the run may both send one."""
     for number in _SIGNALS:
         signal.signal(number, _stop)
 

@@ -27,7 +27,7 @@ def workers() -> int:
 def in_parallel(
     function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]], description: str, **options: Any
 ) -> list[Any]:
-    """Return all results of :func:`stream` as a list; same parameters and order."""
+    """Return all results of :func:`stream` as a list. The parameters and the order are the same."""
     return list(stream(function, tasks, description, **options))
 
 

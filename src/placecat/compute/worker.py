@@ -17,7 +17,7 @@ from placecat.errors import PlacecatError
 # By default, Dask workers return freed memory at once, which doubles the time to describe a frame. These
 # variables override placecat.vision.memory.
 _MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": str(32 << 20)}
-# Marks that this worker has already seen.
+# The marks (files in the project's folder) that this worker has already seen.
 _seen: set[str] = set()
 
 
@@ -41,7 +41,7 @@ def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
 class Expected:
     """Requirements that a worker must meet.
 
-    `folder` is the absolute path of the project folder. `mark` is a file in it, as a relative path, that
+    `folder` is the absolute path of the project folder. `mark` is the relative path of a file in it, which
     exists while the stage runs. `items` come from :func:`placecat.compute.fingerprint.fingerprint`; the items
     in `may_differ` may differ. `scheduler` is the scheduler's address, for messages.
     """

@@ -8,7 +8,7 @@ from placecat.schema import references, signatures
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse wrong or unknown settings; the PlacecatError names the first. `params` may lack sections."""
+    """Raise a PlacecatError that names the first wrong or unknown setting. `params` may lack sections."""
     schema.check(params)
     references.check(params)
     signatures.check(params)

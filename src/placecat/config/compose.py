@@ -36,7 +36,7 @@ _COMPOSED = Path("data/params.sha256")
 
 
 def found(conf: Path = paths.CONF) -> str:
-    """Return the content of conf/found.yaml: the files of conf/ that are used without being named.
+    """Return the content of conf/found.yaml, which lists every file in the folders of `FOUND`.
 
     A Hydra defaults list cannot contain a file pattern, and `dvc exp run` composes only from files.
     Inferred cue settings come last. Raises the errors of :mod:`placecat.config.inferred`.
@@ -113,7 +113,7 @@ def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) ->
 
 
 def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: str) -> "DictConfig":
-    """Apply overrides with Hydra to `source`, merged settings or a folder; messages call it `where`."""
+    """Let Hydra apply overrides to merged settings or a folder, `source`; messages call it `where`."""
     from hydra import compose as hydra_compose
     from hydra import initialize, initialize_config_dir
     from hydra.core.config_store import ConfigStore

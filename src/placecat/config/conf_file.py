@@ -9,10 +9,11 @@ from placecat.config.compose import overridden
 
 
 def read(path: Path, names: Sequence[str], overrides: Sequence[str] = ()) -> dict[str, Any]:
-    """Read a file with exactly the settings `names`, and apply Hydra overrides such as ``fps=10.0``.
+    """Read a file of settings, and apply Hydra overrides such as ``fps=10.0``.
 
-    Raises PlacecatError if the file is missing or not YAML, if a setting is unknown or missing, or if an
-    override is unreadable or names an unknown setting.
+    The file must contain all the settings in `names`, and no others. Raises PlacecatError if the file is
+    missing or not YAML, if a setting is unknown or missing, or if an override is unreadable or names an
+    unknown setting.
     """
     content = settings.read_yaml(path, "run this in the project's folder, or restore it from git")
     settings.refuse_unknown(content, list(names), str(path))

@@ -26,7 +26,7 @@ class Unusual(Exception):
 
 
 class _Entry(NamedTuple):
-    """A defaults list entry: choice ("" if it has none), group, file, package, and whether it overrides.
+    """An entry of a defaults list: choice ("" if none), group, file, package, and whether it overrides.
 
     `fixed` says whether the entry names the package, so that the file does not.
     """

@@ -13,9 +13,9 @@ from placecat.vision import discovery
 def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
     """Find descriptors that cues and codebooks name but no file of conf/descriptor describes.
 
-    Maps ``local`` and ``holistic``, if not empty, to descriptor names, and each name to the default settings
-    of its module's ``describe``. Raises PlacecatError if a cue or codebook file is not YAML, a descriptor has
-    no module, a module cannot be imported, or a setting has no default.
+    Maps each kind that has such descriptors (``local`` or ``holistic``) to their names, and each name to the
+    default settings of its module's ``describe``. Raises PlacecatError if a cue or codebook file is not YAML,
+    a descriptor has no module, a module cannot be imported, or a setting has no default.
     """
     found: dict[str, dict[str, dict[str, Any]]] = {}
     for path, content in _files(conf, "cue", "codebook"):
@@ -58,7 +58,7 @@ def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
 
 
 def optional_descriptors(conf: Path) -> dict[str, list[str]]:
-    """Map each kind to the descriptors that conf/optional adds; PlacecatError if a file is not YAML."""
+    """Map each kind to the descriptors that conf/optional adds; raise PlacecatError for invalid YAML."""
     found: dict[str, list[str]] = {}
     for _, content in _read(conf, "optional"):
         for kind, own in (content.get("descriptors") or {}).items():

@@ -12,9 +12,10 @@ _PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
 
 
 def check(overrides: Sequence[str], *, several: bool = False) -> None:
-    """Refuse overrides, e.g. ``dataset.root=PATH``, that Hydra cannot read or would read as several values.
+    """Raise PlacecatError if Hydra cannot read an override, or would read it as several values.
 
-    `several` allows several values, as in a sweep. The PlacecatError names the setting and shows how to write
+    An override looks like ``dataset.root=PATH``. `several` allows several values, as in a sweep. The message
+    names the setting and shows how to write
     the override for a shell and for make.
     """
     for number, override in enumerate(overrides):
@@ -34,7 +35,7 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
 
 
 def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where: str) -> str | None:
-    """Report the first overridden setting that `content` lacks, and the valid settings; None if all exist.
+    """Name the first overridden setting that `content` lacks, and the valid ones; return None if all exist.
 
     `where` is the file or folder of the settings.
 
@@ -85,7 +86,7 @@ def for_shell(argument: str) -> str:
 
 
 def for_make(argument: str) -> str:
-    """Quote an argument for the Makefile's ``SET=``: for make, make's shell and the user's shell."""
+    """Quote an argument for ``SET=``, which the user's shell, make and make's shell read in turn."""
     inner = for_shell(argument)
     if inner.startswith('"') and "'" in inner:
         escaped = inner.replace('"', '\\"')

@@ -12,11 +12,11 @@ from placecat.thesis import definitions
 
 
 def check(params: Mapping[str, Any], root: Path = Path()) -> None:
-    """Refuse tables with an unknown layout, and trials with an unknown classifier or setting.
+    """Raise PlacecatError if a table has an unknown layout, or a trial an unknown classifier or setting.
 
-    Parameters and errors are those of :func:`placecat.thesis.definitions.tables`. Errors also come from
-    :func:`placecat.evaluation.trials.expand` and :mod:`placecat.schema.signatures`. For an unknown layout,
-    the PlacecatError names the most similar layout and all valid ones.
+    The parameters are those of :func:`placecat.thesis.definitions.tables`, whose errors this function raises,
+    too, as well as those of :func:`placecat.evaluation.trials.expand` and :mod:`placecat.schema.signatures`.
+    For an unknown layout, the message names the most similar layout and all valid ones.
     """
     studies = definitions.studies(params, root).values()
     of_studies = {name: table for study in studies for name, table in study.items()}

@@ -27,8 +27,8 @@ class Experiment:
     `judge` is ``test_home`` or ``training_homes``; see :meth:`~placecat.experiment.data.Data.plans`.
     `settings` has ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``, as in a
     table's trial. `frames` has the ``offset`` and ``step`` of the training frames. `seeds` are the seeds of
-    the clusters, or a single None if nothing is random. `probabilities` are the params.yaml settings of that
-    name, as for :func:`placecat.evaluation.quality.probability_quality`.
+    the clusters, or a single None if nothing is random. `probabilities` are the settings of that name in
+    params.yaml, which are arguments of :func:`placecat.evaluation.quality.probability_quality`.
     """
 
     data: Data
@@ -40,7 +40,7 @@ class Experiment:
     probabilities: dict[str, Any]
 
     def plans(self) -> dict[str, list[Plan]]:
-        """Map each test home to its plans; their mean accuracy is the home's accuracy."""
+        """Map each test home to its plans. The mean accuracy over these plans is the home's accuracy."""
         return {
             home: [plan.with_cue_frames(self.frames) for plan in self.data.plans(home, self.judge)]
             for home in self.homes
@@ -60,7 +60,7 @@ class Experiment:
 
 
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
-    """Resolve a combination of settings; read labels and array sizes, but no features.
+    """Resolve a combination of settings. This reads labels and array sizes, but no features.
 
     `config` is the composed conf/experiment.yaml as plain containers. `params` is the params.yaml that the
     features were computed with. Raises PlacecatError if the combination is invalid; the message says what is
@@ -103,7 +103,7 @@ def _frames(wanted: Mapping[str, Any], default: Mapping[str, int]) -> dict[str, 
 
 
 def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
-    """Write the descriptor as the tables do, since seeds are derived from that text."""
+    """Write the descriptor as the tables do, because seeds are derived from its text."""
     own = dict(wanted)
     if own["kind"] == "holistic":
         settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']}, of whole frames,")
@@ -200,7 +200,7 @@ def _counts(home: str, descriptor: Mapping[str, Any]) -> np.ndarray:
 
 
 def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
-    """Return the length of the joined descriptor; refuse one that was not computed for enough regions."""
+    """Return the length of the joined descriptor; raise PlacecatError if too little of it was computed."""
     folder, kind = store.folder_of(home, descriptor), descriptor["kind"]
     computed = sorted(path.stem.removeprefix(f"{kind}_") for path in folder.glob(f"{kind}_*.npy"))
     length = int(bool(descriptor.get("y_pos", False)))

@@ -25,7 +25,7 @@ class Data:
     by_test: Mapping[str, Plan]
 
     def plans(self, test: str, judge: str) -> list[Plan]:
-        """Return the plans behind the accuracy of a test home, which must be in `by_test`.
+        """Return the plans that determine the accuracy of a test home, which must be in `by_test`.
 
         If `judge` is ``test_home``, this is the home's own plan. If it is ``training_homes``, each training
         home has a plan that tests it and trains on the others; no plan uses the test home.
@@ -44,7 +44,7 @@ class Data:
 
 
 def find(params: Mapping[str, Any], name: str) -> Data:
-    """Look up ``main`` or a split of params.yaml; for other names, raise a PlacecatError that lists these."""
+    """Look up ``main`` or a split of params.yaml; raise PlacecatError for any other name."""
     if name == MAIN:
         plans = planning.of_homes(params, "5-5-1")
         return Data(plans[0].dataset, plans[0].classes, {plan.test: plan for plan in plans})
@@ -56,7 +56,7 @@ def find(params: Mapping[str, Any], name: str) -> Data:
 
 
 def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
-    """Find the test homes in a setting: ``all`` or names, whose case and punctuation do not matter.
+    """Find the test homes that a setting names: ``all``, or names with any case and punctuation.
 
     Raises PlacecatError if a name is unknown, ambiguous or repeated.
     """
@@ -88,7 +88,7 @@ def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
 
 
 def need_features(homes: Sequence[str]) -> None:
-    """Refuse sequences that have no labels or features; names are as for :func:`placecat.paths.sequences`."""
+    """Raise PlacecatError if a sequence (see :func:`placecat.paths.sequences`) has no labels or features."""
     for home in homes:
         for path in (paths.sequences(home) / "labels.csv", paths.features(home)):
             if not path.exists():

@@ -27,9 +27,9 @@ def run(
 ) -> list[float]:
     """Run the unfinished jobs; each job's folder is named by its number, counted from `first`.
 
-    `lines` has each job's overrides. `experiments` has each job's resolved experiment, or None if it was
-    refused; the job itself then reports why. Returns the jobs' accuracies in percent, in order; a job
-    without an accuracy gives NaN.
+    `lines` has each job's overrides. `experiments` has each job's resolved experiment, or None if its
+    settings are invalid; the job itself then reports why. Returns the jobs' accuracies in percent, in order,
+    with NaN for a job that has none.
     """
     numbers = range(first, first + len(lines))
     todo = []

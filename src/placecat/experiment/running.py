@@ -28,13 +28,14 @@ Outcome = dict[str, Any] | str
 
 
 def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
-    """Train and test for every test home, fold and seed; the number of `workers` does not affect results.
+    """Train and test for every test home, fold and seed; results do not depend on the number of `workers`.
 
-    Returns JSON types only: ``settings``; ``classes``; ``accuracy`` in percent, ``log_loss`` in nats and
-    ``calibration_error`` in percent, each a mean over test homes or None; ``reason``, why the first test home
-    without measures has none, or None; and ``homes``. Each test home has the same measures as means over
-    seeds and folds, or the ``reason`` why it has none, and ``folds``: the measures and ``confusion`` (counts,
-    with true places as rows) for each tested home and seed.
+    Returns a dictionary of JSON types with the keys ``settings``, ``classes``, ``accuracy`` (in percent),
+    ``log_loss`` (in nats), ``calibration_error`` (in percent), ``reason`` and ``homes``. The three measures
+    are means over test homes, or None. If a test home has no measures, ``reason`` gives the first such
+    home's reason; otherwise, it is None. ``homes`` has an entry for each test home: the same measures,
+    averaged over seeds and folds, or the ``reason`` why there are none; and ``folds``, the measures and the
+    ``confusion`` (counts, with true places as rows) for each tested home and seed.
     """
     plans = experiment.plans()
     keys = [
@@ -98,8 +99,8 @@ def _means(measured: list[dict[str, Any]]) -> dict[str, float | None]:
 def made_from(experiment: Experiment) -> dict[str, Any]:
     """Describe a result's inputs as JSON types, for result.json.
 
-    The keys are ``settings``; ``plans``, a checksum of the training and test plans; ``data``, a checksum of
-    each sequence's labels and descriptors; and ``code``, the versions of placecat, Python and the libraries.
+    The keys are ``settings``, ``plans`` (a checksum of the training and test plans), ``data`` (a checksum of
+    each sequence's labels and descriptors) and ``code`` (the versions of placecat, Python and the libraries).
     """
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     sequences = sorted({part.home for plan in plans for part in (*plan.cues, *plan.tested)})

@@ -33,7 +33,7 @@ _DECIMALS = {"accuracy": 2} | DECIMALS
 
 @dataclass(frozen=True)
 class Ran:
-    """An experiment of a sweep: its number, its values of the swept keys, its folder and its result.json."""
+    """An experiment of a sweep: its number, its values for the swept keys, its folder and its result.json."""
 
     number: int
     values: dict[str, str]
@@ -65,7 +65,7 @@ class Ran:
 
 
 def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
-    """Collect a sweep's results; `combinations` has each experiment's values of the swept keys."""
+    """Collect a sweep's results; `combinations` has each experiment's values for the swept keys."""
     folders = [folder / str(number) for number in range(len(combinations))]
     return [
         Ran(number, dict(values), own, output.read(own))
@@ -74,9 +74,11 @@ def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
 
 
 def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
-    """Tabulate experiments, one per row: number, swept keys, measures, spread of accuracy, note on problems.
+    """Tabulate experiments, one per row.
 
-    ``log_loss`` is in nats; the other measures and ``spread`` are in percent. A missing value is NaN.
+    The columns are the number, the swept keys, the measures, the ``spread`` of the accuracy over seeds, and
+    a ``note`` on any problem. ``log_loss`` is in nats; the other measures and ``spread`` are in percent. A
+    missing value is NaN.
     """
     rows = []
     for one in ran:
@@ -101,7 +103,7 @@ def _value(one: Ran, measure: str) -> float:
 
 
 def _values(ran: Sequence[Ran], measure: str) -> pd.DataFrame:
-    """Tabulate the experiments' swept keys and unrounded values of a measure; NaN if there is none."""
+    """Tabulate the swept keys and the unrounded values of a measure; a missing value is NaN."""
     frame = pd.DataFrame([{**one.values, measure: _value(one, measure)} for one in ran])
     # A sweep may contain the same values twice.
     return frame.drop_duplicates(list(ran[0].values) or None)
@@ -110,9 +112,9 @@ def _values(ran: Sequence[Ran], measure: str) -> pd.DataFrame:
 def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
     """Tabulate a measure over the swept keys, as text.
 
-    The columns are the values of the first numeric key or, without one, of the last key, but never of the
-    test home. If several test homes were swept, their average follows them. If some combinations of values
-    were not run, as in a search, each experiment has a row instead.
+    The columns are the values of the first numeric key or, if no key is numeric, of the last key. The test
+    home is always in rows; if several test homes were swept, their average follows them. If some
+    combinations of values were not run, as in a search, each experiment has a row instead.
     """
     swept, frame = list(ran[0].values), _values(ran, measure)
     others = [key for key in swept if key != HOME]
@@ -191,7 +193,7 @@ def markdown(ran: Sequence[Ran]) -> str:
 
 
 def text_of_one(result: dict[str, Any]) -> str:
-    """Format one experiment's result: accuracy by home and seed, means of other measures, confusions."""
+    """Format one experiment's result: accuracies by home and seed, the other measures, and confusions."""
     if result["accuracy"] is None:
         return output.shown(result)
     own = result["settings"]

@@ -21,7 +21,7 @@ from placecat.experiment.combination import Experiment, resolve
 from placecat.runs import lock
 
 _REFUSALS = (PlacecatError, HydraException, OmegaConfBaseException)
-# A message lists at most this many refused combinations per reason.
+# A message lists at most this many invalid combinations per reason.
 _LISTED = 8
 
 
@@ -57,7 +57,7 @@ def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]
 def check(
     config: DictConfig, lines: Sequence[Sequence[str]], combinations: Sequence[dict[str, str]]
 ) -> list[Experiment]:
-    """Resolve each combination; raise a PlacecatError that lists the refused ones with reasons.
+    """Resolve each combination; raise a PlacecatError that lists the invalid ones, with reasons.
 
     `config` is the sweep's composed configuration, including Hydra's settings. `lines` has each experiment's
     overrides; `combinations` has its swept values, for messages.
@@ -82,7 +82,7 @@ def check(
 
 
 def meant(config: DictConfig, line: Sequence[str]) -> Experiment | None:
-    """Resolve one combination, or return None if it is refused; the parameters are as for `check`."""
+    """Resolve one combination, or return None if it is invalid; the parameters are as for `check`."""
     try:
         return _meant(config, line, settings.load())
     except _REFUSALS:
@@ -96,9 +96,10 @@ def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -
 
 @contextmanager
 def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
-    """Lock and yield the sweep's folder, which may hold finished jobs; report the results if the block fails.
+    """Lock the sweep's folder, which may hold finished jobs, and yield it.
 
-    Waits while another process has the lock. On Ctrl-C, prints how to continue.
+    Waits while another process has the lock. If the block fails, reports the results so far; on Ctrl-C,
+    prints how to continue.
     """
     folder = Path(config.hydra.sweep.dir)
     folder.mkdir(parents=True, exist_ok=True)

@@ -56,8 +56,8 @@ def table_run(
 ) -> TableRun:
     """Gather one table's content from its definition and its filled `cells`.
 
-    `dataset` describes the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are the flat
-    settings that affect its numbers; `written` are the table's files, such as its CSV; `made` takes a
+    `dataset` describes the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are those
+    that affect its numbers, by dotted name; `written` are the table's files, such as its CSV. `made` takes a
     result's name and describes how the result was made.
     """
     # An addition's title already starts with this label.
@@ -125,7 +125,7 @@ def figures_run(folder: Path) -> TableRun:
 
 
 def findings_run(findings: Path, comparisons: Path) -> TableRun:
-    """Gather the files of the stage `findings` into one run, with a metric per verdict and reading."""
+    """Gather the files of the stage `findings` into one run, with a metric for each verdict and reading."""
     table = files.read_table(findings, ["claim"])
     readings = readings_of(table)
     names = [name.replace("_", " ") for name in readings.values()]
@@ -184,7 +184,10 @@ def _write_row(folder: Path, name: str, decisions: Mapping[str, Measured]) -> li
 
 
 def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
-    """Write all counts to one file, label columns first; return its path in a list, [] without counts."""
+    """Write all counts to one file, with the label columns first.
+
+    Returns a list of the file's path, or an empty list if there are no counts.
+    """
     if not parts:
         return []
     whole = pd.concat(parts)
@@ -210,9 +213,10 @@ def _results(
 
 
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
-    """Map each (group, row) to the quality of its probabilities; ("", "") if the table has only one result.
+    """Map each (group, row) to the quality of its probabilities.
 
-    The mapping is empty for tables that already show these numbers, and for trials, which lack them.
+    The only key is ("", "") if the whole table shows one result. The mapping is empty for tables that already
+    show these numbers, and for trials, which lack them.
     """
     if not in_percent(table):
         return {}
@@ -242,7 +246,7 @@ def _measure(column: str, percent: bool) -> str:
 
 
 def _section(column: str, percent: bool) -> str:
-    """Return a column's section of metrics: ``home_1`` for "Home 1", ``accuracy`` for "Average"."""
+    """Return the section for a column's metrics: ``home_1`` for "Home 1", ``accuracy`` for "Average"."""
     if percent and column in (AVERAGE, ""):
         return "accuracy"
     return key(column).lower().replace(" ", "_")

@@ -22,8 +22,9 @@ _DECIDES = {
 def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
     """Return the parameters of several results; each parameter lists its distinct values.
 
-    They are ``decides`` (a cue, an integration, an HMM), ``protocol``, ``cues``, ``system``, ``filter`` and
-    ``descriptor``; then the settings of a single cue (`params_of_cue`), the integration and the smoothing.
+    The first are ``decides`` (the part that decides, such as a cue, an integration or an HMM), ``protocol``,
+    ``cues``, ``system``, ``filter`` and ``descriptor``. Then come the settings of a single cue
+    (`params_of_cue`), of the integration and of the smoothing.
     """
     values: dict[str, dict[str, None]] = {}
     for result, made in results.items():

@@ -93,12 +93,12 @@ def connect(uri: str) -> MlflowClient:
 
 
 def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path, description: str) -> str:
-    """Return the id of an experiment, created if missing; several processes may call this at once.
+    """Return the id of an experiment, which is created if missing.
 
-    `artifacts` is the folder for a new experiment's files, unless a server stores them. If the project was
-    moved or copied with its database, the database is updated, so that MLflow finds earlier runs' files.
-    `description` (Markdown) replaces any earlier description. Raises PlacecatError if the experiment was
-    deleted but not purged, since MLflow still reserves its name.
+    Several processes may call this at once. `artifacts` is the folder for a new experiment's files, unless a
+    server stores them. If the project was moved or copied with its database, the database is updated, so that
+    MLflow finds earlier runs' files. `description` (Markdown) replaces any earlier description.
+    Raises PlacecatError if the experiment was deleted but not purged, since MLflow still reserves its name.
     """
     from mlflow.exceptions import MlflowException
 
@@ -164,7 +164,7 @@ def start_run(
     """Start a run and return its id; the run is RUNNING until `finish_run`.
 
     `parent` is the id of the enclosing run, and `description` is Markdown. `files` are copied and keep their
-    names. Values of `params` are cut at 6000 characters, since MLflow refuses longer ones.
+    names. Values of `params` are cut at 6000 characters, since MLflow rejects longer ones.
     """
     from mlflow.entities import Metric, Param
     from mlflow.utils.time import get_current_time_millis
@@ -201,7 +201,7 @@ def key(*parts: str) -> str:
 
 @contextmanager
 def writing(client: MlflowClient) -> Iterator[None]:
-    """Write :func:`alone`; raises PlacecatError if MLflow or its database fails in the block.
+    """Hold the lock of :func:`alone` in a block; raise PlacecatError if MLflow or its database fails there.
 
     Every function of this module that writes uses this.
     """
@@ -211,7 +211,10 @@ def writing(client: MlflowClient) -> Iterator[None]:
 
 @contextmanager
 def alone(uri: str) -> Iterator[None]:
-    """Lock a SQLite database, or a server for this user's processes on this machine; blocks may be nested."""
+    """Lock a SQLite database or a server during a block; blocks may be nested.
+
+    A server is locked only for this user's processes on this machine.
+    """
     from filelock import FileLock
 
     database, user = _database(uri), os.getuid() if hasattr(os, "getuid") else ""
@@ -227,7 +230,7 @@ def alone(uri: str) -> Iterator[None]:
 
 
 def set_tags(client: MlflowClient, run_id: str, tags: Mapping[str, str]) -> None:
-    """Set several tags of a run in one step: either all or none."""
+    """Set several tags of a run at once: either all of them are set, or none."""
     from mlflow.entities import RunTag
 
     with writing(client):

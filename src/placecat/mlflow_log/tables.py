@@ -1,12 +1,14 @@
 """Log each table to MLflow as a run, with nested runs for its rows; logging again makes no duplicates.
 
-Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` is the table's name;
-``placecat.digest`` is the checksum of its content; ``placecat.current`` is "true" for valid runs, or the name
-of the queued DVC experiment that logged them. A run counts only if it is current and FINISHED. Writing has
-four steps: start the runs of the table and its rows; set ``current`` to "false" in the superseded runs;
-finish the rows; finish the table's run. If the process is killed, its incomplete runs do not count, and no
-table counts twice; the next call deletes these runs and writes the table again. Processes on one machine take
-turns. Several machines may write at once: at the end, each keeps only the latest of a table's current runs.
+A run has these tags. ``placecat.kind`` is table, row, figures or findings. ``placecat.table`` is the name of
+the table, and ``placecat.digest`` the checksum of its content. ``placecat.current`` is "true" for valid runs,
+or the name of the queued DVC experiment that logged them. A run counts only if it is current and FINISHED.
+
+A table is written in four steps: start the runs of the table and its rows; set ``current`` to "false" in the
+superseded runs; finish the rows; finish the table's run. If the process is killed, its unfinished runs do not
+count, so no table counts twice. The next call deletes these runs and writes the table again. Processes on one
+machine take turns. Several machines may write at once; at the end, each keeps only the latest of a table's
+current runs.
 """
 
 from __future__ import annotations
@@ -55,7 +57,7 @@ DESCRIPTION = (
 class RowRun:
     """One row's content for MLflow, with a readable name such as "Table 26: 5-5-1, all cues, Gist".
 
-    `params` identify the row; `metrics` are its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
+    `params` identify the row. `metrics` are its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
     and the quality of its probabilities (:meth:`placecat.results.measured.Quality.averages`). `description`
     is Markdown. `files` writes the row's files into a folder and returns their paths.
     """
@@ -71,10 +73,10 @@ class RowRun:
 class TableRun:
     """One table's content for MLflow, with a name such as "table_26", and a title.
 
-    `content` is everything that the table shows, as text. `params` are the flat settings that affect the
-    numbers; `metrics` are in percent unless the name says otherwise. `description` is Markdown; `RUN_ID` in
-    it becomes the run's id. `rows` are nested runs; `files` is as for a row. `kind` is "table", or "figures"
-    or "findings" for the two runs that are not tables.
+    `content` is everything that the table shows, as text. `params` are the settings that affect the numbers,
+    by dotted name. `metrics` are in percent unless their name says otherwise. `description` is Markdown, in
+    which `RUN_ID` is replaced by the run's id. `rows` are nested runs, and `files` is as for a row. `kind` is
+    "table", or "figures" or "findings" for the two runs that are not tables.
     """
 
     name: str
@@ -176,7 +178,7 @@ def _log_new(
 
 
 def _is_torso(run: Run) -> bool:
-    """Return whether an unfinished run is abandoned; this machine's are, since this process has the lock."""
+    """Return whether an unfinished run is abandoned. This machine's are, since this process has the lock."""
     is_own = run.data.tags.get(MACHINE, platform.node()) == platform.node()
     return is_own or run.info.start_time < time.time() * 1000 - _TORSO
 
@@ -198,7 +200,7 @@ def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
 def _log(
     client: MlflowClient, experiment_id: str, run: TableRun, digest: str, common: Mapping[str, str]
 ) -> list[str]:
-    """Log a table and its rows without ending the runs; return their ids, the table's last."""
+    """Log a table and its rows without ending the runs; return their ids, with the table's id last."""
     tags = {**common, TABLE: run.name, CURRENT: common.get(DVC_EXPERIMENT, "true"), MACHINE: platform.node()}
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)

@@ -50,7 +50,10 @@ def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
 
 
 def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options) -> str:
-    """Judge the findings on the results in reports/replication; write the ledger and return a summary."""
+    """Judge the findings from the groups' results in reports/replication.
+
+    Writes the ledger of verdicts to the same folder, and returns a summary as text.
+    """
     of_groups = [(group.number, group.homes) for group in planned]
     results = group_results.pooled(of_groups, params, read_results(settings.load()))
     homes = [homes for _, homes in of_groups]
@@ -83,7 +86,7 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
 
 
 def _with_others(table: pd.DataFrame, path: Path, key: str) -> pd.DataFrame:
-    """Add the rows that only the project's ledger has, with ``replicated`` False."""
+    """Add the rows that only the project's own ledger has, and mark them with ``replicated`` False."""
     text = table.select_dtypes(exclude="number").columns
     others = files.read_table(path, text)
     others = others[~others[key].isin(table[key])].assign(replicated=False)

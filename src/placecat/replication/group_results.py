@@ -32,8 +32,9 @@ def folder_of(number: int) -> Path:
 def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, Any]) -> None:
     """Copy a group's results from the folder of its run to `target`.
 
-    Writes the counts of decisions in the group's homes, all tables as one file, the missing results, the
-    numbers of frames that the information filters drop, and the homes with a checksum of the settings.
+    The files there contain the counts of decisions in the group's homes, all tables together, the missing
+    results, how many frames each information filter drops, and the names of the homes with a checksum of the
+    settings.
     """
     scores = files.read_cells(run / paths.SCORES / "scores.csv")
     kinds = {name: int if name == "frames" else "category" for name in scores.columns}
@@ -68,9 +69,9 @@ def pooled(
 ) -> Results:
     """Read the results of all groups, given by number and homes, as if they were one data set.
 
-    `params` are all settings. Results in `others`, the project's results, are added if they are on data other
-    than homes.
-    Raises PlacecatError if a group's results are missing, or belong to other homes or settings.
+    `params` are all settings. `others` are the results of the project's own run, of which those on data other
+    than homes are added. Raises PlacecatError if a group's results are missing, or belong to other homes or
+    settings.
     """
     scores, missing, dropped = [], [], []
     for number, homes in groups:

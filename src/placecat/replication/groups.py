@@ -32,7 +32,7 @@ _DONE = "done.json"
 
 @dataclass(frozen=True)
 class Group:
-    """A group of a data set's homes: its number, from 1; its homes; and all settings of a run on these."""
+    """A group of homes, with its number (from 1), its homes, and all settings for a run on these homes."""
 
     number: int
     homes: tuple[str, ...]
@@ -63,7 +63,7 @@ def split(params: Mapping[str, Any], size: int) -> tuple[list[Group], tuple[str,
 
 
 def _restricted(params: Mapping[str, Any], of_group: Sequence[str], homes: Sequence[str]) -> dict[str, Any]:
-    """Restrict the settings to a group's homes, including settings with a value for each home."""
+    """Restrict the settings to a group's homes, including those that have one value per home."""
     dataset = dict(params["dataset"])
     for name, value in dataset.items():
         if isinstance(value, Mapping) and value and set(value) <= set(homes):

@@ -1,4 +1,4 @@
-"""Compute how many homes decide each finding, from the spread between homes in a run."""
+"""Compute how many homes it takes to decide each finding, from the spread between homes in a run."""
 
 import re
 from typing import NamedTuple
@@ -28,7 +28,10 @@ SIX = Run(6, 0.95)
 
 
 class _Comparison(NamedTuple):
-    """Share of homes that count, spread between homes, claimed range, published and measured difference."""
+    """A comparison: its share of homes that count, their spread, the claimed range, and the difference.
+
+    The difference is given twice, as published and as measured.
+    """
 
     share: float
     deviation: float
@@ -42,11 +45,12 @@ def power_table(comparisons: pd.DataFrame, homes: int, options: Options, run: Ru
 
     `homes` is the number of homes in the replication, a multiple of the group size in `options`.
 
-    Returns one row per finding: number, comparisons (their number), units (number of the replication's homes
-    that count, 0 if unknown) and spread (largest standard deviation between homes, points). The columns power
-    (probability of a verdict with `homes` homes) and needed (number of homes for a power of 80 %, infinite
-    above `MOST`) appear twice: assuming that the published differences are true, and that the measured ones
-    are. Numbers are NaN for comparisons of one home, of stays or of shares, and for unpublished differences.
+    Returns one row per finding, with its number, the number of its comparisons, units (how many of the
+    replication's homes count, 0 if unknown) and spread (the largest standard deviation between homes, in
+    points). Two further columns appear twice, first on the assumption that the published differences are
+    true, then that the measured ones are: power (the probability of a verdict with `homes` homes) and needed
+    (the number of homes for a power of 80 %, infinite above `MOST`). Numbers are NaN for comparisons of one
+    home, of stays or of shares, and for unpublished differences.
     """
     rows = []
     for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):
@@ -93,7 +97,7 @@ def _claimed(text: str) -> Range | None:
 
 
 def _power(known: list[_Comparison], effects: list[float], homes: int, level: float) -> float:
-    """Return the probability of the likelier verdict if comparisons are independent."""
+    """Return the probability of the more likely verdict if comparisons are independent."""
     wide = corrected_level(level, len(known))
     holds, no_failure = 1.0, 1.0
     for one, effect in zip(known, effects, strict=True):

@@ -10,8 +10,9 @@ def shared_variance(values: ArrayLike, groups: ArrayLike) -> float:
     `values` and `groups` are (members,): each member's value and the number of its group. The share is the
     intraclass correlation of a one-way analysis of variance with random groups, (B - W) / (B + (n - 1) W). B
     and W are the mean squares between and within groups, and n is the number of members per group (an
-    effective number if groups differ in size). It is at most 1; below 0 if groups differ less than expected
-    by chance; and NaN with fewer than two groups, with one member in each group, or if all values are equal.
+    effective number if groups differ in size). The share is at most 1. It is below 0 if groups differ less
+    than expected by chance. It is NaN if there are fewer than two groups, if every group has only one
+    member, or if all values are equal.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Compute, before a run, how probable a verdict on a claim is with a number of homes."""
+"""Compute, before a run, how likely a number of homes is to give a verdict on a claim."""
 
 import math
 

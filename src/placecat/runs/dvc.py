@@ -44,7 +44,10 @@ def main() -> None:
 
 
 class _Left(logging.Filter):
-    """Add a stage's number and the time left to its line, estimated from earlier stage times in `seconds`."""
+    """Add a stage's number and the estimated time left to its line.
+
+    The estimate is based on `seconds`, the times that the stages took before.
+    """
 
     def __init__(self, stages: Sequence[str], seconds: Mapping[str, float]) -> None:
         super().__init__()

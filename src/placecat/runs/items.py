@@ -67,8 +67,8 @@ def refresh_together(
 ) -> None:
     """Like :func:`refresh`, but the tasks of all items share one pool, which keeps all workers busy.
 
-    `function`, the same for all items, is as for :func:`placecat.compute.parallel.in_parallel`. `plan` is
-    called with an item's name; the item is written when its tasks are done.
+    `function` is the same for all items; see :func:`placecat.compute.parallel.in_parallel`. `plan` is called
+    with an item's name. An item is written when its tasks are done.
     """
     planned = [(name, made_from, *plan(name)) for name, made_from in _outdated(stage, folder, wanted)]
     if not planned:
@@ -107,7 +107,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove all but `names` from a folder, such as items of other settings; create a missing folder."""
+    """Remove everything but `names` from a folder, e.g. items of other settings; create a missing folder."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:

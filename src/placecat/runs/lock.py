@@ -57,9 +57,10 @@ def waiting(path: Path, said: str) -> AbstractContextManager[object]:
 
 
 def of_folder(folder: Path, work: str) -> AbstractContextManager[object]:
-    """Lock a folder, which is created if missing, during a block.
+    """Lock a folder during a block; create the folder if it is missing.
 
-    If another process holds the lock, raises a PlacecatError that says what it is doing there (`work`).
+    If another process holds the lock, raises a PlacecatError. In its message, `work` says what
+    that process does with the folder, e.g. "runs in".
     """
     folder.mkdir(parents=True, exist_ok=True)
     held = _acquired(folder / ".lock", 2)

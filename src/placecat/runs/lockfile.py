@@ -13,7 +13,7 @@ LOCK, DEFINITION = Path("dvc.lock"), Path("dvc.yaml")
 
 
 def defined_stages() -> dict[str, Any]:
-    """Return the stages of dvc.yaml by name; empty in a folder without a pipeline."""
+    """Return the stages of dvc.yaml by name; the result is empty in a folder without a pipeline."""
     return dict(settings.read_yaml(DEFINITION)["stages"]) if DEFINITION.is_file() else {}
 
 
@@ -30,7 +30,7 @@ def data_version(stage: str = "sequences") -> str:
 
 
 def check_data(params: Mapping[str, Any]) -> None:
-    """Raise PlacecatError if DVC recorded features of another ``dataset`` than the one in `params`."""
+    """Raise PlacecatError if DVC recorded features of a ``dataset`` other than the one in `params`."""
     version = data_version()
     stages = settings.read_yaml(LOCK)["stages"]
     listed = stages["sequences"].get("params", {}).get("params.yaml", {}).get("dataset")

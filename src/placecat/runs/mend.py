@@ -30,7 +30,7 @@ _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair the damage done by a killed run, inside `lock.alone`; return one line per repair."""
+    """Repair the damage done by a killed run; return one line per repair. Call it inside `lock.alone`."""
     said = []
     if LOCK.exists():
         text = LOCK.read_text(encoding="utf-8", errors="replace")
@@ -48,7 +48,7 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Back up the complete records of dvc.lock; keep earlier copies of incomplete or missing ones.
+    """Back up the complete records of dvc.lock; if a record is incomplete or missing, keep its earlier copy.
 
     Without a dvc.lock, the backup is deleted.
     """
@@ -63,7 +63,7 @@ def keep() -> None:
 
 
 def _mended(text: str) -> tuple[str, list[str]]:
-    """Return the content of dvc.lock, completed from the copy, and the stages without a record in either."""
+    """Return the content of dvc.lock, completed from the copy, and the stages whose record is in neither."""
     # Leave merge conflicts to the user.
     stages = defined_stages()
     if "\n<<<<<<< " in text or not stages:
@@ -91,7 +91,7 @@ def _mended(text: str) -> tuple[str, list[str]]:
 
 
 def _blocks(text: str) -> tuple[str, dict[str, str]]:
-    """Split dvc.lock, as DVC writes it, into the head before the first stage ("" if cut) and the stages."""
+    """Split dvc.lock, as DVC writes it, into its head ("" if the head is cut off) and its stages."""
     head, *rest = re.split(r"^(?=  [^\s#])", text, flags=re.MULTILINE)
     is_head = head.endswith("stages:\n") or (not rest and head.endswith("stages: {}\n"))
     return head if is_head else "", {block.split(":\n", 1)[0].strip(" '\"\n"): block for block in rest}

@@ -50,13 +50,13 @@ def run(*, force: bool = False, **environment: str) -> int:
 
 
 class Before:
-    """A copy of the old params.yaml, which can be restored if the run is refused."""
+    """A copy of the old params.yaml, which can be restored if the run is rejected."""
 
     def __init__(self) -> None:
         self._params, self._lock = _content(paths.PARAMS), _content(LOCK)
 
     def restore(self) -> None:
-        """Restore params.yaml, unless a stage has finished: the next run then needs the new settings."""
+        """Restore params.yaml, unless a stage has finished: then the next run needs the new settings."""
         if _content(LOCK) != self._lock or _content(paths.PARAMS) == self._params:
             return
         if self._params is None:
@@ -72,7 +72,7 @@ def _content(path: Path) -> bytes | None:
 
 
 def _check_git() -> None:
-    """Refuse a folder without git, such as one from a ZIP file; unlike DVC, say what to do."""
+    """Raise a PlacecatError that says what to do if the folder has no git, such as one from a ZIP file."""
     configurations = [path for path in (Path(".dvc/config"), Path(".dvc/config.local")) if path.is_file()]
     if not Path(".git").exists() and not any("no_scm" in path.read_text() for path in configurations):
         raise PlacecatError(
@@ -103,7 +103,7 @@ def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
 
 
 def stages() -> list[str]:
-    """List the stages that `dvc repro` runs in a fresh clone: not frozen, and with an output outside git."""
+    """List the stages that `dvc repro` runs in a fresh clone: unfrozen ones with an output outside git."""
 
     def is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
         return isinstance(out, str) or any(options.get("cache", True) for options in out.values())

@@ -1,4 +1,4 @@
-"""Refuse packages on PYTHONPATH that hide installed ones, since other versions give different numbers."""
+"""Reject packages on PYTHONPATH that hide installed ones, since other versions give different numbers."""
 
 import importlib.machinery
 import os
@@ -11,7 +11,7 @@ PACKAGES = ("cv2", "numpy", "scipy", "sklearn", "pandas", "joblib", "matplotlib"
 
 
 def check() -> None:
-    """Refuse a package on PYTHONPATH that hides an installed one; the PlacecatError gives its path."""
+    """Raise a PlacecatError with its path if a package on PYTHONPATH hides an installed one."""
     installed = [str(Path(sysconfig.get_path(kind)).resolve()) for kind in ("purelib", "platlib")]
     folders = [folder for folder in os.environ.get("PYTHONPATH", "").split(os.pathsep) if folder]
     folders = [folder for folder in folders if str(Path(folder).resolve()) not in installed]

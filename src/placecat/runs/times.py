@@ -27,7 +27,7 @@ def record(stage: str, seconds: float) -> None:
 
 
 def gather(call: str) -> pd.DataFrame:
-    """Read the times of a call's stages: columns `COLUMNS`, wall times in seconds, longest first."""
+    """Read the wall times of a call's stages, in seconds, longest first; the columns are `COLUMNS`."""
     # Files whose names begin with a dot are unfinished.
     records = [files.read_json(path) for path in paths.TIMES.glob("[!.]*.json")]
     table = pd.DataFrame([one for one in records if one["call"] == call], columns=COLUMNS)
@@ -47,7 +47,10 @@ def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_c
 
 
 def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
-    """Return the last full run's times, as in :func:`gather`, and its facts; refuse if there was none."""
+    """Return the last full run's times, as in :func:`gather`, and its facts.
+
+    Raises PlacecatError if there was no full run.
+    """
     try:
         content = files.read_json(paths.COMPLETE_TIMES)
     except FileNotFoundError:
@@ -56,7 +59,7 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
 
 
 def known() -> dict[str, float]:
-    """Return each stage's seconds in a full run: the last one here, or else the one in git."""
+    """Return each stage's seconds in the last full run here or, without one, in the run kept in git."""
     try:
         by_stage, _ = read_complete()
     except PlacecatError:

@@ -23,7 +23,7 @@ def start(stage: str) -> None:
 
 
 def check() -> None:
-    """Refuse results if anything has changed since :func:`start`; the PlacecatError gives the first path."""
+    """Raise PlacecatError if anything has changed since :func:`start`; the message gives the first path."""
     if _at_start is None:
         return
     stage, before = _at_start

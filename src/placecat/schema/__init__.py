@@ -1,4 +1,4 @@
-"""The schemas of params.yaml and of an experiment, which refuse wrong settings early."""
+"""The schemas of params.yaml and of an experiment, which reject wrong settings early."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -16,10 +16,10 @@ _SHOWN = 80
 
 
 def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
-    """Refuse settings that are unknown, missing, of the wrong type or out of range.
+    """Raise SettingError if a setting is unknown, missing, of the wrong type or out of range.
 
-    `content` holds the settings in plain containers; `model` is their section. The PlacecatError gives the
-    dotted name of the first wrong setting.
+    `content` holds the settings in plain containers, and `model` is the section they belong to. The message
+    gives the dotted name of the first wrong setting.
     """
     try:
         model.model_validate(content)
@@ -28,7 +28,7 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
 
 
 def check_value(value: Any, adapter: TypeAdapter[Any], where: str, context: Any = None) -> None:
-    """Refuse a value of the wrong type or range.
+    """Raise SettingError if a value has the wrong type or is out of range.
 
     `adapter` is from :func:`of_type`, `where` is a dotted name, and `context` is for the type's validators.
     """
@@ -39,7 +39,7 @@ def check_value(value: Any, adapter: TypeAdapter[Any], where: str, context: Any 
 
 
 def of_type(kind: Any) -> TypeAdapter[Any]:
-    """Make a strict check for values of a type; it rejects NaN and infinity."""
+    """Make a strict check for values of a type, which also rejects NaN and infinity."""
     return TypeAdapter(kind, config=ConfigDict(strict=True, allow_inf_nan=False))
 
 
@@ -88,6 +88,6 @@ def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
 
 
 def _short(value: Any) -> str:
-    """Return a value roughly as in YAML, shortened in the middle."""
+    """Write a value roughly as YAML would, and cut out the middle of a long one."""
     text = printable(str(value).replace("\n", "\\n"))
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN // 2]}...{text[-_SHOWN // 2 :]}"

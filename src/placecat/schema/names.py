@@ -1,4 +1,4 @@
-"""Types of names and texts in the settings: file names, labels and titles."""
+"""Types for names and other text in the settings: file names, labels and titles."""
 
 import re
 from collections.abc import Hashable

@@ -6,7 +6,7 @@ from typing import Any
 from placecat import paths
 from placecat.errors import PlacecatError, did_you_mean
 
-# A reference's location, its target's kind and name, and the existing names.
+# Where a reference stands, the kind and name of its target, and the names that exist.
 _Reference = tuple[str, str, str, Collection[str]]
 _SECTIONS = (
     *("cues", "codebooks", "systems", "filters", "splits"),
@@ -15,7 +15,7 @@ _SECTIONS = (
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse references to missing settings; the PlacecatError lists the existing names."""
+    """Raise a PlacecatError that lists the existing names if a reference's target is missing."""
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
             question, there = did_you_mean(name, valid), ", ".join(valid) or "none"

@@ -372,7 +372,7 @@ class Toy(Section):
 
 
 class Params(Section):
-    """params.yaml; a stage that reads a missing section reports it."""
+    """params.yaml. If a section is missing, the stage that reads it says so."""
 
     dataset: Dataset | None = None
     attention: Attention | None = None

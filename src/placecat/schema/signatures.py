@@ -29,10 +29,10 @@ GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse names of missing code, unknown or missing settings, and invalid values.
+    """Check that the code that settings name exists, and that it accepts its settings.
 
-    `params` holds all settings, already checked by :func:`placecat.schema.check`. The PlacecatError
-    names the setting, the nearest valid name and all valid names.
+    `params` holds all settings, already checked by :func:`placecat.schema.check`. Raises a PlacecatError
+    that names the wrong setting, the nearest valid name and all valid names.
     """
     for section in ("dataset", "toy", "codebooks", "cues", "systems", "splits"):
         check_part(params.get(section), section)
@@ -45,9 +45,9 @@ def check(params: Mapping[str, Any]) -> None:
 
 
 def check_part(content: Any, where: str) -> None:
-    """Check every classifier, clustering and layout in a part of the settings; errors as in :func:`check`.
+    """Check every classifier, clustering and layout in a part of the settings, like :func:`check`.
 
-    A mapping with ``layout`` is a data set, one with ``model`` a classifier, one with ``tree`` a codebook.
+    A mapping that has ``layout`` is a data set; ``model`` marks a classifier, and ``tree`` a codebook.
     `where` names the part in messages, e.g. ``cues``.
     """
     if not isinstance(content, Mapping):
@@ -91,12 +91,12 @@ def check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
 
 
 def check_vision(section: str, options: Mapping[str, Any], where: str) -> None:
-    """Check some settings of one of the sections in `VISION`; none is required."""
+    """Check settings of a section in `VISION`, none of which is required."""
     _check(options, _of_section(section), where)
 
 
 def check_parameters(estimator: Any) -> None:
-    """Refuse an estimator's parameter that does not fit its annotation in ``__init__``."""
+    """Raise SettingError if a parameter of an estimator does not fit its annotation in ``__init__``."""
     kind: Any = type(estimator)
     for name, values in _annotated(kind).items():
         value = getattr(estimator, name)
@@ -149,7 +149,7 @@ def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
 
 @lru_cache
 def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
-    """Return an estimator's settings except those in `GIVEN`; none is required."""
+    """Return an estimator's settings except those in `GIVEN`, all of them as optional."""
     taken = _taken(package, name, definition)
     return {name: one._replace(is_needed=False) for name, one in taken.items() if name not in GIVEN}
 

@@ -49,7 +49,7 @@ class Space:
         return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
 
     def ends(self) -> list[tuple[str, ...]]:
-        """Return the overrides of the first start and of its variants with one key at a limit or choice."""
+        """Return the overrides of the first start, and of variants with one key set to a limit or choice."""
         first = next(iter(self.starts.values()))
         found = [first]
         for key, own in self.distributions.items():
@@ -59,7 +59,7 @@ class Space:
 
 
 def check(config: Mapping[str, Any]) -> None:
-    """Refuse a search whose result would be meaningless.
+    """Check that the search can run, and that its result will mean something.
 
     Raises PlacecatError if Optuna is not installed, if ``judge`` is not ``training_homes``, or if there is
     not exactly one test home.
@@ -170,10 +170,11 @@ def _distribution(
 def find_starts(
     keys: Sequence[str], config: DictConfig, params: Mapping[str, Any]
 ) -> dict[str, dict[str, Any]]:
-    """Find the settings to start a search with; map each start's source to its values of the searched keys.
+    """Find the settings to start a search with.
 
-    `config` is the first start: the experiment composed without the searched settings, but with Hydra's.
-    Raises PlacecatError for a key that it lacks. Cues of `params` that have the experiment's descriptor and
+    Maps each start's source to the start's values for the searched keys. `config` is the first start: the
+    experiment composed without the searched settings, but with Hydra's. Raises PlacecatError for a key that
+    `config` lacks. Cues of `params` that have the experiment's descriptor and
     classifier but other settings are also starts, since conf/cue has the thesis's best settings.
     """
     first = {key: _value(key, config) for key in keys}
@@ -200,7 +201,7 @@ def _value(key: str, config: DictConfig) -> Any:
 def _of_cue(
     cue: Mapping[str, Any], params: Mapping[str, Any], config: DictConfig, keys: Sequence[str]
 ) -> dict[str, Any]:
-    """Return a cue's searched classifier settings; {} if its descriptor or classifier is a different one."""
+    """Return a cue's searched classifier settings; {} if the cue has another descriptor or classifier."""
     codebook = cue.get("codebook")
     descriptor = cue["descriptor"] if codebook is None else params["codebooks"][codebook]["descriptor"]
     wanted = {f"descriptor.{name}": value for name, value in descriptor.items()}

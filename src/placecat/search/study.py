@@ -10,7 +10,7 @@ from placecat.search.space import Space
 
 @dataclass(frozen=True)
 class Tried:
-    """Settings that were tried: the experiment's number, overrides, and accuracy in percent or None."""
+    """Settings that were tried: an experiment's number, overrides, and accuracy in percent or None."""
 
     number: int
     overrides: tuple[str, ...]
@@ -36,8 +36,8 @@ def search(
     Parameters
     ----------
     run
-        Function that runs experiments, given their overrides and the first one's number. Returns their
-        accuracies in percent, or NaN for an experiment without one.
+        Function that takes experiments' overrides and the first experiment's number, and runs them. It
+        returns their accuracies in percent, or NaN for an experiment that has none.
     n_trials
         Number of trials, including starts and repeated settings.
     batch_size
@@ -81,5 +81,5 @@ def search(
 
 
 def best(tried: Sequence[Tried]) -> Tried:
-    """Return the settings with the highest accuracy; the first wins a tie, so starts come before others."""
+    """Return the settings with the highest accuracy. The earliest win a tie, so starts take precedence."""
     return max(tried, key=lambda one: -math.inf if one.accuracy is None else one.accuracy)

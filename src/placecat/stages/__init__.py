@@ -38,7 +38,10 @@ _use_common_kernels()
 
 
 def _end(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
-    """Print an error in a stage's imports: a traceback, or a message for a user's mistake; ignore Ctrl-C."""
+    """Report an error in a stage's imports.
+
+    A user's mistake gets a message, and any other error a traceback. Ctrl-C is not reported.
+    """
     if issubclass(kind, PlacecatError):
         print(f"placecat: {error}", file=sys.stderr)
     elif not issubclass(kind, KeyboardInterrupt):

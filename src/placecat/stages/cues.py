@@ -40,7 +40,7 @@ def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, An
 
 
 def tasks(name: str, params: Mapping[str, Any]) -> dict[tuple[str, str, str], tuple[Any, ...]]:
-    """Map each scheme, test home and seed name of a cue to the arguments of :func:`apply`."""
+    """Map every (scheme, test home, seed name) of a cue to the arguments of :func:`apply`."""
     own, cue = settings.get(params, f"cues.{name}"), Cue.of(params, name)
     tested = settings.get(params, "protocol.test_homes")
     seeds = settings.get(params, "protocol.seeds") if cue.codebook is not None else [None]

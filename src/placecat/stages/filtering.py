@@ -49,7 +49,7 @@ def main() -> None:
 
 
 def _threshold(options: Mapping[str, Any], training: Sequence[str]) -> float:
-    """Return a filter's threshold; a share is converted using the training homes' labelled frames."""
+    """Return a filter's threshold, or compute it from the filter's share and the labelled training frames."""
     if options.get("threshold") is not None:
         return float(options["threshold"])
     seen = [_information(home)[listing.read_labels(home) >= 0] for home in training]

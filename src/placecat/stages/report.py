@@ -85,7 +85,7 @@ def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
 
 
 def _if_kept(show: Callable[..., dict[str, Any] | None], *kept: Path) -> dict[str, Any] | None:
-    """Show results that are kept in git, from their files of facts and tables; None if a file is missing."""
+    """Show results that git keeps as files of facts and tables; return None if a file is missing."""
     facts, *tables = kept
     return show(files.read_json(facts), *tables) if all(path.is_file() for path in kept) else None
 

@@ -22,8 +22,9 @@ from placecat.training import protocol
 def main() -> None:
     """Write scores.csv and missing.csv for the main pipeline, the splits, the trials and the toy problem.
 
-    Also write stays.csv, the splits' scores per stay; dropped.csv, how many frames each information filter
-    drops; and probabilities.csv, the quality of the main pipeline's and the splits' probabilities.
+    Also write three other files. stays.csv has the splits' scores per stay, dropped.csv has the number of
+    frames that each information filter drops, and probabilities.csv has the quality of the probabilities of
+    the main pipeline and the splits.
     """
     params = settings.load()
     rows, by_stay, untested, qualities = ([] for _ in range(4))
@@ -51,7 +52,7 @@ def main() -> None:
 
 
 def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quality]:
-    """Count one result's decisions in its test homes, and measure its distributions (`home_quality`)."""
+    """Count one result's decisions in its test homes, and measure the quality of its distributions."""
     labels = {home: listing.read_labels(source.listed(home)) for home in source.homes}
     parts = {home: listing.sequence_slices(source.listed(home)) for home in source.homes}
     confusion, quality = [], []

@@ -14,7 +14,7 @@ from placecat.thesis.tables import dataset_of, tables_of
 
 
 def main() -> None:
-    """Write tables as CSV, Markdown and LaTeX, and reports/*.csv, metrics.json, summary.json and plots/."""
+    """Write the tables (CSV, Markdown and LaTeX), reports/*.csv, metrics.json, summary.json and plots/."""
     params = settings.load()
     results = read_results(params)
     filled = {}

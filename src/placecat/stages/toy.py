@@ -17,10 +17,11 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Train the schemes on each seed's points and test them on new ones, also with other radii and decisions.
+    """Train the schemes on each seed's points, and test them on new points.
 
-    The results are ``toy/parallel`` and ``toy/sequential``; ``toy/last/...``, which counts only points of the
-    sequential scheme's last class; and ``toy/RADIUS/parallel`` and ``toy/RADIUS/sequential/DECISION``.
+    The results are named ``toy/parallel`` and ``toy/sequential``. Those in ``toy/last/...`` count only points
+    of the class that the sequential scheme decides last. Other radii and other decision rules of the
+    sequential scheme give ``toy/RADIUS/parallel`` and ``toy/RADIUS/sequential/DECISION``.
     """
     toy = settings.get(settings.load(), "toy")
     numbers = toy["training"], toy["testing"]
@@ -43,7 +44,7 @@ def main() -> None:
 
 
 def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -> dict[str, Any]:
-    """Name schemes after the radius: the parallel one, and the sequential one with each decision."""
+    """Return the parallel scheme and the sequential one with each decision rule, named after the radius."""
     found = {f"{radius:g}/parallel": schemes["parallel"]}
     for decision in decisions:
         found[name := f"{radius:g}/sequential/{decision}"] = copy.deepcopy(schemes["sequential"])

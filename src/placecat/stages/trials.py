@@ -95,7 +95,7 @@ class Outcomes:
         self._waiting = zip(groups, results, strict=True)
 
     def of(self, trial: Trial) -> dict[_Cell, Outcome]:
-        """Return a trial's outcomes for each of its homes and each seed; untested homes are left out."""
+        """Return a trial's outcomes, one per home and seed. Homes that are not tested are left out."""
         cells = [cell for cell in self._cells(trial) if cell[1] in self._plans]
         while not self._computed.keys() >= set(cells):
             group, results = next(self._waiting)
@@ -122,7 +122,11 @@ class Outcomes:
 
 
 def _shared(trial: Mapping[str, Any]) -> str:
-    """Name a trial's group by descriptor, and by codebook or classifier without scheme and base settings."""
+    """Return a key that is the same for all trials that share computations.
+
+    The key consists of the descriptor and the codebook. If there is no codebook, the classifier replaces it,
+    without its scheme, and with only the name of its base classifier.
+    """
     codebook, classifier = trial.get("codebook"), trial["classifier"]
     if codebook is None:
         codebook = {name: value for name, value in classifier.items() if name != "scheme"}

@@ -1,4 +1,4 @@
-"""The pieces, one module each; a module's generator ``entries()`` yields the entries to measure."""
+"""The pieces, one per module. The generator ``entries()`` of a module yields the entries to measure."""
 
 from collections.abc import Callable, Iterator
 

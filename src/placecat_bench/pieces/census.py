@@ -1,9 +1,10 @@
 """Census histograms against scikit-image's and mahotas's local binary patterns, in the cells of a grid.
 
 `local_binary_pattern` with 8 points at radius 1 sets a bit if a neighbour is at least the centre; the census
-transform sets it if the centre is at least the neighbour. They therefore agree on the inverted image. The
-former interpolates the diagonal neighbours at distance 1, between pixels, so only the codes of the four
-straight neighbours are compared. It also computes codes of border pixels, which are cut off.
+transform sets it if the centre is at least the neighbour. Hence they agree if one of them gets the inverted
+image. `local_binary_pattern` interpolates the diagonal neighbours between pixels, at distance 1, so only the
+codes of the four straight neighbours are compared. It also computes codes for border pixels; these are cut
+off.
 """
 
 from collections.abc import Iterator, Sequence
@@ -29,8 +30,8 @@ THEIR_STRAIGHT = (1, 4, 16, 64)
 def entries(*, images: Sequence[Image] | None = None, cells: int = 4) -> Iterator[Comparison | Limit]:
     """Yield comparisons of the times, and of the histograms, with `cells` cells along each axis.
 
-    `images` are (h, w) uint8 of one size; the default is a frame of each rendered home, reduced to 320x180. A
-    repeat is a pair of calls with all images.
+    `images` are (h, w) uint8 and have the same size; by default, they are a frame of each rendered home,
+    reduced to 320x180. A repeat is a pair of calls, each with all images.
     """
     given = reduced_frames() if images is None else images
     text = f"{size(given[0])}, {cells}x{cells} cells"
@@ -79,7 +80,7 @@ def ours(image: Image, cells: int) -> NDArray[np.float32]:
 
 
 def theirs(image: Image, cells: int) -> NDArray[np.float64]:
-    """Compute the histograms of scikit-image's codes in the same cells, (cells**2, 256)."""
+    """Compute the cells' histograms of scikit-image's codes, (cells**2, 256)."""
     from skimage.feature import local_binary_pattern
 
     codes = local_binary_pattern(image, P=8, R=1)[1:-1, 1:-1]
@@ -88,7 +89,7 @@ def theirs(image: Image, cells: int) -> NDArray[np.float64]:
 
 
 def by_mahotas(image: Image, cells: int) -> NDArray[np.float64]:
-    """Compute mahotas's histograms in the same cells, (cells**2, 36); it counts rotated patterns as one."""
+    """Compute the cells' histograms with mahotas, which counts rotated patterns as one, (cells**2, 36)."""
     from mahotas.features import lbp
 
     return np.array([lbp(block, radius=1, points=8) for block in _blocks(image, cells)])
@@ -110,7 +111,7 @@ def largest_difference(image: Image, cells: int) -> float:
 
 
 def of_straight(histograms: NDArray[np.floating], bits: tuple[int, ...]) -> NDArray[np.float64]:
-    """Add up the bins that agree in these four bits; turns (n, 256) into (n, 16)."""
+    """Add up the bins whose codes agree in these four bits: (n, 256) becomes (n, 16)."""
     codes = np.arange(CODES)
     straight = sum(((codes & bit) > 0).astype(np.intp) << place for place, bit in enumerate(bits))
     return np.stack([np.bincount(straight, row, 16) for row in histograms])

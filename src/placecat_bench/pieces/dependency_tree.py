@@ -2,9 +2,9 @@
 
 pgmpy needs two steps. ``TreeSearch`` computes the mutual information of all pairs (with scikit-learn's
 ``mutual_info_score``) and the maximum spanning tree from the same root (with NetworkX). Then
-``DiscreteBayesianEstimator`` estimates the probabilities with the prior K2, which adds 1 to every count as
-ours does. Both steps run in one process. Our code also checks the codes and splits them by class; pgmpy
-receives a finished table. Equal log-likelihoods of all samples show that both learn the same model.
+``DiscreteBayesianEstimator`` estimates the probabilities with the prior K2, which adds 1 to every count, as
+our code does. Both steps run in one process. Our code also checks the codes and splits them by class, while
+pgmpy receives a finished table. The log-likelihoods of all samples are equal, so both learn the same model.
 
 deeprob-kit learns only trees of binary variables, in float32, and computes all tables with one matrix
 product. pyAgrum's Chow-Liu classifier uses the first variable, the root of the same tree, as the class; it
@@ -33,7 +33,7 @@ PYAGRUM = Peer("pyAgrum: BNClassifier, Chow-Liu", "pyagrum")
 def entries(
     *, samples: int = 8000, grid: int = 16, clusters: int = 196, few: int = 124, many: int = 496
 ) -> Iterator[Entry]:
-    """Yield the tree of codewords in a grid of cells, and the trees of few and of many activations.
+    """Yield comparisons for the tree of codewords in a grid of cells, and for trees of activations.
 
     `samples` is the number of the class's samples, `clusters` the number of codewords. An activation has two
     values; pgmpy would take too long for many activations.
@@ -111,7 +111,7 @@ def _comparison(
 
 
 def chained_codes(samples: int, variables: int, n_values: int) -> NDArray[np.int32]:
-    """Draw codes, (samples, variables) int32 in [0, n_values), from a tree.
+    """Draw codes whose dependencies form a tree: (samples, variables) int32 in [0, n_values).
 
     About half of each variable's samples repeat the value of one earlier variable.
     """
@@ -144,7 +144,7 @@ def theirs(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def largest_difference(codes: NDArray[np.int32], n_values: int) -> float:
-    """Learn with our code and pgmpy; return the largest difference of the samples' log-likelihoods."""
+    """Return the largest difference between our log-likelihoods of the samples and pgmpy's."""
     found = ours(codes, n_values).predict_joint_log_likelihood(codes)[:, 0]
     expected = np.zeros(len(codes))
     for cpd in theirs(pd.DataFrame(codes), n_values).get_cpds():
@@ -155,7 +155,7 @@ def largest_difference(codes: NDArray[np.int32], n_values: int) -> float:
 
 
 def by_deeprob(table: pd.DataFrame, n_values: int = 2) -> Any:
-    """Learn a binary tree with deeprob-kit, as a ``BinaryCLT``; like ours, it adds 1 to every cell."""
+    """Learn a binary tree with deeprob-kit's ``BinaryCLT``, which adds 1 to every cell, as our code does."""
     from deeprob.spn.structure.cltree import BinaryCLT
 
     variables = table.shape[1]

@@ -1,8 +1,8 @@
 """All features of a frame against the decoding of its JPEG.
 
 The first measurement covers the features of the thesis's cues: 25 salient regions with five descriptors,
-Gist, Centrist and the information measure. The second covers all features of the stage `features`, which adds
-those of the trials: more regions (Table 22) and variants of descriptors.
+Gist, Centrist and the information measure. The second covers all features that the stage `features` computes.
+These also include the features for the trials: more regions (Table 22) and variants of descriptors.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -72,7 +72,7 @@ def for_cues(every: Options) -> dict[str, Any]:
 
 
 def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part of describing all frames: maps, regions and each descriptor.
+    """Make a function for each part of the work on all frames: maps, regions and each descriptor.
 
     `frames` are (H, W, 3) uint8 BGR. Shared work counts towards every descriptor that needs it.
     """

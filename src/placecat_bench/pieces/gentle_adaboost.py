@@ -1,9 +1,10 @@
 """Gentle AdaBoost against three peers: one place against the rest, 50 stumps.
 
-OpenCV boosts and trims light samples in the same way. It may split a feature between any two
-values, our code only at 255 quantiles. If a feature has more values, the stumps differ but are as good, so
-the shares of correctly decided training frames are compared too. LightGBM and XGBoost boost another loss,
-with as many trees of depth 1 and as many bins, using all samples in every round and full steps.
+OpenCV boosts in the same way, and also leaves out samples with small weights. It may split a feature between
+any two values, our code only at 255 quantiles. If a feature has more values, the stumps differ but are
+equally good, so the shares of correctly decided training frames are compared, too. LightGBM and XGBoost boost
+another loss, with the same number of trees (of depth 1) and of bins; they use all samples in every round, and
+full steps.
 """
 
 from collections.abc import Callable, Iterator

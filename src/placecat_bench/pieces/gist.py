@@ -1,8 +1,8 @@
 """Gist against torchgist: a frame's descriptor, including the maps that our code reads.
 
 Our code averages the maps of visual attention in the cells of a grid (thesis section 3.2); torchgist filters
-a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The numbers differ, but their
-purpose is the same.
+a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The descriptors differ but
+serve the same purpose.
 """
 
 from collections.abc import Iterator, Sequence

@@ -2,8 +2,9 @@
 
 FLANN and our code split into 16 clusters from k-means++ seeds, with at most 11 Lloyd iterations, and cut the
 tree where the variance falls most. FLANN grows the tree down to cells of fewer than 16 points before it cuts.
-Our code grows it only as far as the cut needs, with the same result. The seeds are drawn differently, so the
-inertia, the sum of all points' squared distances to their nearest centres, is compared too.
+Our code grows it only as far as the cut needs, which gives the same result. Since the seeds are drawn in
+different ways, the inertia is compared, too: the sum of all points' squared distances to their nearest
+centres.
 
 Two more peers find as many centres without such a tree: superkmeans's hierarchical mode with its default
 iterations (3 coarse, 5 fine), and faiss's flat k-means with our iterations on all points. Their times are

@@ -1,7 +1,7 @@
 """HOG of salient regions against OpenCV's HOG, called region by region.
 
-Our code and OpenCV receive the frames' maps and regions. For OpenCV, our function cuts the
-patches, which are then resized and described one at a time. The descriptors are identical.
+Our code and OpenCV receive the frames' maps and regions. For OpenCV, our function cuts out the patches, which
+are then resized and described one at a time. The descriptors are identical.
 """
 
 from collections.abc import Iterator, Sequence

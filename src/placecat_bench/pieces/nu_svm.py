@@ -1,18 +1,19 @@
 """nu-SVM against three variants of scikit-learn's: each of five classes against the rest, with probabilities.
 
-For each class, our code and scikit-learn fit one nu-SVM on all frames, and one per fold on the frames outside
-the fold; a sigmoid is fitted to the decisions for the frames left out. ``CalibratedClassifierCV`` does so
-with ``ensemble=False`` and our folds, random parts of the frames. (By default, it would skip the first
-nu-SVM and average the predictions over folds: fewer fits, but five times the work to predict, and different
-probabilities.)
+For each class, our code and scikit-learn fit one nu-SVM on all frames, and for each fold another on the
+frames outside the fold. A sigmoid is then fitted to the decisions for the frames that were left out.
+``CalibratedClassifierCV`` does this if ``ensemble`` is False and it is given our folds, which are random
+parts of the frames. (By default, it would skip the first nu-SVM and average the predictions over folds. This
+takes fewer fits, but predicting takes five times the work, and the probabilities are different.)
+
 ``OneVsRestClassifier`` divides a frame's probabilities by their sum, like our combination ``certainty``; the
 thesis's combination, ``parallel``, needs one more small matrix product. gamma, nu, the tolerance, the scaling
 and libsvm's cache, which holds the full kernel matrix, are the same. scikit-learn receives float64, since it
 would otherwise convert the data for every fit.
 
-The ratios depend on the number of support vectors and on how many of them several classes share: a shared one
-needs one kernel value in our code, and one per class in scikit-learn. The frames are as hard as Gist's
-(:mod:`placecat_bench.gist_like`).
+The ratios depend on the number of support vectors and on how many of them are shared by several classes: a
+shared one needs one kernel value in our code, but one per class in scikit-learn. The frames are as hard as
+Gist's (:mod:`placecat_bench.gist_like`).
 
 The same scheme is also measured with a Gram matrix that is computed once (``kernel="precomputed"``), and with
 the ``NuSVC`` of scikit-learn-intelex, which receives float32.

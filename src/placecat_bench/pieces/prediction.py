@@ -1,6 +1,6 @@
-"""Prediction with the model of the stage `model`: frames that arrive one by one, named on one core.
+"""Prediction with the model of the stage `model`: frames arrive one by one and are named on one core.
 
-A decision covers the frame's features, its tracked regions, all cues, their integration and the smoothing.
+A decision includes the frame's features, its tracked regions, all cues, their integration and the smoothing.
 """
 
 import subprocess

@@ -1,11 +1,11 @@
 """Relevance vector machine against fastrvm and sklearn-rvm: one place against the rest.
 
 fastrvm and our code maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and
-Faul 2003), with the same kernel and a bias, and compute the Gram matrix. fastrvm updates its statistics after
-every change, our code after many changes. fastrvm needs thousands of changes, more than 3000 for two of the
-five places; the place that needs the fewest is used. The evidences cannot be compared, since fastrvm has no
-prior for the bias, but the shares of correctly decided training frames can. Only our code is timed on 8000
-frames.
+Faul 2003). Both use the same kernel and a bias, and both compute the Gram matrix. fastrvm updates its
+statistics after every change, our code only after many changes. fastrvm needs thousands of changes, for two
+of the five places more than 3000, so the place that needs the fewest is used. The evidences cannot be
+compared, since fastrvm has no prior for the bias; the shares of correctly decided training frames are
+compared instead. Only our code is timed on 8000 frames.
 
 sklearn-rvm starts with all basis functions and prunes them (Tipping 2001). Its time grows with the third
 power of the number of frames, so it receives fewer frames.
@@ -36,9 +36,10 @@ PLACE = 1
 def entries(
     *, fewest: int = 400, few: int = 1600, many: int = 8000, features: int = 1024
 ) -> Iterator[Comparison | Limit]:
-    """Yield comparisons of times and accuracies on few frames, and our slowest class's time on many frames.
+    """Yield comparisons of times and accuracies on few frames, and the time of our slowest class on many.
 
-    sklearn-rvm receives the `fewest` frames, fastrvm a `few`. `features` is a descriptor's length.
+    `fewest` is the number of frames for sklearn-rvm, `few` that for fastrvm, and `many` that for our code
+    alone. `features` is a descriptor's length.
     """
     for peer, call, number, faster in ((PRUNING, by_pruning, fewest, 10), (PEER, theirs, few, 1)):
         yield from _beside(peer, call, *scaled_frames(number, features), faster)

@@ -1,7 +1,7 @@
 """A frame's saliency map against the decoding of its JPEG, and against OpenCV's two saliency maps.
 
-OpenCV's maps are in its contributed modules, another build of the same package, so a separate process
-computes them. Both of its maps use one channel, intensity; the spectral residual has 64x64 pixels. Our
+OpenCV's maps are in its contributed modules. These come in another build of the same package, so a separate
+process computes the maps. Both maps use only the intensity, and the spectral residual has 64x64 pixels. Our
 map fuses intensity, two opponent colours and four orientations at several scales, and a residual.
 """
 
@@ -24,7 +24,7 @@ CONTRIBUTED = {
     "StaticSaliencySpectralResidual": Peer("OpenCV contributed: spectral residual", PACKAGE, FOLDER),
 }
 VOCUS2 = Absent(PIECE, "", "VOCUS2", "no package: C++ sources, whose build was not tried")
-# The maps that are needed for saliency; only descriptors use the colours themselves.
+# The maps that saliency needs. The colours themselves are used only by descriptors.
 READ = tuple(name for name in FIELDS if name != "color")
 
 

@@ -1,11 +1,11 @@
 """SIFT of salient regions against OpenCV's SIFT on full levels, and kornia's on patches.
 
 A frame's regions lie on several levels of its pyramid. OpenCV receives each level as an 8-bit image, with a
-keypoint for each region, whose cells have the same size as ours. It needs one call of `SIFT.compute` per
-level, which blurs the full level several times before it describes a point. Preparing images and keypoints is
-not timed.
+keypoint for each region; the keypoints' cells have the same size as ours. It needs one call of `SIFT.compute`
+per level, and each call blurs the full level several times before it describes a point. The time to prepare
+images and keypoints does not count.
 
-kornia describes patches; it receives patches cut by our code, with the regions' size.
+kornia describes patches, so it receives patches of the regions' size that our code has cut out.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -75,7 +75,7 @@ def by_kornia(patches: Sequence[NDArray[np.floating]]) -> list[NDArray[np.float3
 
 
 def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:
-    """Make the regions' levels in 8 bits, and upright keypoints whose 4x4 cells cover the regions."""
+    """Make the regions' levels as 8-bit images, and upright keypoints whose 4x4 cells cover the regions."""
     # OpenCV's cells are 1.5 times as large as the keypoint.
     across = region_side(maps.width) / 6
     found = []

@@ -39,8 +39,8 @@ def run(
 
     The files are written after each size, so that a stopped run leaves results. `sizes` and `stages` override
     conf/scale.yaml. Each size has its own folder in `folder`, which is removed afterwards unless `keep` is
-    set. `add` keeps the other sizes in `output`/scale.csv, which should come from the same machine and code.
-    Raises PlacecatError for invalid settings, missing features, or a stage that fails.
+    set. `add` keeps the rows of other sizes in `output`/scale.csv; they should come from the same machine and
+    code. Raises PlacecatError for invalid settings, missing features, or a stage that fails.
     """
     options = read_settings()
     homes = read_homes(options["homes"])

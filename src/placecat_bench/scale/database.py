@@ -15,7 +15,7 @@ TRANSITION = "transition"
 
 @dataclass(frozen=True)
 class Stretch:
-    """One or more consecutive frames with one label, on a floor (from 1) that is filmed without a cut."""
+    """One or more consecutive frames with one label, on one floor (numbered from 1, filmed without a cut)."""
 
     floor: int
     label: str
@@ -24,7 +24,7 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Home:
-    """Counts in a home's label file: floors, and each label's frames and stretches; all are at least 1."""
+    """Counts from a home's label file: floors, and each label's frames and stretches. All are at least 1."""
 
     name: str
     floors: int
@@ -36,7 +36,7 @@ class Home:
         return sum(frames for frames, _ in self.labels.values())
 
     def scaled(self, size: float) -> "Home":
-        """Return the home with `size` times each label's frames, at least 1.
+        """Return the home with `size` times as many frames for each label, but at least 1.
 
         The number of stretches stays the same, unless a label then has fewer frames.
         """

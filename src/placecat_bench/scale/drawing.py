@@ -28,9 +28,9 @@ def draw_frames(
 
     A stretch starts at a random source frame with its label and runs through the following ones, wrapping
     around at the end. Frames are repeated, as in a video with a higher frame rate. If no source frame has the
-    label, frames of the class are used; if there are none, any frames. `labels` and `classes` are each source
-    frame's label and class index, (sources,), -1 for no class. `own` has each stretch's class index. The
-    home's name is the seed.
+    label, frames of the class are used; if there are none of these either, any frames are used. `labels` and
+    `classes` give each source frame's label and class index (-1 if it has no class), both (sources,). `own`
+    has each stretch's class index. The home's name is the seed.
     """
     rng = np.random.default_rng(seeds.derive("scale", "frames", home))
     names = np.asarray(labels, dtype=str)
@@ -52,9 +52,9 @@ def draw_regions(
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Choose source regions for every frame: first those of its source frame, then others of its class.
 
-    `chosen`, (frames,), comes from :func:`draw_frames`. `counts` and `classes` are each source frame's number
-    of regions and class index, both (sources,). Returns each region's source frame and its index in that
-    frame, both (frames, wanted).
+    `chosen`, (frames,), comes from :func:`draw_frames`. `counts` and `classes` give each source frame's
+    number of regions and class index, both (sources,). Returns each region's source frame and its index in
+    that frame, both (frames, wanted).
     """
     rng = np.random.default_rng(seeds.derive("scale", "regions", home))
     frame = np.repeat(chosen[:, None], wanted, axis=1)

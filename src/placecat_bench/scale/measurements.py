@@ -1,4 +1,4 @@
-"""Run stages in a folder, measure their time and memory, and fit the growth by power laws."""
+"""Run stages in a folder, measure their time and memory, and fit power laws to their growth."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -14,7 +14,7 @@ GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds",
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
-    """Run stages in a folder; return a row of `COLUMNS` for each; raises PlacecatError if one fails."""
+    """Run stages in a folder, and return a row of `COLUMNS` for each; raise PlacecatError if one fails."""
     rows = []
     for stage, command in steps.items():
         watched = watch(command, folder, folder / "logs" / f"{stage}.log")
@@ -28,9 +28,9 @@ def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frame
 def growths(measured: pd.DataFrame) -> pd.DataFrame:
     """Fit how the time of each stage, and of all stages together, grows with the number of frames.
 
-    `measured` has the columns `COLUMNS` and at least two numbers of frames. Returns `GROWTH_COLUMNS`: the
-    exponents are for CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are for the largest number of
-    frames.
+    `measured` has the columns `COLUMNS` and at least two numbers of frames. Returns the columns
+    `GROWTH_COLUMNS`. The exponents are for CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are for the
+    largest number of frames.
     """
     parts = [*measured.groupby("stage", sort=False), ("all", measured)]
     return pd.DataFrame([(stage, "", *_growth(part)) for stage, part in parts], columns=GROWTH_COLUMNS)
@@ -55,9 +55,9 @@ def fit(frames: Sequence[float], values: Sequence[float]) -> tuple[float, float,
     """Fit values = factor * frames ** exponent by least squares on logarithms.
 
     `frames` and `values` are positive, (n,), n >= 2, with at least two different numbers of frames. Returns
-    the exponent, which is 1 if the values are proportional to the number of frames; the share of the
-    logarithms' variance that the fit explains, at most 1; and the exponent between the two largest sizes,
-    where constant costs, such as imports, matter little.
+    three numbers. The first is the exponent, which is 1 if the values are proportional to the number of
+    frames. The second is the share of the logarithms' variance that the fit explains, at most 1. The third
+    is the exponent between the two largest sizes, where constant costs, such as imports, matter little.
 
     >>> fit([100, 200, 400], [3.0, 12.0, 48.0])[0]
     2.0

@@ -32,7 +32,7 @@ LINKED = (
 def build(
     folder: Path, homes: Sequence[Home], *, test_homes: Sequence[str], regions: int, jitter: float
 ) -> dict[str, Any]:
-    """Replace a folder by a project with these homes; return the project's settings.
+    """Replace a folder with a project that has these homes; return the project's settings.
 
     `test_homes` are names of homes, `regions` is the number of regions in every frame, and `jitter` is as for
     :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this project has not run, or
@@ -62,7 +62,7 @@ def build(
 
 
 def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:
-    """Write and return this project's settings with other homes, whose results are not comparable."""
+    """Write this project's settings with other homes, whose results are not comparable; return them."""
     overrides = [
         f"dataset.homes=[{','.join(home.name for home in homes)}]",
         "dataset.name=scale",

@@ -18,10 +18,10 @@ INTERVAL = 0.25
 
 @dataclass(frozen=True)
 class Watched:
-    """A command's wall seconds, and the CPU seconds and peak memory (GiB) of all its processes together.
+    """A command's wall time in seconds, and the CPU seconds and peak memory (GiB) of all its processes.
 
-    CPU seconds depend less on the machine's load. Memory that processes share counts only once on Linux,
-    which reports the proportional set size.
+    CPU seconds depend less on the machine's load. On Linux, which reports the proportional set size, memory
+    that processes share counts only once.
     """
 
     seconds: float
