@@ -92,7 +92,9 @@ ui: $(READY) ## open MLflow with the runs that `make repro` logged
 	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true \
 		$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db --workers 1
 
-COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade
+# `fewest`: one version of a package for all versions of Python, so that they compute the same bits.
+COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
+	--no-header --upgrade
 TESTED := --extra build --extra cluster --extra dask --extra docs --extra render --extra rerun --extra robot \
 	--extra search --extra test
 lock: ## write the lock files, after a change to the dependencies in pyproject.toml; needs uv

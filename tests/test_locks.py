@@ -45,6 +45,13 @@ def test_peers_bring_no_deep_learning_framework():
 
 
 @pytest.mark.parametrize("lock", LOCKS)
+def test_every_python_has_the_same_version_of_a_package(lock):
+    """Otherwise results could differ between versions of Python, and only one of them is tested."""
+    packages = [line.partition("==")[0] for line in pinned(lock)]
+    assert len(packages) == len(set(packages))
+
+
+@pytest.mark.parametrize("lock", LOCKS)
 def test_everything_is_pinned_by_hash_and_no_address_is_given(lock):
     assert all("==" in name and hashes for name, hashes in pinned(lock).items())
     text = (ROOT / lock).read_text()
