@@ -6,6 +6,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat.errors import PlacecatError
+
 MIN_SIDE = 4
 BORDERS = ("replicate", "reflect")
 
@@ -46,8 +48,10 @@ def cut(
 
     Returns
     -------
-    (n, ..., side, side) float32.
+    (n, ..., side, side) float32. Raises PlacecatError if the border is unknown.
     """
+    if border not in BORDERS:
+        raise PlacecatError(f"border={border} of the region patches is unknown: use {' or '.join(BORDERS)}")
     regions = np.asarray(regions, np.float32)
     channels = next(iter(levels.values())).shape[:-2]
     patches = np.empty((len(regions), *channels, side, side), np.float32)
