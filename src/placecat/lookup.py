@@ -52,7 +52,7 @@ def require(package: str, name: object, what: str, *defining: str) -> str:
 
 
 def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
-    """Import a module, with the parameters of `require`.
+    """Import a module. The parameters are those of `require`.
 
     Raises PlacecatError if `require` does, or if the import fails.
     """

@@ -82,9 +82,9 @@ class Categorizer:
     card
         Facts about the system: its data, accuracy, settings and versions.
     threshold
-        Decisions below this confidence are unknown. It is chosen so that, in the training homes, at most a
-        share ``model.risk`` of all other decisions is wrong. It is 0 if it was not measured, and infinite if
-        no confidence is high enough.
+        Decisions below this confidence are unknown. It is chosen so that, in the training homes, the
+        share of wrong decisions among all others is at most ``model.risk``. It is 0 if it was not measured,
+        and infinite if no confidence is high enough.
 
     Examples
     --------

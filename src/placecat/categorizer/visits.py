@@ -11,7 +11,7 @@ class Visit:
     """A stay in a place, or in `UNKNOWN`.
 
     `start` is the time of its first frame, and `end` is the time of the first frame after it, both in
-    seconds. `confidence` is the mean confidence of its frames, of which there is at least one.
+    seconds. A stay has at least one frame, and `confidence` is the mean over its frames.
     """
 
     place: str

@@ -78,7 +78,7 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
 
 def pooled(diagrams: Sequence[Reliability]) -> Reliability:
-    """Merge diagrams that have the same bins, such as one per home. All diagrams have equal weight."""
+    """Merge diagrams with the same bins, for example one for each home. All have equal weight."""
     weights = np.array([one.weight for one in diagrams])
     confidence, accuracy = (
         _ratio(np.nansum(weights * values, axis=0), weights.sum(axis=0))

@@ -24,8 +24,8 @@ class HomeQuality(NamedTuple):
     percent (:func:`placecat.evaluation.probabilities.calibration_error`). `stays` is the number of stays, and
     `stays_right` is the number of stays that are named correctly
     (:func:`placecat.evaluation.stays.stays_by_class`). `stay_accuracy` is in percent
-    (:func:`placecat.evaluation.stays.stay_accuracy`). In the measures that are not counts, all places have
-    equal weight. These measures are NaN if no frame is labelled.
+    (:func:`placecat.evaluation.stays.stay_accuracy`). All places have equal weight in every measure
+    except the counts. Without labelled frames, these measures are NaN.
     """
 
     log_loss: float

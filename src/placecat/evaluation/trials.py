@@ -37,7 +37,7 @@ def trial_name(table: str, group: str, row: str, column: str) -> str:
 
 
 def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]]:
-    """Return the number and name of each home that a table tests and the data set contains.
+    """Return the number and name of each home in the data set that a table uses for testing.
 
     Numbers count from 1. The table's ``homes`` are either such numbers or ``all``. `homes` are the names of
     the homes in the data set.

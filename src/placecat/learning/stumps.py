@@ -98,9 +98,9 @@ def best_stumps(
 ) -> list[Stump | None]:
     """Find the stump with the smallest weighted squared error for each of G weightings of the samples.
 
-    `weight` and `signed` are C-contiguous (n, G) arrays. `weight` holds weights of at least 0, and `signed`
-    holds these weights multiplied by the labels -1 or 1. Returns the best stump for each weighting, which is
-    the first in a tie, or None if no feature can be cut.
+    `weight` and `signed` are C-contiguous (n, G) arrays. The values in `weight` are not negative.
+    `signed` is `weight` times the labels, which are -1 or 1. Returns the best stump for each weighting, which
+    is the first in a tie, or None if no feature can be cut.
     """
     machines = range(weight.shape[1])
     highest = np.full(len(machines), -np.inf)

@@ -186,7 +186,7 @@ def _write_row(folder: Path, name: str, decisions: Mapping[str, Measured]) -> li
 def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
     """Write all counts to one file, with the label columns first.
 
-    Returns a list of the file's path, or an empty list if there are no counts.
+    Returns a list that holds the path of the file, or an empty list if there are no counts.
     """
     if not parts:
         return []

@@ -60,8 +60,8 @@ def run(
 
     The system must not have seen any frames yet. `fit` fits frames to a size that the system accepts, and
     `shown` is called after each frame. If `film_path` is given, an annotated video is written there; it plays
-    `pace` times as fast as the footage. The video shows the labels `truth`, which are (frames of the
-    footage,) int16 class indices, or -1 for unlabelled frames.
+    `pace` times as fast as the footage. The video also shows the labels in
+    `truth`: one int16 class index for each frame of the footage, or -1 if the frame is unlabelled.
 
     Returns the prediction (which has at least one frame), the speed, and whether Ctrl-C ended the footage.
     Ctrl-C ends the footage of a camera as soon as one frame has been categorized. In all other cases, Ctrl-C

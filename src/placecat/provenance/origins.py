@@ -1,4 +1,4 @@
-"""The origins of every table cell, which the stage `tables` writes for the explanations."""
+"""The origins of each table cell. The stage `tables` writes them, and the explanations read them."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass

@@ -30,7 +30,9 @@ THESIS = (
 
 
 def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Section], Section]:
-    """Assign existing tables and figures, which are given by their numbers, to the sections.
+    """Assign tables and figures to the sections.
+
+    `tables` and `figures` are the numbers of those that exist.
 
     Returns the non-empty sections of `THESIS`, and an untitled section with all numbers that are left.
     """

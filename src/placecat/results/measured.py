@@ -38,7 +38,7 @@ class Measured:
     seeds
         Names of the seeds, e.g. ``("seed-0", "seed-1")``; ``("no-seed",)`` if nothing is random.
     confusion
-        (seeds, homes, classes, classes) counts; rows are true classes, columns decided ones.
+        (seeds, homes, classes, classes) counts. Rows are true classes, and columns are predicted classes.
     """
 
     homes: tuple[str, ...]

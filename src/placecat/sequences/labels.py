@@ -138,7 +138,8 @@ def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str]
     boundary between frames, so a few decimals are enough. Every frame must be in exactly one row.
 
     `timing` covers all frames. Messages call the frames `sequence`, which is ``the video`` or ``the folder``.
-    Returns the label of each frame, stripped of spaces, and the line of its row, (frames,) int32. Raises
+    Returns the label of each frame without surrounding spaces, and the line numbers of the frames' rows,
+    (frames,) int32. Raises
     PlacecatError, naming the line, if the header, a number or a label is wrong, or if a frame is in no row or
     in several.
     """

@@ -70,9 +70,9 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
         places that are also compared one by one, or is "all". ``label`` names each pair of trials by the
         labels of the axes, e.g. "{column} clusters". ``summary`` is one or more of "mean", "lowest" and
         "highest", computed over the differences in single places or, without ``places``, over all
-        differences. ``error_ratio`` has a ``quantity`` of its own, and the names of two further results as
-        ``variant`` and ``baseline``. ``plain`` applies to results on other data sets and says whether to use
-        the share of correct frames, regardless of their place.
+        differences. ``error_ratio`` has its own ``quantity``, and its ``variant`` and ``baseline`` name two
+        further results. ``plain`` applies to results on other data sets and says whether to use the share of
+        correct frames, regardless of their place.
     where
         Name of the entry, for error messages.
     """

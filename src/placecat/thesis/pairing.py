@@ -116,10 +116,10 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
 def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
     """Drop results that this data does not allow from each side that has several results.
 
-    ``best`` and ``last`` choose from the remaining results. For means, the sides keep the same positions,
-    those whose results this data allows on both sides, so that the results can still be paired. A side that
-    would lose all its results keeps them, or with ``last`` only the last one; the reasons are reported later.
-    Each remaining result keeps its published number.
+    ``best`` and ``last`` choose from the remaining results. For means, all sides keep only the positions
+    whose results this data allows on every side, so the results remain paired. If a side would lose all its
+    results, it keeps them (with ``last``, only the last one). The reasons are reported later. Each remaining
+    result keeps its published number.
     """
     impossible = {name for name, _ in results.missing} - set(results.measured)
     together = len({len(side.results) for side in sides}) == 1

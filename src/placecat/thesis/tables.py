@@ -158,7 +158,7 @@ def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
 
 
 def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:
-    """Return the reason why the layout lacks a published cell: the data lacks a home or a place."""
+    """Return why the layout does not show a published cell, for example because the data has fewer homes."""
     _, row, column = key
     homes = len(dataset["homes"])
     if any(name.startswith("Home ") and int(name.removeprefix("Home ")) > homes for name in (row, column)):
