@@ -89,7 +89,7 @@ def _check(folder: Path) -> None:
 
 
 def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:
-    """Write the test home's timeline, clip and frame table; return the accuracy of each cue and the system."""
+    """Write the test home's timeline, clip and frame table; return the accuracy of each cue and system."""
     dataset = params["dataset"]
     categorizer = Categorizer(system)
     source = Folder(training.FRAMES / home, dataset["fps"])
