@@ -38,8 +38,8 @@ def ledger(
         right, compare, published_left, published_right, published, measured_left, measured_right, measured,
         low, high, corrected_low, corrected_high, range, units, verdict, reason, left_results and
         right_results. `published` and `measured` are differences or ratios, according to `compare`. `low` and
-        `high` decide whether a comparison holds. The corrected interval allows for the number of comparisons in
-        the finding, and decides whether the finding fails. A comparison without measurements is undecided.
+        `high` decide whether a comparison holds. The corrected interval allows for the number of comparisons
+        in the finding, and decides whether the finding fails. A comparison without measurements is undecided.
         Numbers are in percent or points, with 2 decimals, and NaN if missing.
     judged
         The judgement behind each row of `comparisons`.
