@@ -229,8 +229,8 @@ class HierarchicalKMeans(BaseEstimator):
                     "raise max_clusters and fit again"
                 )
             raise NotComputable(
-                f"{n_clusters} clusters are not possible: the training data can be split into at most "
-                f"{self.max_clusters_} clusters, none of which has {self.branching} distinct points"
+                f"{n_clusters} clusters are impossible: the training data split into at most "
+                f"{self.max_clusters_}, and none of these has {self.branching} distinct points"
             )
         n_splits = (n_clusters - 1) // (self.branching - 1)
         in_cut = np.ones(1 + self.branching * n_splits, bool)
