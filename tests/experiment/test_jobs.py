@@ -4,6 +4,7 @@ import os
 import random
 import signal
 import time
+import traceback
 from types import SimpleNamespace
 
 import psutil
@@ -43,7 +44,14 @@ class Sweep:
         for first in range(WORKERS):
             process = os.fork()
             if not process:
-                self.work(lines[first::WORKERS])
+                # A fork must not go on with the tests, whatever happens.
+                try:
+                    self.work(lines[first::WORKERS])
+                    os._exit(0)
+                except BaseException:
+                    traceback.print_exc()
+                finally:
+                    os._exit(1)
             workers.append(process)
         broken = False
         while workers:
@@ -64,7 +72,6 @@ class Sweep:
                 overrides=SimpleNamespace(task=[]),
             )
             job.job(OmegaConf.create({"number": int(number.split("=")[1])}))
-        os._exit(0)
 
     def finished(self):
         return {
@@ -88,7 +95,8 @@ def ran(tmp_path, monkeypatch):
         if number == IS_KILLED:
             os.kill(os.getpid(), signal.SIGKILL)
         time.sleep(0.005)
-        return {"settings": {"number": number}, "accuracy": number / 7, "reason": None, "homes": {}}
+        measures = {"accuracy": number / 7, "log_loss": 1.5, "calibration_error": 20}
+        return {"settings": {"number": number}, **measures, "reason": None, "homes": {}}
 
     monkeypatch.setattr(running, "compute", compute)
     monkeypatch.setattr(combination, "resolve", lambda config, params: config["number"])
