@@ -14,6 +14,7 @@ from matplotlib.patches import Circle, Rectangle
 import made_run
 from made_run import BLANK, CLASSES, CLUSTERS, HOMES, LABELS
 from number_of_examples import examples
+from placecat.config.check import check
 from placecat.drawing import palette
 from placecat.drawing.style import house_style
 from placecat.errors import PlacecatError
@@ -22,6 +23,8 @@ from placecat.report import figures
 from placecat.report.figures import clusters, filtered
 from placecat.report.figures.panels import share_bar
 from placecat.report.run import Run
+from placecat.settings import read_yaml
+from project import ROOT
 
 MINE = ["02", "03", "04", "05", "06", "07", "09", "12", "13", "14", "18", "19"]
 
@@ -81,10 +84,11 @@ def test_text_is_seven_points_at_least_and_inside_the_figure(number, run):
 
 
 @pytest.mark.parametrize("number", ["07", "09", "18", "19"])
-def test_an_unknown_setting_is_refused(number, made):
-    made["figures"][f"figure_{number}"]["hose"] = 3
-    with pytest.raises(PlacecatError, match=rf"figures\.figure_{number} has no setting 'hose'"):
-        figures.draw(f"figure_{number}", Run(made))
+def test_an_unknown_setting_is_refused_when_a_stage_starts(number):
+    params = read_yaml(ROOT / "params.yaml")
+    params["figures"][f"figure_{number}"]["hose"] = 3
+    with pytest.raises(PlacecatError, match=rf"figures\.figure_{number}.*'hose'"):
+        check(params)
 
 
 def test_a_frame_without_a_label_can_be_the_example(made):
