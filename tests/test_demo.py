@@ -36,8 +36,7 @@ def film_home(root, name):
     pd.DataFrame(rows, columns=["start", "end", "label"]).to_csv(root / f"{name}.csv", index=False)
 
 
-@pytest.mark.slow
-def test_a_first_walk(tmp_path, monkeypatch, capsys):
+def test_a_first_walk(tmp_path, monkeypatch, capsys, two_workers):
     shutil.copytree(ROOT / "conf", tmp_path / "conf")
     few = [value for value in SMALL if value.startswith(("codebooks.", "cues."))]
     few.append(f"dataset.homes=[{','.join(HOMES)}]")
