@@ -31,7 +31,7 @@ Described = tuple[FrameMaps, NDArray[np.float32]]
 def prepared(frames: Sequence[Image] | None = None) -> tuple[list[Image], list[Image]]:
     """Return frames as JPEG files and decoded; by default, one frame from each rendered home.
 
-    Like the stage `features`, the process keeps freed memory from now on.
+    Like the `features` stage, the process keeps freed memory from now on.
     """
     keep_freed_memory()
     files = jpegs() if frames is None else [encoded(frame) for frame in frames]
@@ -71,13 +71,13 @@ def size(frame: NDArray[Any]) -> str:
 
 
 def options() -> dict[str, Any]:
-    """Return the settings of the stage `features`."""
+    """Return the settings of the `features` stage."""
     params = settings.load()
     return feature_options(params, settings.get(params, "descriptors"))
 
 
 def with_regions(frames: Sequence[Image], count: int = REGIONS) -> list[Described]:
-    """Compute the maps and salient regions of (H, W, 3) uint8 BGR frames, as the stage `features` does."""
+    """Compute the maps and salient regions of (H, W, 3) uint8 BGR frames, as the `features` stage does."""
     own = options()
     maps = [compute_maps(frame, **own["attention"]) for frame in frames]
     return [(one, find_regions(one, **(own["regions"] | {"max_regions": count}))) for one in maps]

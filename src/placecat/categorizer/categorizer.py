@@ -119,7 +119,7 @@ class Categorizer:
     def load(
         cls, path: str | Path, *, classes: Sequence[str] | None = None, resize: bool = False
     ) -> Categorizer:
-        """Read a trained system from a file that `placecat train` or the stage `model` wrote.
+        """Read a trained system from a file that `placecat train` or the `model` stage wrote.
 
         If `classes` is given, the system must have these classes in this order. Raises PlacecatError if it
         does not, or if the file is missing, damaged, or from another version.

@@ -13,7 +13,7 @@ _LARGE = 10**15
 
 
 def side(letter: str) -> AfterValidator:
-    """Require that a whole number, or the length of a list, equals the size of this letter."""
+    """Require a whole number, or the length of a list, to equal the size of this letter."""
 
     def check(value: Any, info: ValidationInfo) -> Any:
         _same(value if isinstance(value, int) else len(value), letter, info)

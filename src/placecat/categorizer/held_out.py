@@ -19,7 +19,7 @@ HeldOut = Mapping[str, NDArray[np.float64]]
 
 
 def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
-    """Read the output that the stage `smoothing` saved for a system in each test home."""
+    """Read the output that the `smoothing` stage saved for a system in each test home."""
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
     )

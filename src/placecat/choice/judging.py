@@ -111,7 +111,7 @@ def judge_smoothing(
     cues that have seen other frames of the same home.
 
     `smoothing` has the settings of :func:`placecat.fusion.smoothing.fit`. `source` is the fold's file from
-    the stage `cues`; a PlacecatError is raised if it lacks cross-validated distributions. `unseen` maps each
+    the `cues` stage; a PlacecatError is raised if it lacks cross-validated distributions. `unseen` maps each
     training home to (frames, n_classes) distributions for all its frames, which come from a cue that has seen
     neither this home nor the test home. Each training home is smoothed with statistics from the other
     training homes, and the test home with statistics from all training homes.

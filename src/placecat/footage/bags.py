@@ -40,7 +40,7 @@ def is_bag(path: Path) -> bool:
 class Picture:
     """A message with a picture.
 
-    `number` is its number among the picture messages of all topics, counted from 1 in order of reception.
+    `number` is its number among the picture messages of all topics, counted from 1 in the order received.
     `received` is the time of reception and `stamp` the time in the header, both in nanoseconds.
     """
 
@@ -111,7 +111,7 @@ class Bag:
             raise PlacecatError(f"{self.path}: the topic {topic!r} has no messages; correct {setting}.")
 
     def pictures(self, topic: str | None = None) -> Generator[Picture, None, None]:
-        """Yield the pictures of one topic or of all topics in order of reception, without decoding pixels.
+        """Yield the pictures of one topic or of all topics in the order received, without decoding pixels.
 
         Pictures keep their numbers among all topics, even if only one topic is read.
         """

@@ -37,7 +37,7 @@ def hold(
     threshold: float,
     sequences: Sequence[slice],
 ) -> NDArray[np.float64]:
-    """Replace the distribution of each frame with little information by that of the last accepted frame.
+    """Give frames with little information the distribution of the last accepted frame.
 
     This follows thesis 4.6. A frame is accepted if its information reaches the threshold. The thesis uses the
     threshold 0.09766, and 0.13021 in a check. :func:`threshold_of` computes a threshold from the share of

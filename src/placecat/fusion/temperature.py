@@ -31,7 +31,7 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
     The result is in [0.01, 100] and rounded to four significant digits.
 
     The thesis does not use temperatures. Naive Bayes multiplies probabilities as if codewords were
-    independent, so it is far too certain. The parallel scheme averages them, so it is not certain enough.
+    independent, so it is far too confident. The parallel scheme averages them, so it is not confident enough.
 
     `proba` holds (n, n_classes) distributions from a model that saw neither the frame nor its home. `truth`
     holds (n,) class indices. All classes present have equal weight.

@@ -19,7 +19,7 @@ Task = tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]
 class Boosting:
     """Boosted machines for several two-class problems on the same samples.
 
-    More rounds can be added later. A machine does not depend on the other machines, not even in the last bit.
+    More rounds can be added later. No bit of a machine depends on the other machines.
     Its first stumps do not depend on the number of rounds.
 
     `binned` holds the n samples, and `tasks` holds the two-class problems. Raises PlacecatError if a

@@ -33,7 +33,7 @@ def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32],
 
 
 def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> NDArray[np.float32]:
-    """Return the (n, D + 2) rows, none of which depends on the others, not even in the last bit."""
+    """Return the (n, D + 2) rows. No bit of a row depends on the other rows."""
     rows = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
     np.subtract(X, origin, out=rows[:, :-2])
     rows[:, -2] = -gamma * squared_lengths(rows[:, :-2])

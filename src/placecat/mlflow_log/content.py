@@ -103,7 +103,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """Gather the figures that the stage `figures` wrote to a folder into one run."""
+    """Gather the figures that the `figures` stage wrote to a folder into one run."""
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [
@@ -125,7 +125,7 @@ def figures_run(folder: Path) -> TableRun:
 
 
 def findings_run(findings: Path, comparisons: Path) -> TableRun:
-    """Gather the files of the stage `findings` into one run, with a metric for each verdict and reading."""
+    """Gather the files of the `findings` stage into one run, with a metric for each verdict and reading."""
     table = files.read_table(findings, ["claim"])
     readings = readings_of(table)
     names = [name.replace("_", " ") for name in readings.values()]

@@ -14,7 +14,7 @@ Frames = tuple[tuple[str, int], ...]
 
 @dataclass(frozen=True)
 class Trained:
-    """The training and test sequences of one test home or a whole fixed split, with their numbers of frames.
+    """The training and test sequences of one test home or a whole fixed split, with their frame counts.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""The origins of each table cell. The stage `tables` writes them, and the explanations read them."""
+"""The origins of each table cell. The `tables` stage writes them, and the explanations read them."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass

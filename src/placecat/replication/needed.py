@@ -116,7 +116,7 @@ def _needed(known: list[_Comparison], effects: list[float], options: Options) ->
 
 
 def markdown(table: pd.DataFrame) -> str:
-    """Format the table of :func:`power_table` as Markdown for docs/replication.md."""
+    """Format the table from :func:`power_table` as Markdown for docs/replication.md."""
     lines = [
         "| finding | comparisons | homes that count | spread | power, needed: as published | as measured |",
         "|---:|---:|---:|---:|---:|---:|",

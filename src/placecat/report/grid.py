@@ -147,7 +147,7 @@ def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
 
 
 def seeds_sentence(table: pd.DataFrame) -> str:
-    """State how many seeds the numbers average over and how far they lie apart; "" if nothing is random.
+    """State how many seeds the numbers average over and how far apart they are; "" if nothing is random.
 
     The table has the columns measured, spread (in points) and seeds. If it also has the columns group, row or
     column, they are used to say where the spread is largest.

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 def load(project: Path | str = ".") -> "pd.DataFrame":
     """Load all numbers in the tables and in the text as one table with one row per cell.
 
-    `project` is the project's folder. Raises PlacecatError if the stage `report` has not run there.
+    `project` is the project's folder. Raises PlacecatError if the `report` stage has not run there.
 
     The column ``cell`` has the cell's number (for ``placecat explain``), and ``table``, ``title``, ``group``,
     ``row`` and ``column`` locate the cell. ``home`` is the test home if there is only one, else "all".

@@ -1,4 +1,4 @@
-"""Read the results of the stage `scores` from disk."""
+"""Read the results of the `scores` stage from disk."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -13,7 +13,7 @@ from placecat.results.quality import TEXT_COLUMNS, from_rows
 
 
 def read_results(params: Mapping[str, Any]) -> Results:
-    """Read all results of a run; raises PlacecatError if the stage `scores` has not run.
+    """Read all results of a run; raises PlacecatError if the `scores` stage has not run.
 
     `params` holds all settings, including the names of homes and places.
     """

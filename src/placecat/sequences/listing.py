@@ -1,4 +1,4 @@
-"""Read a home's frames and labels, as listed by the stage `sequences`."""
+"""Read a home's frames and labels, as listed by the `sequences` stage."""
 
 from itertools import pairwise
 from typing import Any

@@ -55,7 +55,7 @@ def plan(home: str, params: Mapping[str, Any]) -> items.Work:
 
 
 def _found_regions(home: str, max_regions: int) -> list[np.ndarray]:
-    """Return each frame's strongest salient regions, (n, 4), from the stage `features`."""
+    """Return each frame's strongest salient regions, (n, 4), from the `features` stage."""
     folder = paths.features(home)
     regions = files.read_array(folder / "regions.npy")
     counts = files.read_array(folder / "count.npy")

@@ -13,7 +13,7 @@ from placecat.thesis.number import AVERAGE, home_label
 def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, Measured]]:
     """Find the results behind each row of a table (:func:`placecat.thesis.tables.tables_of`).
 
-    Returns a mapping from each (group, row) to the results in this row, by column. If a row has a single
+    Returns a mapping from each (group, row) to the results in that row, by column. If a row has a single
     result, its column is "". If a row is a home, its results are restricted to that home. Results that this
     data does not allow are left out.
     """

@@ -71,7 +71,7 @@ def in_percent(table: Mapping[str, Any]) -> bool:
 
 
 def read(params: Mapping[str, Any]) -> Iterator[tuple[dict[str, Any], pd.DataFrame, dict[str, Any]]]:
-    """Yield each table's definition, its cells and notes (as the stage `tables` wrote them), and its data."""
+    """Yield each table's definition, its cells and notes (as the `tables` stage wrote them), and its data."""
     noted = files.read_table(paths.NOTES, COLUMNS_OF_NOTES)
     for name, table in tables_of(params).items():
         cells = files.read_table(folder_of(table) / f"{name}.csv", [*AXES, "note"])

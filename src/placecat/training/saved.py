@@ -16,7 +16,7 @@ from placecat.training.plan import Part, Plan
 
 
 class CueResults:
-    """Results of a system's cues, as saved by the stage `cues` for one test home and one seed.
+    """Results of a system's cues, as saved by the `cues` stage for one test home and one seed.
 
     `system` holds the settings of the system, and `test` is the test home. `seed` is one of
     ``protocol.seeds``, or None if no cue has clusters.

@@ -127,7 +127,7 @@ def blue_yellow(
 def reduced_grey(
     frame: NDArray[np.uint8], width: int | None, interpolation: int = cv2.INTER_AREA
 ) -> NDArray[np.uint8]:
-    """Convert an (H, W, 3) uint8 BGR frame to grey as OpenCV does, and reduce it to a width in pixels.
+    """Convert an (H, W, 3) uint8 BGR frame to grey as OpenCV does, and reduce it to a given width.
 
     Returns (max(1, round(H width / W)), width) uint8. A frame that is not wider than `width` keeps its size.
     """

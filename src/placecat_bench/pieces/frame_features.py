@@ -1,7 +1,7 @@
 """All features of a frame against the decoding of its JPEG.
 
 The first measurement covers the features of the thesis's cues: 25 salient regions with five descriptors,
-Gist, Centrist and the information measure. The second covers all features that the stage `features` computes.
+Gist, Centrist and the information measure. The second covers all features that the `features` stage computes.
 These also include the features for the trials: more regions (Table 22) and variants of descriptors.
 """
 

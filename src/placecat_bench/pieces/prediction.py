@@ -1,4 +1,4 @@
-"""Prediction with the model of the stage `model`: frames arrive one by one and are named on one core.
+"""Prediction with the model of the `model` stage: frames arrive one by one and are named on one core.
 
 A decision includes the frame's features, its tracked regions, all cues, their integration and the smoothing.
 """

@@ -51,7 +51,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Entry]:
 
 
 def saliency_of(frame: Image, own: Mapping[str, Any]) -> Saliency:
-    """Compute a frame's saliency map, as the stage `features` does to find regions."""
+    """Compute a frame's saliency map, as the `features` stage does to find regions."""
     return saliency(compute_maps(frame, READ, **own["attention"]), **_fusion(own))
 
 
