@@ -221,6 +221,7 @@ GIVEN = {
     "data/README.md": "4.0 4.1 4.8 4.9 4.10 4.5 6 2 20 35 128 300 8,500",
     "docs/adding.md": "1.0",
     "docs/benchmarks.md": "20,000 294 513,370 151 3.2",
+    "docs/cluster.md": "452 430 3.5 25 105 71",
     "docs/own-data.md": "4.9 2.2 25.9 32,937 8,200 69,455 17,400 10.7",
     "docs/results.md": "2 3.3 0.7 1.4",
     # From simulations, see tests/replication.
