@@ -61,7 +61,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | L
     def decode() -> list[Any]:
         return [decoded(file) for file in files]
 
-    # Decoding takes a thirteenth of a camera's period.
+    # Our choice of a limit; the frames per second below decide whether a camera can be followed.
     yield Comparison(PIECE, text, PEER, decide, decode, at_most=12, parts={"decisions": decide})
     yield Limit(
         PIECE,
