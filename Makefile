@@ -89,7 +89,7 @@ $(VENV)/contributed: $(READY_BENCH)
 	$(BIN)/python -m pip install -qq --no-deps --upgrade --target $@ opencv-contrib-python-headless==4.14.0.94
 
 ui: $(READY) ## open MLflow with the runs that `make repro` logged
-	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true \
+	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true PYTHONWARNINGS=ignore:starlette \
 		$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db --workers 1
 
 # `fewest`: one version of a package for all versions of Python, so that they compute the same bits.

@@ -97,7 +97,7 @@ def test_objects_are_never_pickled(tmp_path):
 
 def test_csv_keeps_empty_text(tmp_path):
     files.write_csv(tmp_path / "t.csv", pd.DataFrame({"label": ["", "x"], "n": [1, 2]}))
-    assert files.read_csv(tmp_path / "t.csv")["label"].tolist() == ["", "x"]
+    assert files.read_table(tmp_path / "t.csv", ["label"])["label"].tolist() == ["", "x"]
 
 
 def test_a_table_of_text_and_numbers_keeps_them_apart(tmp_path):

@@ -159,14 +159,7 @@ def write_csv(path: Path, table: "pd.DataFrame") -> None:
         table.to_csv(temporary, index=False, lineterminator="\n")
 
 
-def read_csv(path: Path) -> "pd.DataFrame":
-    """Read a CSV file that this project wrote; empty cells of text columns stay empty strings."""
-    import pandas as pd
-
-    return pd.read_csv(existing(path), keep_default_na=False)
-
-
-def read_table(path: Path, text: Collection[str]) -> "pd.DataFrame":
+def read_table(path: Path, text: Collection[str] = ()) -> "pd.DataFrame":
     """Read a CSV file of numbers and text.
 
     Cells in the columns `text` stay as they are, for example "NA"; empty cells in other columns are NaN.

@@ -211,8 +211,6 @@ def _is_estimator(full_name: str, name: str) -> bool:
     )
 
 
-# Cached, since each fit of a cue asks; `_parsed` keeps the nodes of a file until it changes.
-@lru_cache(maxsize=512)
 def _is_abstract(node: ast.ClassDef) -> bool:
     # Not all of the class, since this is called for every model that is built.
     decorators = [one for item in node.body for one in getattr(item, "decorator_list", ())]

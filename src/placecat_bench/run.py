@@ -11,6 +11,7 @@ from tqdm import tqdm
 from placecat import files, paths
 from placecat.compute.parallel import single_threaded
 from placecat.errors import PlacecatError
+from placecat.report.benchmarks import TEXT
 from placecat_bench import pieces
 from placecat_bench.measure import ABSENT, COLUMNS, measure
 
@@ -35,7 +36,7 @@ def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
                 f"{target} was measured on another machine or with other packages (see {facts_file}): "
                 "measure all pieces"
             )
-        before = files.read_csv(target)
+        before = files.read_table(target, TEXT)
         table = before[before[_MODULE].isin(all_names)]
     for name, entries in generators.items():
         rows = pd.DataFrame(single_threaded(_measure_piece, (name, entries)), columns=table.columns)

@@ -5,6 +5,7 @@ import pytest
 
 from placecat import files
 from placecat.errors import PlacecatError
+from placecat.report.benchmarks import TEXT
 from placecat_bench import __main__ as command
 from placecat_bench import pieces, run
 from placecat_bench.comparison import Comparison, Limit, Peer
@@ -38,7 +39,7 @@ def made(monkeypatch):
 def test_all_pieces_are_measured_on_one_thread_and_written(made, tmp_path, capsys):
     target = tmp_path / "benchmarks.csv"
     table = run.run([], target)
-    written = files.read_csv(target)
+    written = files.read_table(target, TEXT)
     assert list(written.columns) == list(table.columns)
     assert list(written["module"]) == ["first", "first", "second", "second"]
     assert list(written["met"]) == ["yes", "yes", "no", "yes"]
@@ -50,10 +51,10 @@ def test_all_pieces_are_measured_on_one_thread_and_written(made, tmp_path, capsy
 def test_a_named_piece_replaces_only_its_rows(made, tmp_path):
     target = tmp_path / "benchmarks.csv"
     run.run([], target)
-    before = files.read_csv(target)
+    before = files.read_table(target, TEXT)
     made |= {"first": 1.25, "second": 1.25}
     run.run(["second"], target)
-    after = files.read_csv(target)
+    after = files.read_table(target, TEXT)
     assert list(after["module"]) == ["first", "first", "second", "second"]
     pd.testing.assert_frame_equal(after[:2], before[:2])
     assert after["ours"][2] == 1.25
@@ -74,7 +75,7 @@ def test_measurements_remain_if_a_later_piece_fails(made, tmp_path):
     made.pop("second")
     with pytest.raises(KeyError):
         run.run([], tmp_path / "benchmarks.csv")
-    assert set(files.read_csv(tmp_path / "benchmarks.csv")["module"]) == {"first"}
+    assert set(files.read_table(tmp_path / "benchmarks.csv")["module"]) == {"first"}
 
 
 def test_an_unknown_piece_is_one_message(monkeypatch):

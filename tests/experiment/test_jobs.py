@@ -162,7 +162,7 @@ def test_a_killed_sweep_resumes_with_the_undisturbed_result(tmp_path, ran, capsy
     again = list(map(int, ran.read_text()[len(is_started) :].split()))
     assert set(again) == set(range(count)) - before
     assert (one.folder / output.SUMMARY).read_bytes() == (whole.folder / output.SUMMARY).read_bytes()
-    notes = files.read_csv(one.folder / output.SUMMARY)["note"]
+    notes = files.read_table(one.folder / output.SUMMARY, ["note"])["note"]
     assert {number: note for number, note in enumerate(notes) if note} == {
         FAILS: "it cannot be",
         IS_KILLED: output.KILLED,

@@ -47,7 +47,7 @@ def test_every_group_runs_every_stage_and_the_ledger_is_of_all_homes(finished):
 
 def test_the_ledger_counts_the_homes_of_both_groups_once(finished):
     folder, _, _ = finished
-    findings = files.read_csv(folder / paths.REPLICATION / "findings.csv").set_index("number")
+    findings = files.read_table(folder / paths.REPLICATION / "findings.csv").set_index("number")
     assert findings.loc[7, "units"] == "12 homes"
     # Table 3 tests on the first and the fifth home of a group.
     assert findings.loc[3, "units"] == "4 homes"
@@ -68,7 +68,7 @@ def _of(part):
 def test_findings_on_other_data_are_those_of_the_six_homes(finished):
     folder, _, _ = finished
     old, new = (
-        files.read_csv(path).set_index("number")
+        files.read_table(path).set_index("number")
         for path in (folder / paths.FINDINGS, folder / paths.REPLICATION / "findings.csv")
     )
     assert new.index[~new["replicated"]].tolist() == [27, 28, 29]
@@ -79,7 +79,7 @@ def test_findings_on_other_data_are_those_of_the_six_homes(finished):
 
 def test_accuracies_are_means_over_homes(finished):
     folder, _, _ = finished
-    table = files.read_csv(folder / paths.REPLICATION / "accuracies.csv").set_index("result")
+    table = files.read_table(folder / paths.REPLICATION / "accuracies.csv").set_index("result")
     homes = np.concatenate(
         [
             made_results.made(

@@ -67,7 +67,7 @@ def test_missing_frames_of_a_video_are_reported_and_recorded(tmp_path, dataset, 
     facts = [files.read_json(tmp_path / f"data/sequences/{name}/home.json") for name in ("one", "two")]
     same = {"camera": "one", "fps": 30.0, "height": 48, "width": 64}
     assert facts == [same | {"is_even": False, "lost_frames": [21]}, same]
-    assert len(files.read_csv(tmp_path / "data/sequences/one/labels.csv")) == 29
+    assert len(files.read_table(tmp_path / "data/sequences/one/labels.csv")) == 29
     times = listing.uneven_times("one")
     assert times[20] == pytest.approx(21 / 30)
     assert listing.uneven_times("two") is None
@@ -88,7 +88,7 @@ def test_the_settings_of_a_layout_reach_it(tmp_path, dataset):
     with pytest.raises(PlacecatError, match=r"std_cam: the folder of images is missing"):
         cameras(tmp_path, dataset | cold)
     assert cameras(tmp_path, dataset | cold | {"images": "omni_cam"}) == ["one"]
-    sources = files.read_csv(tmp_path / "data/sequences/town-seq1/frames.csv")["source"]
+    sources = files.read_table(tmp_path / "data/sequences/town-seq1/frames.csv")["source"]
     assert sources.str.contains("/omni_cam/").all()
 
 
@@ -103,7 +103,7 @@ def test_robot_at_home_turned(tmp_path, dataset):
         folder = tmp_path / "data/sequences" / home
         facts = files.read_json(folder / "home.json")
         assert (facts["width"], facts["height"]) == (32, 24)
-        listed, labels = listing.read_frames(home), files.read_csv(folder / "labels.csv")
+        listed, labels = listing.read_frames(home), files.read_table(folder / "labels.csv")
         assert listed["turn"].tolist() == [270] * len(labels)
         assert {image.shape for image in read_frames("rah", listed, size=listing.frame_size(home))} == {
             (24, 32, 3)

@@ -7,7 +7,8 @@ from typing import Any
 import pandas as pd
 
 KEYS, NUMBERS = ["kind", "name", "candidate"], ["accuracy", "log_loss"]
-COLUMNS = ["data", *KEYS, "test_home", *NUMBERS, *(f"test_{name}" for name in NUMBERS)]
+TEXT = ["data", *KEYS, "test_home"]
+COLUMNS = [*TEXT, *NUMBERS, *(f"test_{name}" for name in NUMBERS)]
 
 
 def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str, Any]]:

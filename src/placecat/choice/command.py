@@ -9,7 +9,7 @@ import pandas as pd
 from annotated_types import Interval, MinLen
 
 from placecat import files, paths, schema, settings
-from placecat.choice.candidates import COLUMNS, NUMBERS, choose, combinations, label
+from placecat.choice.candidates import COLUMNS, NUMBERS, TEXT, choose, combinations, label
 from placecat.choice.judging import (
     Judgement,
     judge_cue,
@@ -67,7 +67,7 @@ def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> 
     """
     options, params = read_settings(), settings.load()
     data = str(settings.get(params, "dataset.title"))
-    table = files.read_csv(output) if output.is_file() else pd.DataFrame(columns=COLUMNS)
+    table = files.read_table(output, TEXT) if output.is_file() else pd.DataFrame(columns=COLUMNS)
     for kind in kinds:
         rows = _judge(data, kind, *_TASKS[kind](options, params))
         judged = pd.DataFrame(rows, columns=COLUMNS).round(_DECIMALS)

@@ -1,9 +1,9 @@
 """``python -m placecat.replication``: print each finding's power on 24 homes, from the results in git."""
 
-from placecat.files import read_csv
+from placecat.files import read_table
 from placecat.paths import COMPARISONS
 from placecat.replication import options
 from placecat.replication.needed import markdown, power_table
 
 if __name__ == "__main__":
-    print(markdown(power_table(read_csv(COMPARISONS), 24, options.read())))
+    print(markdown(power_table(read_table(COMPARISONS), 24, options.read())))

@@ -65,7 +65,7 @@ def known() -> dict[str, float]:
     except PlacecatError:
         if not paths.KEPT_TIMES.is_file():
             return {}
-        by_stage = files.read_csv(paths.KEPT_TIMES)
+        by_stage = files.read_table(paths.KEPT_TIMES, ["stage"])
     return dict(zip(by_stage["stage"], by_stage["seconds"].astype(float), strict=True))
 
 

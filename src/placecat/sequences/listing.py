@@ -12,7 +12,7 @@ from placecat import files, paths
 
 def read_labels(home: str) -> NDArray[np.int16]:
     """Return the class index of each frame of a home in time order, (frames,); -1 if it is unlabelled."""
-    return files.read_csv(paths.sequences(home) / "labels.csv")["class"].to_numpy(np.int16)
+    return files.read_table(paths.sequences(home) / "labels.csv")["class"].to_numpy(np.int16)
 
 
 def read_frames(home: str) -> pd.DataFrame:

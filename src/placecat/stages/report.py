@@ -95,7 +95,7 @@ def _replication(facts: dict[str, Any], findings: Path) -> dict[str, Any]:
 
 
 def _times(facts: dict[str, Any], table: Path) -> dict[str, Any] | None:
-    by_stage = files.read_csv(table)
+    by_stage = files.read_table(table, ["stage"])
     return None if by_stage.empty else facts | {"stages": by_stage}
 
 

@@ -59,7 +59,7 @@ def main() -> None:
     )
     outcomes.end()
     facts = [paths.TRIALS / study / "facts.csv" for study in studies]
-    flat = sum(int(files.read_csv(path)["flat_sigmoids"].sum()) for path in facts)
+    flat = sum(int(files.read_table(path)["flat_sigmoids"].sum()) for path in facts)
     if flat:
         logger.warning(
             "%d sigmoids are flat: held-out decision values say nothing about their class or are reversed "

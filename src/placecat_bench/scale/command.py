@@ -12,6 +12,7 @@ from placecat import files, paths
 from placecat.compute import parallel
 from placecat.config import conf_file
 from placecat.errors import PlacecatError
+from placecat.report.scale import TEXT
 from placecat.runs import linked_folder
 from placecat_bench.scale import full_run, measurements, project
 from placecat_bench.scale.database import read_homes
@@ -49,7 +50,7 @@ def run(
         raise PlacecatError(f"{SETTINGS}: sizes are {wanted}, but each must be above 0")
     parts: list[pd.DataFrame] = []
     if add:
-        before = files.read_csv(output / paths.SCALE_STAGES.name)
+        before = files.read_table(output / paths.SCALE_STAGES.name, TEXT)
         parts = [part for size, part in before.groupby("size") if size not in wanted]
     for size in wanted:
         scaled = [home.scaled(size) for home in homes]

@@ -32,7 +32,7 @@ def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any
     seconds: dict[str, float] = {}
     for stage, took in zip(most["stage"], most["seconds"], strict=True):
         seconds[stage] = seconds.get(stage, 0.0) + took * times_as_often(stage, params)
-    kept = files.read_csv(paths.KEPT_TIMES)
+    kept = files.read_table(paths.KEPT_TIMES, ["stage"])
     here = sum(len(listing.read_labels(home)) for home in settings.get(settings.load(), "dataset.homes"))
     for stage, took in zip(kept["stage"], kept["seconds"], strict=True):
         if stage not in seconds:

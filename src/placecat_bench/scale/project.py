@@ -88,7 +88,7 @@ def _plan(
     dataset, frames = params["dataset"], params["region_variants"]["frames"]
     index = classes_of(walk, dataset["classes"], dataset["ignored"])
     _write_sequences(folder / paths.SEQUENCES / home, walk, index, paths.SEQUENCES / source)
-    labels = files.read_csv(paths.SEQUENCES / source / "labels.csv")["label"].astype(str).tolist()
+    labels = files.read_table(paths.SEQUENCES / source / "labels.csv", ["label"])["label"].tolist()
     classes = listing.read_labels(source).astype(np.int64)
     chosen = drawing.draw_frames(walk, labels, classes, index, home)
     tasks = []
