@@ -1,4 +1,4 @@
-"""Fluorescent lights on the ceilings of offices and halls."""
+"""Fluorescent ceiling lights for offices and hallways."""
 
 import numpy as np
 
@@ -15,7 +15,7 @@ def ceiling_strip(rng: np.random.Generator, style: Style, *, length: float | Non
     Parameters
     ----------
     rng, style
-        Random generator and style that the design is drawn from.
+        Source of randomness and style of the home.
     length
         Metres; 1.2 or 1.5 if None.
     """

@@ -1,4 +1,4 @@
-"""Coat stands, and coats, bags and umbrellas on hooks."""
+"""Coat stands, coats, bags and hats."""
 
 import math
 
@@ -14,12 +14,12 @@ from placecat_homes.style import Style
 
 
 def coat(rng: np.random.Generator, style: Style, length: float | None = None) -> Mesh:
-    """Draw a coat or jacket that hangs from a hook by its loop at the origin.
+    """Draw a coat or jacket hanging by its loop from a hook at the origin.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the cut and the cloth.
+        Source of randomness and style of the home.
     length
         Metres; 0.6 to 1.1 if None.
     """

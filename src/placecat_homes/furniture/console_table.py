@@ -1,4 +1,4 @@
-"""Narrow tables for a hall."""
+"""Console tables for hallways."""
 
 import math
 
@@ -16,12 +16,12 @@ from placecat_homes.style import Style
 
 
 def console_table(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a narrow table on legs, with keys, letters, a bowl, a telephone, flowers or a lamp on it.
+    """Draw a narrow table on legs that holds keys, letters, a bowl, a telephone, flowers or a lamp.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the design and the objects.
+        Source of randomness and style of the home.
     width
         Metres; 0.7 to 1.2 if None.
     """

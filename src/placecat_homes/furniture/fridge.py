@@ -22,13 +22,13 @@ def fridge(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Source of randomness.
     style
         Style of the home.
     design
-        "single", "two" (freezer above or below), "double" (side by side) or "retro"; drawn at random if None.
+        "single", "two" (freezer above or below), "double" (side by side) or "retro"; random if None.
     width
-        Metres; drawn at random if None.
+        Metres; chosen at random if None.
 
     Returns
     -------

@@ -18,16 +18,16 @@ def suitcase(rng: np.random.Generator, style: Style, lying: bool | None = None) 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Source of randomness.
     style
         Style of the home.
     lying
-        Whether it lies flat instead of standing; drawn at random if None.
+        Whether the suitcase lies flat; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     w, h, d = between(rng, 0.38, 0.5), between(rng, 0.52, 0.74), between(rng, 0.2, 0.28)
     lying = chance(rng, 0.25) if lying is None else lying

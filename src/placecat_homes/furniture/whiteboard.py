@@ -12,12 +12,12 @@ PENS: tuple[Colour, ...] = ((0.05, 0.06, 0.08), (0.08, 0.15, 0.55), (0.75, 0.1, 
 
 
 def whiteboard(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a used whiteboard, to hang at 0.85 m, with pens and a wiper on its tray.
+    """Draw a used whiteboard with pens and a wiper on its tray, to hang at 0.85 m.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the size and the scribbles.
+        Source of randomness and style of the home.
     width
         Metres; 0.9 to 2.0 if None.
     """
