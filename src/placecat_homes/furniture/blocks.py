@@ -76,7 +76,7 @@ def leg(
     Parameters
     ----------
     foot, top
-        Position (x, y) of the axis at the lower and the upper end in metres.
+        Position (x, y) of the axis at the lower and upper ends, in metres.
     height
         Metres.
     thick, thin
@@ -107,7 +107,7 @@ def legs(
     kind
         "square", "round", "tapered", "splayed", "turned" or "sled".
     width, depth
-        Outer size of the rectangle they stand on in metres.
+        Outer size of the rectangle they stand on, in metres.
     height
         Metres.
     material
@@ -240,7 +240,7 @@ def shade(low: float, high: float, height: float, material: Material, segments: 
     Parameters
     ----------
     low, high
-        Radii of the lower and the upper rim in metres.
+        Radii of the lower and upper rims, in metres.
     height
         Metres.
     material

@@ -41,7 +41,7 @@ def scatter(rng: np.random.Generator, style: Style, width: float, count: int | N
     Returns
     -------
     Mesh
-        Pillows on a seat at z = 0 whose backrest is at y = 0.
+        Pillows on a seat at z = 0, with the backrest at y = 0.
     """
     count = int(rng.integers(0, 2 + round(width / 0.45))) if count is None else count
     first, second = style.any_fabric(rng), style.any_fabric(rng)

@@ -49,7 +49,7 @@ def door(
     Returns
     -------
     Mesh
-        A door that swings towards +y. The near face of the wall is y = 0 and the far face is y = -wall.
+        A door that swings towards +y. The near face of the wall is at y = 0 and the far face is at y = -wall.
     """
     designs = ["plain", "two", "four", "lights"]
     design = "glass" if glass else str(rng.choice(designs, p=[0.35, 0.25, 0.25, 0.15]))
@@ -60,7 +60,7 @@ def door(
     side = leaf_width / 2 - 0.07
     for face in (0, 1):
         handle = _handle(style.metal, knob, leaf_width)
-        # The hinge of the leaf is at x = +width / 2, which is on the left seen from +y.
+        # The hinge of the leaf is at x = +width / 2, on the left as seen from +y.
         if face == 0:
             handle = handle.moved(-side, LEAF, 0.0)
         else:
@@ -90,7 +90,7 @@ def frame(style: Style, width: float, height: float, wall: float = 0.12, casing:
     Returns
     -------
     Mesh
-        The near face of the wall is y = 0 and the far face is y = -wall.
+        The near face of the wall is at y = 0 and the far face is at y = -wall.
     """
     t, deep = _LINING, 0.014
     parts = []

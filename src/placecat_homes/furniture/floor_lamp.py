@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def floor_lamp(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a floor lamp with a shade, three legs or a bent arm, or an uplighter.
+    """Draw a shaded lamp, a tripod lamp, an arc lamp or an uplighter.
 
     Parameters
     ----------

@@ -43,7 +43,7 @@ def kitchen_run(
     wall_cabinets
         Whether to draw anything on the wall above the worktop.
     windows
-        Left end (along x), right end and sill height of each window in metres. Nothing hangs there.
+        Left end, right end and sill height of each window, in metres. Nothing hangs in front of a window.
     dishwasher
         Whether there is a dishwasher; if None, chosen at random where there is space.
     cooker

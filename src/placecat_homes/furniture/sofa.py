@@ -25,7 +25,7 @@ def cover(rng: np.random.Generator, style: Style) -> Material:
 
 
 def sofa(rng: np.random.Generator, style: Style, seats: int | None = None) -> Mesh:
-    """Draw a straight sofa: boxy, buttoned, with rolled arms, or on a light frame.
+    """Draw a straight sofa in a boxy, rolled-arm, buttoned or framed design.
 
     Parameters
     ----------

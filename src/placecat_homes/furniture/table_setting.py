@@ -76,7 +76,7 @@ class Tableware:
 
 
 def place_setting(rng: np.random.Generator, style: Style, *, ware: Tableware | None = None) -> Mesh:
-    """Draw a plate, cutlery, a glass and a napkin for one person, who sits at y < 0 and faces +y.
+    """Draw a plate, cutlery, a glass and a napkin. The person sits at y < 0 and faces +y.
 
     Parameters
     ----------

@@ -95,7 +95,7 @@ def toilet_brush(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _bowl_inside(back: float, width: float, length: float, top: float) -> list[tuple[np.ndarray, float]]:
-    """Return the rings of the inside, from the rim down to the water."""
+    """Return the rings of the inner surface, from the rim down to the water."""
     inner = rounded(width - 0.07, length - 0.10, (0.13, 0.2), (0.1, 0.1), y=back + 0.06)
     lower = rounded(width - 0.13, length - 0.19, (0.11, 0.15), (0.08, 0.08), y=back + 0.09)
     deep = rounded(0.13, 0.15, (0.06, 0.08), (0.06, 0.06), y=back + 0.13)
@@ -136,7 +136,7 @@ def _seat(
     opened: bool,
     lean: float,
 ) -> Mesh:
-    """Draw the seat and the lid on the rim. An open lid has `lean` metres of free depth to lean back."""
+    """Draw the seat and the lid on the rim. There are `lean` metres of free depth behind an open lid."""
     outer = rounded(0.375, 0.455, (0.187, 0.29), (0.13, 0.1), points=8)
     inner = rounded(0.22, 0.29, (0.11, 0.17), (0.09, 0.09), y=0.09, points=8)
     seat = ring(outer, inner, 0.02, 0.006)

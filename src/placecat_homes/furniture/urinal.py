@@ -33,7 +33,7 @@ def urinal(
     Returns
     -------
     Mesh
-        Urinals with their rims 0.62 m above the floor, which is at z = 0.
+        Urinals with their rims 0.62 m above the floor. The floor is at z = 0.
     """
     ceramic = ceramic or palette.ceramic(rng)
     pitch = rng.uniform(0.7, 0.85)

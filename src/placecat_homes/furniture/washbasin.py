@@ -65,7 +65,7 @@ def washbasin(
 def hollow(
     width: float, depth: float, radius: tuple[float, float], y: float, top: float, deep: float
 ) -> list[tuple[Outline, float]]:
-    """Return the rings of a hollow, from its edge down to its bottom."""
+    """Return the rings of a hollow, from its edge to its bottom."""
     rings = []
     for share, down in ((1.0, 0.0), (0.97, 0.02), (0.86, 0.75), (0.7, 0.95), (0.4, 1.0)):
         outline = rounded(width, depth, radius, y=y)

@@ -51,7 +51,7 @@ def cover(
     thickness, crease
         Thickness of the blanket and height of its creases in metres.
     slant
-        Extra distance from the head at +x relative to -x in metres, for a blanket that is half thrown back.
+        Extra distance from the head at +x relative to -x, in metres, for a blanket that is half thrown back.
     centre
         Shift of the blanket along x in metres.
     quilt
@@ -75,7 +75,7 @@ def cover(
     foot_arc = radius * math.pi / 2 + max(foot - radius, 0.0) - radius if foot > 0 else 0.0
 
     def bent(arc: Array, edge: float) -> tuple[Array, Array]:
-        """Bend an arc length over a round edge. Return the position along the top and the drop below it."""
+        """Map a distance along the blanket to its position along the top and its drop over the edge."""
         over = np.maximum(arc - (edge - radius), 0.0)
         turn = np.minimum(over / radius, math.pi / 2)
         down = radius * (1 - np.cos(turn)) + np.maximum(over - radius * math.pi / 2, 0.0)

@@ -125,7 +125,7 @@ def fronts(
     design
         Design of the fronts (see `front`).
     grip
-        Kind of handle (see `handle`). "none" leaves a dark gap above each front instead.
+        Kind of handle (see `handle`). With "none", each front has a dark gap above it instead.
     gap
         Gap between fronts in metres.
     doors

@@ -214,7 +214,7 @@ def hung(rng: np.random.Generator, width: float, front: float, back: float, radi
     rng
         Source of randomness.
     width, front, back
-        Width of the cloth and its lengths in front of and behind the bar in metres.
+        Width of the cloth and its lengths in front of and behind the bar, in metres.
     radius
         Radius of the bar in metres, including the cloth.
 

@@ -129,7 +129,7 @@ def _worth(
 
 
 def sink_width(rng: np.random.Generator, length: float) -> float:
-    """Draw the width of the sink cabinet for a row of the given length, both in metres."""
+    """Draw the width of the sink cabinet in metres, given the length of the row."""
     if length < 1.7:
         return 0.5
     return float(rng.choice([0.6, 0.8, 0.9] if length > 2.4 else [0.5, 0.6]))
