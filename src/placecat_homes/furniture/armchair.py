@@ -21,7 +21,7 @@ def armchair(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
 

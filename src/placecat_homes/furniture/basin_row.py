@@ -26,7 +26,7 @@ def basin_row(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the building.
     count

@@ -28,7 +28,7 @@ def bathroom_mirror(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     kind

@@ -33,7 +33,7 @@ def bathtub(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     ceramic

@@ -32,7 +32,7 @@ def bed(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

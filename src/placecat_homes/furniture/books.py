@@ -32,7 +32,7 @@ def row(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     length
         Length of the row in metres.
     height
@@ -90,7 +90,7 @@ def stack(rng: np.random.Generator, count: int | None = None, pool: list[Materia
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     count
         Number of books; 2 to 6 if None.
     pool

@@ -26,7 +26,7 @@ def bookshelf(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, height
@@ -175,7 +175,7 @@ def wall_unit(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
@@ -244,7 +244,7 @@ def wall_shelf(rng: np.random.Generator, style: Style, width: float | None = Non
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

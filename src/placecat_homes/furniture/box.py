@@ -26,7 +26,7 @@ def cardboard(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, depth, height
@@ -78,7 +78,7 @@ def storage_box(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, depth, height
@@ -132,7 +132,7 @@ def basket(rng: np.random.Generator, style: Style, height: float | None = None) 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     height
@@ -166,7 +166,7 @@ def pile(rng: np.random.Generator, style: Style, count: int = 3) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     count

@@ -15,7 +15,7 @@ def ceiling_strip(rng: np.random.Generator, style: Style, *, length: float | Non
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     length
         Metres; 1.2 or 1.5 if None.
     """

@@ -27,7 +27,7 @@ def chair(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     design

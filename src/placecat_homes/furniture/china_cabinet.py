@@ -22,7 +22,7 @@ def china_cabinet(rng: np.random.Generator, style: Style, *, width: float | None
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

@@ -39,7 +39,7 @@ def garment(rng: np.random.Generator, kind: str | None = None, hanger: Material 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     kind
         "shirt", "jacket", "coat", "dress", "trousers" or "skirt"; chosen at random if None.
     hanger
@@ -123,7 +123,7 @@ def hanging(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
@@ -174,7 +174,7 @@ def folded(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, depth
@@ -204,7 +204,7 @@ def shoes(rng: np.random.Generator, style: Style, kind: str | None = None) -> Me
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     kind

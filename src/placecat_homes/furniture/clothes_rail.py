@@ -17,7 +17,7 @@ def clothes_rail(rng: np.random.Generator, style: Style, width: float | None = N
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
@@ -56,7 +56,7 @@ def coat_hooks(rng: np.random.Generator, style: Style, width: float | None = Non
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

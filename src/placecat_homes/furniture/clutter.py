@@ -23,7 +23,7 @@ def mug(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
 
@@ -50,7 +50,7 @@ def remote(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
 
@@ -73,7 +73,7 @@ def small_thing(rng: np.random.Generator, style: Style, height: float = 0.4) -> 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     height
@@ -109,7 +109,7 @@ def fill(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, height, depth
@@ -172,7 +172,7 @@ def table_things(rng: np.random.Generator, style: Style, width: float, depth: fl
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, depth

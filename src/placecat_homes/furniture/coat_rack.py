@@ -17,7 +17,7 @@ def coat_rack(rng: np.random.Generator, style: Style, width: float | None = None
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width
         Metres; 0.6 to 1.3 if None.
     """

@@ -19,7 +19,7 @@ def coat(rng: np.random.Generator, style: Style, length: float | None = None) ->
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     length
         Metres; 0.6 to 1.1 if None.
     """

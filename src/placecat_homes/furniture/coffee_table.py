@@ -21,7 +21,7 @@ def coffee_table(rng: np.random.Generator, style: Style, width: float | None = N
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

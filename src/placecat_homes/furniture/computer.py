@@ -102,7 +102,7 @@ def workstation(rng: np.random.Generator, style: Style, width: float = 1.4, dept
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width, depth
         Width and depth of the desk top in metres. Its surface is at z = 0.
     """

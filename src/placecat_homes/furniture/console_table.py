@@ -21,7 +21,7 @@ def console_table(rng: np.random.Generator, style: Style, width: float | None = 
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width
         Metres; 0.7 to 1.2 if None.
     """

@@ -21,7 +21,7 @@ def copier(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     """
     body = _shell(rng)
     trim = choose(

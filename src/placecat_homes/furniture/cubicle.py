@@ -25,7 +25,7 @@ def cubicle(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the building.
     count

@@ -22,7 +22,7 @@ def curtains(rng: np.random.Generator, style: Style, width: float = 1.3, height:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
@@ -93,7 +93,7 @@ def blind(rng: np.random.Generator, style: Style, width: float = 1.2, height: fl
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, height
@@ -151,7 +151,7 @@ def net(rng: np.random.Generator, style: Style, width: float = 1.2, height: floa
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, height

@@ -30,7 +30,7 @@ def scatter(rng: np.random.Generator, style: Style, width: float, count: int | N
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

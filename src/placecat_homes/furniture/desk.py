@@ -23,7 +23,7 @@ def desk(
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width, depth
         Metres; 1.2 to 1.8 by 0.65 to 0.85 if None.
     """

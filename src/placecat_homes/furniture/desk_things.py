@@ -204,7 +204,7 @@ def clutter(
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width, depth
         Width and depth of the desk top in metres. It is centred in x at z = 0, with its back edge on y = 0.
     middle

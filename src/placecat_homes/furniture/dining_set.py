@@ -30,7 +30,7 @@ def dining_set(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     seats
@@ -132,7 +132,7 @@ def breakfast_set(rng: np.random.Generator, style: Style, *, seats: int | None =
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     seats

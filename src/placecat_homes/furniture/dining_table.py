@@ -30,7 +30,7 @@ def dining_table(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     shape
@@ -169,7 +169,7 @@ def table_cloth(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     outline

@@ -32,7 +32,7 @@ def door(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the building.
     width, height

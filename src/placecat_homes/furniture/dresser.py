@@ -115,7 +115,7 @@ def dresser(rng: np.random.Generator, style: Style, *, width: float | None = Non
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
@@ -259,7 +259,7 @@ def bed_bench(rng: np.random.Generator, style: Style, *, width: float | None = N
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

@@ -15,7 +15,7 @@ def exit_sign(rng: np.random.Generator, style: Style, *, hanging: bool = False) 
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     hanging
         Whether to hang a two-sided sign from the ceiling. The ceiling is then at z = 0.
     """

@@ -22,7 +22,7 @@ def fridge(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     design

@@ -34,7 +34,7 @@ def ironing_board(rng: np.random.Generator, style: Style, folded_up: bool | None
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     folded_up

@@ -31,7 +31,7 @@ def kitchen_run(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     length

@@ -18,7 +18,7 @@ def kitchen_shelf(rng: np.random.Generator, style: Style, *, width: float | None
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

@@ -24,7 +24,7 @@ def oven_tower(rng: np.random.Generator, style: Style, *, design: Design | None 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     design
@@ -65,7 +65,7 @@ def larder(rng: np.random.Generator, style: Style, *, width: float | None = None
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

@@ -18,7 +18,7 @@ def mirror(
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width, height
         Metres; 0.4 to 0.75 by 0.6 to 1.6 if None.
     """

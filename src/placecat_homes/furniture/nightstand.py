@@ -84,7 +84,7 @@ def nightstand(rng: np.random.Generator, style: Style, *, seed: int | None = Non
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     seed

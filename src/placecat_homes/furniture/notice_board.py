@@ -19,7 +19,7 @@ def notice_board(
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width, height
         Metres; 0.6 to 1.6 by 0.5 to 1.1 if None.
     """

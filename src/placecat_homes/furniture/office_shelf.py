@@ -25,7 +25,7 @@ def office_shelf(
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width, height
         Metres; 0.75 to 1.25 by 1.1 to 2.2 if None.
     """
@@ -80,7 +80,7 @@ def shelf_row(
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width, height, depth
         Free space on the shelf in metres.
     colours

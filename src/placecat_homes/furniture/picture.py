@@ -21,7 +21,7 @@ def picture(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, height
@@ -78,7 +78,7 @@ def group(rng: np.random.Generator, style: Style, count: int | None = None) -> M
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     count
@@ -120,7 +120,7 @@ def poster(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
 

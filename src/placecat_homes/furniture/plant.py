@@ -101,7 +101,7 @@ def pot(rng: np.random.Generator, style: Style, radius: float, height: float) ->
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     radius, height
@@ -145,7 +145,7 @@ def plant(rng: np.random.Generator, style: Style, height: float | None = None) -
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     height
@@ -334,7 +334,7 @@ def blossom(rng: np.random.Generator, size: float, petal: Material) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     size
         Diameter in metres.
     petal

@@ -16,7 +16,7 @@ def radiator(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the building.
     width, height

@@ -19,7 +19,7 @@ def rug(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, depth
@@ -52,7 +52,7 @@ def mat(rng: np.random.Generator, style: Style, width: float = 0.8, depth: float
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, depth

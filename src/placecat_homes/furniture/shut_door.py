@@ -20,7 +20,7 @@ def shut_door(
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width, height
         Width and height of the opening in metres.
     hinge

@@ -19,7 +19,7 @@ def side_table(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     height

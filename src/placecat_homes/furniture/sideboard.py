@@ -30,7 +30,7 @@ def sideboard(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

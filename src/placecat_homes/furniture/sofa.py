@@ -30,7 +30,7 @@ def sofa(rng: np.random.Generator, style: Style, seats: int | None = None) -> Me
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     seats
@@ -250,7 +250,7 @@ def corner_sofa(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
 
@@ -316,7 +316,7 @@ def footstool(rng: np.random.Generator, style: Style, skin: Material | None = No
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     skin

@@ -18,7 +18,7 @@ def suitcase(rng: np.random.Generator, style: Style, lying: bool | None = None) 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     lying

@@ -81,7 +81,7 @@ def place_setting(rng: np.random.Generator, style: Style, *, ware: Tableware | N
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     ware
@@ -166,7 +166,7 @@ def centrepiece(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, depth

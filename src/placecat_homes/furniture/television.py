@@ -43,7 +43,7 @@ def television(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
@@ -77,7 +77,7 @@ def wall_television(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
@@ -100,7 +100,7 @@ def crt(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
 
@@ -138,7 +138,7 @@ def speaker(rng: np.random.Generator, style: Style, height: float | None = None)
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     height
@@ -171,7 +171,7 @@ def stereo(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
 
@@ -217,7 +217,7 @@ def bench(rng: np.random.Generator, style: Style, width: float | None = None) ->
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
@@ -278,7 +278,7 @@ def tv_bench(rng: np.random.Generator, style: Style, width: float | None = None,
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

@@ -25,7 +25,7 @@ def toilet(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     ceramic

@@ -33,7 +33,7 @@ def towel(rng: np.random.Generator, style: Style, *, kind: str | None = None) ->
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     kind

@@ -80,7 +80,7 @@ def toys(rng: np.random.Generator, style: Style, count: int | None = None) -> Me
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     count

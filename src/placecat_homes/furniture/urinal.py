@@ -22,7 +22,7 @@ def urinal(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the building.
     count

@@ -22,7 +22,7 @@ def vase(rng: np.random.Generator, style: Style, flowers: bool | None = None) ->
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     flowers
@@ -77,7 +77,7 @@ def bouquet(rng: np.random.Generator, height: float, radius: float) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     height, radius
         Height above the rim and radius at the rim, in metres.
 
@@ -114,7 +114,7 @@ def candle(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
 
@@ -144,7 +144,7 @@ def bowl(rng: np.random.Generator, style: Style, fruit: bool | None = None) -> M
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     fruit
@@ -184,7 +184,7 @@ def figure(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
 

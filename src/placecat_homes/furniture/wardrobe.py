@@ -28,7 +28,7 @@ def wardrobe(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

@@ -19,7 +19,7 @@ def on_shelf(rng: np.random.Generator, style: Style, width: float, height: float
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, height, depth
@@ -117,7 +117,7 @@ def wardrobe_shelf(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, height
@@ -178,7 +178,7 @@ def low_shelf(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, height
@@ -209,7 +209,7 @@ def wall_board(rng: np.random.Generator, style: Style, width: float | None = Non
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
@@ -242,7 +242,7 @@ def shoe_rack(rng: np.random.Generator, style: Style, width: float | None = None
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width

@@ -29,7 +29,7 @@ def washbasin(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     ceramic

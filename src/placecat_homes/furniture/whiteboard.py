@@ -17,7 +17,7 @@ def whiteboard(rng: np.random.Generator, style: Style, width: float | None = Non
     Parameters
     ----------
     rng, style
-        Source of randomness and style of the home.
+        Random number generator and style of the home.
     width
         Metres; 0.9 to 2.0 if None.
     """

@@ -21,7 +21,7 @@ def window(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the building.
     width, height

@@ -28,7 +28,7 @@ def in_a_row(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     things
         Standing objects in order of increasing x.
     width
@@ -78,7 +78,7 @@ def scattered(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     things
         Standing objects. They are not rotated.
     width, depth

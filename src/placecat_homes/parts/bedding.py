@@ -39,7 +39,7 @@ def cover(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     width
         Width of the mattress in metres.
     start, end
@@ -129,7 +129,7 @@ def pillows(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     width
         Width of the mattress in metres.
     top
@@ -204,7 +204,7 @@ def bedding(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, length

@@ -165,7 +165,7 @@ def tap(rng: np.random.Generator, metal: Material, kind: str | None = None, size
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     metal
         Material of the metal parts.
     kind

@@ -182,7 +182,7 @@ def rumples(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     size
         Typical height in metres.
     scale
@@ -212,7 +212,7 @@ def hung(rng: np.random.Generator, width: float, front: float, back: float, radi
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     width, front, back
         Width of the cloth and its lengths in front of and behind the bar, in metres.
     radius

@@ -153,7 +153,7 @@ def row(rng: np.random.Generator, width: float, fill: float = 0.7) -> Mesh:
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     width
         Width of the shelf in metres.
     fill
@@ -179,7 +179,7 @@ def folded_towels(rng: np.random.Generator, cloths: list[Material], width: float
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     cloths
         Material of each towel, from the bottom up.
     width

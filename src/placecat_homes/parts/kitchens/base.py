@@ -31,7 +31,7 @@ def base(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     design

@@ -59,7 +59,7 @@ def worktop_things(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home. Its clutter decides how many objects there are.
     design

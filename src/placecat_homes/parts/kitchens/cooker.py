@@ -33,7 +33,7 @@ def hob(rng: np.random.Generator, kind: str, width: float, depth: float, *, knob
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     kind
         "glass", "gas" or "iron" (plates).
     width, depth
@@ -95,7 +95,7 @@ def oven_front(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     body

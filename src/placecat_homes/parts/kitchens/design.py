@@ -79,7 +79,7 @@ class Design:
         Parameters
         ----------
         rng
-            Source of randomness.
+            Random number generator.
         style
             Style of the home.
 

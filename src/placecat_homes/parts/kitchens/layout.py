@@ -51,7 +51,7 @@ def row(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     length
         Metres; x runs from -length / 2 to length / 2.
     fixed

@@ -37,7 +37,7 @@ def overhead(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     design

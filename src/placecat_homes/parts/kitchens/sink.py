@@ -86,7 +86,7 @@ def sink(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     kind
         "steel" (with a draining board where there is space), "sunk" or "belfast".
     metal
