@@ -16,7 +16,7 @@ from placecat_homes.style import Style
 
 
 def armchair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an armchair: sofa-like, winged, round, bentwood, rocking or reclining.
+    """Draw a sofa-like armchair, wing chair, tub chair, rocking chair, recliner or bentwood chair.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def wing_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _plate(profile: list[tuple[float, float]], thickness: float) -> Mesh:
-    """Draw an upright plate. Its outline (y, z) runs counter-clockwise seen from +x."""
+    """Draw an upright plate. Its outline (y, z) runs counter-clockwise as seen from +x."""
     flat = extrude(profile, thickness, smooth=True)
     # The outline (y, z) is drawn in the x-y plane. Turning it by 90 degrees about x, then z, puts it upright.
     return flat.turned(90, "x").turned(90).moved(-thickness / 2)

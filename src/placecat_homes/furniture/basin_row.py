@@ -21,7 +21,7 @@ def basin_row(
     ceramic: Material | None = None,
     mirror: bool = True,
 ) -> Mesh:
-    """Draw a row of washbasins, either set in one counter or separate.
+    """Draw a row of washbasins, either set into a shared counter or mounted separately.
 
     Parameters
     ----------

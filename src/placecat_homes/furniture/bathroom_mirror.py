@@ -34,7 +34,7 @@ def bathroom_mirror(
     kind
         "plain", "framed", "round" or "cabinet"; chosen at random if None.
     width, height
-        Metres; chosen at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------

@@ -42,7 +42,7 @@ def bathtub(
         "built-in" (with a panel in front), "claw-foot" or "modern" (both free-standing);
         chosen at random if None.
     length
-        Metres; chosen at random if None.
+        Length in metres; chosen at random if None.
     tiles
         Tiles on the wall behind a built-in tub, and sometimes on its panel; chosen at random if None.
     screen

@@ -58,7 +58,7 @@ def block(
 
 
 def backed(mesh: Mesh) -> Mesh:
-    """Centre a piece in x and move its back to y = 0. Its height stays the same."""
+    """Centre a piece in x and move its back to y = 0. Its z coordinates stay the same."""
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1]), 0.0)
 
@@ -78,7 +78,7 @@ def leg(
     foot, top
         Position (x, y) of the axis at the lower and upper ends, in metres.
     height
-        Metres.
+        Height in metres.
     thick, thin
         Radius at the top and at the foot in metres.
     segments
@@ -109,11 +109,11 @@ def legs(
     width, depth
         Outer size of the rectangle they stand on, in metres.
     height
-        Metres.
+        Height in metres.
     material
         Material of the legs.
     thickness
-        Metres.
+        Thickness in metres.
 
     Returns
     -------
@@ -242,7 +242,7 @@ def shade(low: float, high: float, height: float, material: Material, segments: 
     low, high
         Radii of the lower and upper rims, in metres.
     height
-        Metres.
+        Height in metres.
     material
         Material of the inside and the outside.
     segments

@@ -12,7 +12,7 @@ PAGES = Material((0.9, 0.87, 0.78))
 
 
 def covers(rng: np.random.Generator, count: int = 9) -> list[Material]:
-    """Draw cover materials for the books in a home."""
+    """Choose cover materials for the books in a home."""
     found = []
     for _ in range(count):
         base = palette.colour(rng, 0.85, 0.12, 0.9)
@@ -40,7 +40,7 @@ def row(
     depth
         Depth of the shelf in metres.
     pool
-        Covers to choose from; chosen at random if None.
+        Covers to choose from; a random selection if None.
 
     Returns
     -------
@@ -94,7 +94,7 @@ def stack(rng: np.random.Generator, count: int | None = None, pool: list[Materia
     count
         Number of books; 2 to 6 if None.
     pool
-        Covers to choose from; chosen at random if None.
+        Covers to choose from; a random selection if None.
 
     Returns
     -------

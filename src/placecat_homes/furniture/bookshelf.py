@@ -30,9 +30,9 @@ def bookshelf(
     style
         Style of the home.
     width, height
-        Metres; chosen at random if None.
+        Size in metres; chosen at random if None.
     full
-        From few books (0) to many (1); chosen at random if None.
+        How full the shelves are, from 0 (few books) to 1 (many); chosen at random if None.
 
     Returns
     -------
@@ -179,7 +179,7 @@ def wall_unit(
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
     screen
         Whether it includes a television; chosen at random if None.
 
@@ -248,12 +248,12 @@ def wall_shelf(rng: np.random.Generator, style: Style, width: float | None = Non
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Its lower end is at z = 0.
+        The lowest point of the mesh is at z = 0.
     """
     width = between(rng, 0.6, 1.2) if width is None else width
     wood, depth, pool = style.any_wood(rng), between(rng, 0.2, 0.26), covers(rng)

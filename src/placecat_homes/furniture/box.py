@@ -30,7 +30,7 @@ def cardboard(
     style
         Style of the home.
     width, depth, height
-        Metres; chosen at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
@@ -82,7 +82,7 @@ def storage_box(
     style
         Style of the home.
     width, depth, height
-        Metres; chosen at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
@@ -136,7 +136,7 @@ def basket(rng: np.random.Generator, style: Style, height: float | None = None) 
     style
         Style of the home.
     height
-        Metres; chosen at random if None.
+        Height in metres; chosen at random if None.
 
     Returns
     -------

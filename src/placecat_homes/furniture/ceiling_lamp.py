@@ -19,7 +19,7 @@ BULB = Material((1.0, 0.95, 0.85), emission=4.0)
 
 
 def light_colour(rng: np.random.Generator) -> Colour:
-    """Draw a colour of light between warm white and neutral white."""
+    """Choose a light colour between warm white and neutral white."""
     warm = rng.random()
     return (1.0, 0.8 + 0.15 * warm, 0.58 + 0.34 * warm)
 

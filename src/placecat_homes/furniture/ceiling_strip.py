@@ -17,7 +17,7 @@ def ceiling_strip(rng: np.random.Generator, style: Style, *, length: float | Non
     rng, style
         Random number generator and style of the home.
     length
-        Metres; 1.2 or 1.5 if None.
+        Length in metres; 1.2 or 1.5 if None.
     """
     length = length or choose(rng, (1.2, 1.5))
     kind = choose(rng, ("cover", "louvre", "tube", "square"), (2, 2, 1, 1.5))

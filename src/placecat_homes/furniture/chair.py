@@ -33,12 +33,12 @@ def chair(
     design
         One of `DESIGNS`; chosen to suit the style if None.
     armrests
-        Whether the chair has armrests; usually not if None.
+        Whether the chair has armrests; if None, it rarely does.
 
     Returns
     -------
     Mesh
-        A chair with its back to the wall, so that a person on it faces +y.
+        A chair with its back to the wall, so that a person sitting in it faces +y.
     """
     m = style.modern
     weights = (1.2 - m, 1.0, 0.8, 0.2 + 1.3 * m, 0.7, 0.7 * (1 - m), 0.7 * (1 - m), 0.1 + 0.7 * m)
@@ -102,7 +102,7 @@ def _pad(outline: Sequence[tuple[float, float]], height: float) -> Mesh:
 
 
 def seat_cover(rng: np.random.Generator, style: Style) -> Material:
-    """Draw a material for a seat cover."""
+    """Choose a material for a seat cover."""
     kind = rng.random()
     if kind < 0.3:
         return palette.leather(rng)

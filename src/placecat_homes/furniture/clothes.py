@@ -21,7 +21,7 @@ HANGER = (
 
 
 def cloth(rng: np.random.Generator) -> Material:
-    """Draw a material for a piece of clothing."""
+    """Choose a material for a piece of clothing."""
     kind = rng.random()
     if kind < 0.3:
         v = between(rng, 0.06, 0.3) if chance(rng, 0.6) else between(rng, 0.75, 0.95)
@@ -97,7 +97,10 @@ def garment(rng: np.random.Generator, kind: str | None = None, hanger: Material 
 
 
 def _body(top: float, hem: float, thick: float, long: float, slope: float, fold: float) -> Mesh:
-    """Draw a hollow hanging cloth that is flat along x. `top` and `hem` are its widths along y in metres."""
+    """Draw the hollow body of a hanging garment, thin along x.
+
+    `top` and `hem` are its widths along y in metres.
+    """
 
     def surface(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
         a = s * 2 * math.pi
@@ -111,7 +114,7 @@ def _body(top: float, hem: float, thick: float, long: float, slope: float, fold:
         drop = np.interp(t, [0, 0.12, 1], [0, 0.08 if slope > 0.05 else 0.02, long])
         return x, y, -drop
 
-    # If s ran from the front to +y, the surface would face inwards, because t runs down. So s is reversed.
+    # Because t runs down, s is reversed. Otherwise the surface would face inwards.
     return sheet(lambda s, t: surface(1 - s, t), 14, 6, (2 * top, long))
 
 
@@ -131,7 +134,7 @@ def hanging(
     long
         Space below the rod in metres.
     full
-        From a nearly empty rod (0) to a crowded one (1).
+        How full the rod is, from 0 (nearly empty) to 1 (crowded).
 
     Returns
     -------
@@ -178,7 +181,7 @@ def folded(
     style
         Style of the home.
     width, depth
-        Metres.
+        Size in metres.
     count
         Number of pieces; 2 to 6 if None.
 

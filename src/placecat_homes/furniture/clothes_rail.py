@@ -21,7 +21,7 @@ def clothes_rail(rng: np.random.Generator, style: Style, width: float | None = N
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
@@ -51,7 +51,7 @@ def clothes_rail(rng: np.random.Generator, style: Style, width: float | None = N
 
 
 def coat_hooks(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a board of hooks with coats, bags and hats.
+    """Draw a wall board with hooks that carry coats, bags and hats.
 
     Parameters
     ----------
@@ -60,12 +60,12 @@ def coat_hooks(rng: np.random.Generator, style: Style, width: float | None = Non
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        The lower end of the longest coat is at z = 0, and the board is up to 1.3 m above it.
+        The lowest point is at z = 0, and the board is up to 1.3 m above it.
     """
     width = between(rng, 0.5, 1.1) if width is None else width
     wood = style.any_wood(rng)

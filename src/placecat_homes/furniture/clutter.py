@@ -117,7 +117,7 @@ def fill(
     pool
         Book covers to choose from.
     full
-        From mostly empty shelves (0) to shelves full of books (1).
+        How full the shelf is, from 0 (mostly empty) to 1 (full of books).
 
     Returns
     -------

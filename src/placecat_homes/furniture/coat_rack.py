@@ -12,14 +12,14 @@ from placecat_homes.style import Style
 
 
 def coat_rack(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a board of hooks with coats and bags. The hem of the longest coat is at z = 0.
+    """Draw a wall board with hooks that carry coats and bags. The lowest point is at z = 0.
 
     Parameters
     ----------
     rng, style
         Random number generator and style of the home.
     width
-        Metres; 0.6 to 1.3 if None.
+        Width in metres; 0.6 to 1.3 if None.
     """
     width = width or between(rng, 0.6, 1.3)
     wood = choose(rng, (style.wood, style.any_wood(rng), palette.paint(rng)))

@@ -21,7 +21,7 @@ def coat(rng: np.random.Generator, style: Style, length: float | None = None) ->
     rng, style
         Random number generator and style of the home.
     length
-        Metres; 0.6 to 1.1 if None.
+        Length in metres; 0.6 to 1.1 if None.
     """
     length = length or between(rng, 0.6, 1.1)
     cloth = _cloth(rng)
@@ -63,7 +63,7 @@ def bag(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def hat(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a hat lying on a board."""
+    """Draw a hat lying on a shelf."""
     felt = _cloth(rng)
     line = [(0, 0), (0.15, 0), (0.155, 0.008), (0.095, 0.02), (0.09, 0.08), (0.07, 0.11), (0, 0.105)]
     return lathe(line, 18).of(felt)

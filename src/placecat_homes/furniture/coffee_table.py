@@ -25,7 +25,7 @@ def coffee_table(rng: np.random.Generator, style: Style, width: float | None = N
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------

@@ -27,7 +27,7 @@ def monitor(rng: np.random.Generator, style: Style, *, case: Material | None = N
 
 
 def keyboard(rng: np.random.Generator, style: Style, *, case: Material | None = None) -> Mesh:
-    """Draw a keyboard with a texture of keys."""
+    """Draw a keyboard whose keys are a texture."""
     case = case or _case(rng)
     wide, deep = choose(rng, ((0.45, 0.155), (0.43, 0.14), (0.29, 0.125)))
     keys = palette.shade(case.colour, 0.95)

@@ -23,7 +23,7 @@ def console_table(rng: np.random.Generator, style: Style, width: float | None = 
     rng, style
         Random number generator and style of the home.
     width
-        Metres; 0.7 to 1.2 if None.
+        Width in metres; 0.7 to 1.2 if None.
     """
     width = width or between(rng, 0.7, 1.2)
     deep, high = between(rng, 0.26, 0.36), between(rng, 0.76, 0.88)

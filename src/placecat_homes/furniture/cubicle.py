@@ -93,7 +93,7 @@ def _inside(x: float, total: float) -> float:
 def _door(
     width: float, height: float, material: Material, metal: Material, side: float, locked: bool
 ) -> Mesh:
-    """Draw a door leaf with a knob, a lock and hinges. The hinges are at the `side` (-1 or 1) end along x."""
+    """Draw a door leaf with a knob, a lock, and hinges at the -x or +x end (`side` -1 or 1)."""
     free = -side * (width / 2 - 0.06)
     sign = Material((0.75, 0.1, 0.1) if locked else (0.1, 0.55, 0.2))
     parts = [

@@ -33,7 +33,7 @@ def curtains(rng: np.random.Generator, style: Style, width: float = 1.3, height:
     Returns
     -------
     Mesh
-        Its lower end is at z = 0.
+        The lowest point of the mesh is at z = 0.
     """
     overhang = between(rng, 0.12, 0.28)
     cloth = palette.fabric(rng) if chance(rng, 0.5) else palette.plain_fabric(rng)
@@ -160,7 +160,7 @@ def net(rng: np.random.Generator, style: Style, width: float = 1.2, height: floa
     Returns
     -------
     Mesh
-        Its lower end is at z = 0.
+        The lowest point of the mesh is at z = 0.
     """
     drop = height if chance(rng, 0.6) else height * between(rng, 0.35, 0.6)
     low = 0.0 if drop < height else 0.02

@@ -25,7 +25,7 @@ def desk(
     rng, style
         Random number generator and style of the home.
     width, depth
-        Metres; 1.2 to 1.8 by 0.65 to 0.85 if None.
+        Size in metres; 1.2 to 1.8 by 0.65 to 0.85 if None.
     """
     width = width or float(rng.uniform(1.2, 1.8))
     depth = depth or float(rng.uniform(0.65, 0.85))

@@ -151,7 +151,7 @@ def loose_papers(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def small_thing(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a stapler, a block of notes, a calculator, a bottle or a pair of glasses."""
+    """Draw a stapler, a pad of sticky notes, a calculator, a bottle or a pair of glasses."""
     kind = choose(rng, ("stapler", "notes", "calculator", "bottle", "glasses"))
     if kind == "stapler":
         return join(
@@ -208,9 +208,9 @@ def clutter(
     width, depth
         Width and depth of the desk top in metres. It is centred in x at z = 0, with its back edge on y = 0.
     middle
-        Width in metres of the free space in the middle.
+        Width of the free space in the middle, in metres.
     amount
-        From tidy (0) to untidy (1).
+        How untidy the desk is, from 0 (tidy) to 1 (untidy).
     """
     makers = [paper_stack, pen_cup, loose_papers, book_pile, mug, phone, small_thing, in_tray, desk_lamp]
     weights = np.array([2.0, 1.2, 1.6, 1.3, 1.3, 1.0, 1.5, 0.8, 0.9])

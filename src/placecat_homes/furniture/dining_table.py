@@ -222,7 +222,7 @@ def small_table(rng: np.random.Generator, style: Style, *, width: float | None =
 
 
 def folding_table(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a narrow folding table for the wall of a small kitchen."""
+    """Draw a narrow folding table to put against the wall of a small kitchen."""
     wood = style.any_wood(rng)
     w, d = between(rng, 0.8, 1.1), between(rng, 0.45, 0.55)
     top = box(w, d, 0.03, 0.005).moved(z=HEIGHT - 0.03).of(wood)

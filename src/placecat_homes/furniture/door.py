@@ -42,7 +42,7 @@ def door(
     angle
         Opening angle of the leaf in degrees; 0 is shut.
     hinge
-        Side of the hinge ("left" or "right"), seen from the room the leaf swings into.
+        Side of the hinge ("left" or "right"), as seen from the room the leaf swings into.
     glass
         Whether the leaf is a pane of glass in a narrow frame.
 
@@ -107,7 +107,7 @@ def frame(style: Style, width: float, height: float, wall: float = 0.12, casing:
 
 
 def leaf_corners(width: float, angle: float, hinge: str) -> np.ndarray:
-    """Return the (4, 2) footprint corners of an open leaf, counter-clockwise in the frame of `door`."""
+    """Return the (4, 2) corners of an open leaf's footprint, counter-clockwise in `door` coordinates."""
     t, w = _LINING, width - 2 * _LINING + 0.012
     corners = np.array([(-w, -LEAF), (0.0, -LEAF), (0.0, 0.0), (-w, 0.0)])
     c, s = np.cos(np.radians(-angle)), np.sin(np.radians(-angle))

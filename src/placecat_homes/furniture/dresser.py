@@ -22,7 +22,7 @@ from placecat_homes.style import Style
 
 
 def _stand(mesh: Mesh, x: float, y: float, z: float) -> Mesh:
-    """Move an object so that its footprint is centred on (x, y) and its foot is at z."""
+    """Move an object so that its footprint is centred on (x, y) and its base is at z."""
     middle = (mesh.low + mesh.high) / 2
     return mesh.moved(x - float(middle[0]), y - float(middle[1]), z - float(mesh.low[2]))
 
@@ -119,7 +119,7 @@ def dresser(rng: np.random.Generator, style: Style, *, width: float | None = Non
     style
         Style of the home.
     width
-        Metres; 0.6 to 1.5 if None.
+        Width in metres; 0.6 to 1.5 if None.
 
     Returns
     -------
@@ -263,7 +263,7 @@ def bed_bench(rng: np.random.Generator, style: Style, *, width: float | None = N
     style
         Style of the home.
     width
-        Metres; 0.9 to 1.4 if None.
+        Width in metres; 0.9 to 1.4 if None.
 
     Returns
     -------

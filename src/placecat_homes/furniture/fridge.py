@@ -28,7 +28,7 @@ def fridge(
     design
         "single", "two" (freezer above or below), "double" (side by side) or "retro"; random if None.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------

@@ -34,7 +34,7 @@ def island(
     style
         Style of the home.
     width
-        Metres.
+        Width in metres.
     bar
         Whether the worktop overhangs at the back to leave space for stools (at y < 0.3).
     design

@@ -22,7 +22,7 @@ def kitchen_shelf(rng: np.random.Generator, style: Style, *, width: float | None
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------

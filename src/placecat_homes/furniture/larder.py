@@ -69,7 +69,7 @@ def larder(rng: np.random.Generator, style: Style, *, width: float | None = None
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------

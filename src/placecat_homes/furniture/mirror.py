@@ -20,7 +20,7 @@ def mirror(
     rng, style
         Random number generator and style of the home.
     width, height
-        Metres; 0.4 to 0.75 by 0.6 to 1.6 if None.
+        Size in metres; 0.4 to 0.75 by 0.6 to 1.6 if None.
     """
     width = width or between(rng, 0.4, 0.75)
     height = height or choose(rng, (between(rng, 1.2, 1.6), between(rng, 0.6, 1.0)))

@@ -88,7 +88,7 @@ def nightstand(rng: np.random.Generator, style: Style, *, seed: int | None = Non
     style
         Style of the home.
     seed
-        Seed of the design, so that the tables on both sides of a bed can match; random if None.
+        Seed for the design, so that the tables on both sides of a bed can match; random if None.
 
     Returns
     -------

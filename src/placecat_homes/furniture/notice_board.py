@@ -14,14 +14,14 @@ from placecat_homes.style import Style
 def notice_board(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw a cork or felt pinboard with papers, cards and a poster, to hang at 1 m.
+    """Draw a cork or felt pinboard with papers, cards and a poster. It should hang about 1 m above the floor.
 
     Parameters
     ----------
     rng, style
         Random number generator and style of the home.
     width, height
-        Metres; 0.6 to 1.6 by 0.5 to 1.1 if None.
+        Size in metres; 0.6 to 1.6 by 0.5 to 1.1 if None.
     """
     width = width or between(rng, 0.6, 1.6)
     height = height or between(rng, 0.5, 1.1)
@@ -43,7 +43,7 @@ def papers_on_wall(rng: np.random.Generator, style: Style, width: float = 0.9, h
 
 
 def wall_poster(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a large portrait or landscape poster, sometimes framed, to hang at 0.9 m."""
+    """Draw a portrait or landscape poster, sometimes framed. It should hang about 1 m above the floor."""
     short, long = choose(rng, ((0.59, 0.84), (0.84, 1.19), (0.42, 0.59)))
     width, height = (short, long) if chance(rng, 0.7) else (long, short)
     sheet = pinned(rng, width, height, large=True)
@@ -56,7 +56,7 @@ def wall_poster(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def calendar(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a wall calendar with a picture above a page of days, to hang at 1.3 m."""
+    """Draw a calendar with a picture above a grid of days. It should hang about 1.3 m above the floor."""
     width = between(rng, 0.25, 0.42)
     picture = width * between(rng, 0.6, 0.9)
     days = width * 0.75

@@ -27,7 +27,7 @@ def office_shelf(
     rng, style
         Random number generator and style of the home.
     width, height
-        Metres; 0.75 to 1.25 by 1.1 to 2.2 if None.
+        Size in metres; 0.75 to 1.25 by 1.1 to 2.2 if None.
     """
     width = width or between(rng, 0.75, 1.25)
     height = height or choose(rng, (between(rng, 1.1, 1.3), between(rng, 1.75, 2.2)), (0.3, 0.7))

@@ -31,7 +31,7 @@ def reams(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def paper_boxes(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw one or two piles of cardboard paper boxes."""
+    """Draw one or two piles of cardboard boxes full of paper."""
     card = Material(choose(rng, ((0.66, 0.52, 0.36), (0.9, 0.89, 0.86), (0.55, 0.43, 0.3))))
     lid = card if chance(rng, 0.5) else Material((0.92, 0.92, 0.9))
     brand = Material(ink(rng))

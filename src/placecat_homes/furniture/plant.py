@@ -89,7 +89,7 @@ def leaves(
 
 
 def _around(rng: np.random.Generator, n: int, low: float, high: float) -> Points:
-    """Return directions all around the z axis that rise by `low` to `high` degrees."""
+    """Return directions all around the z axis, `low` to `high` degrees above the horizontal."""
     turn = np.arange(n) * 2.4 + rng.uniform(0, 6.28) + rng.normal(0, 0.25, n)
     rise = np.radians(rng.uniform(low, high, n))
     return np.stack([np.cos(turn) * np.cos(rise), np.sin(turn) * np.cos(rise), np.sin(rise)], 1)
@@ -105,7 +105,7 @@ def pot(rng: np.random.Generator, style: Style, radius: float, height: float) ->
     style
         Style of the home.
     radius, height
-        Metres.
+        Radius and height in metres.
 
     Returns
     -------
@@ -149,7 +149,7 @@ def plant(rng: np.random.Generator, style: Style, height: float | None = None) -
     style
         Style of the home.
     height
-        Height including the pot, in metres; a floor plant if None. Plants below 0.6 suit a sill or table.
+        Height including the pot, in metres; a floor plant if None. Plants below 0.6 m suit a sill or table.
 
     Returns
     -------

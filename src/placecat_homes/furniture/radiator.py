@@ -20,7 +20,7 @@ def radiator(
     style
         Style of the building.
     width, height
-        Metres; chosen at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------

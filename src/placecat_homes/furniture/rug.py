@@ -23,7 +23,7 @@ def rug(
     style
         Style of the home.
     width, depth
-        Metres; chosen at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
@@ -56,7 +56,7 @@ def mat(rng: np.random.Generator, style: Style, width: float = 0.8, depth: float
     style
         Style of the home.
     width, depth
-        Metres.
+        Size in metres.
 
     Returns
     -------

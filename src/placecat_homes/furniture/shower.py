@@ -37,7 +37,7 @@ def shower(
     tiles
         Tiles of the back wall; chosen at random if None.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
     kind
         "cabin" (glass on all sides, with a door), "walk-in" (one pane) or "curtain"; random if None.
 

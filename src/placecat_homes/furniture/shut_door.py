@@ -1,4 +1,4 @@
-"""Shut doors, shown as reliefs on a wall."""
+"""Shut doors, modelled as reliefs on a wall."""
 
 from dataclasses import replace
 

@@ -23,7 +23,7 @@ def side_table(
     style
         Style of the home.
     height
-        Metres; chosen at random if None.
+        Height in metres; chosen at random if None.
     lamp
         Whether a lamp stands on it; chosen at random if None.
 

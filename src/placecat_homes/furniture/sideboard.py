@@ -34,7 +34,7 @@ def sideboard(
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
     decorated
         Whether to put objects on top.
 

@@ -15,7 +15,7 @@ from placecat_homes.style import Style
 
 
 def cover(rng: np.random.Generator, style: Style) -> Material:
-    """Draw a material for the covers."""
+    """Choose a material for the covers."""
     kind = rng.random()
     if kind < 0.5:
         return palette.plain_fabric(rng)

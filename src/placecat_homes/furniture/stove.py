@@ -29,7 +29,7 @@ def stove(
     style
         Style of the home.
     width
-        Metres; 0.5, 0.6 or 0.9 if None.
+        Width in metres; 0.5, 0.6 or 0.9 if None.
     height
         Height of the hob above the floor in metres.
     body

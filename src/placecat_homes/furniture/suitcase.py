@@ -13,7 +13,7 @@ from placecat_homes.style import Style
 
 
 def suitcase(rng: np.random.Generator, style: Style, lying: bool | None = None) -> Mesh:
-    """Draw a suitcase: a ribbed shell on wheels, or an old leather one with straps.
+    """Draw a ribbed hard-shell suitcase on wheels, or an old leather suitcase with straps.
 
     Parameters
     ----------

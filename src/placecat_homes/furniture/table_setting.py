@@ -63,7 +63,7 @@ class Tableware:
 
     @classmethod
     def draw(cls, rng: np.random.Generator, style: Style) -> "Tableware":
-        """Draw the tableware for one table."""
+        """Choose the tableware for one table."""
         return cls(
             china=palette.ceramic(rng),
             metal=palette.METALS[int(rng.integers(2))],

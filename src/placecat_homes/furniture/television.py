@@ -47,7 +47,7 @@ def television(
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
     lit
         Whether it is on; chosen at random if None.
 
@@ -81,14 +81,14 @@ def wall_television(
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
     lit
         Whether it is on; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Its lower end is at z = 0.
+        The lowest point of the mesh is at z = 0.
     """
     width = between(rng, 0.9, 1.5) if width is None else width
     return _panel(rng, width, chance(rng, 0.3) if lit is None else lit).moved(0, 0.03, 0)
@@ -142,7 +142,7 @@ def speaker(rng: np.random.Generator, style: Style, height: float | None = None)
     style
         Style of the home.
     height
-        Metres; chosen at random if None.
+        Height in metres; chosen at random if None.
 
     Returns
     -------
@@ -221,7 +221,7 @@ def bench(rng: np.random.Generator, style: Style, width: float | None = None) ->
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
@@ -284,7 +284,7 @@ def tv_bench(rng: np.random.Generator, style: Style, width: float | None = None,
     width
         Width of the cabinet in metres; chosen at random if None.
     hung
-        Whether the television hangs on the wall above and is left out here.
+        Whether the television hangs on the wall above. If it does, it is not drawn.
 
     Returns
     -------

@@ -32,7 +32,7 @@ def toilet(
         Material of the bowl; chosen at random if None.
     kind
         "close-coupled" (cistern on the bowl), "wall-hung" (cistern in a boxed wall), "low" (cistern halfway
-        up the wall) or "high" (an old one with a chain); chosen at random if None.
+        up the wall) or "high" (an old cistern with a chain); chosen at random if None.
     open_lid
         Whether the lid is open; open with probability 0.4 if None.
 
@@ -103,7 +103,7 @@ def _bowl_inside(back: float, width: float, length: float, top: float) -> list[t
 
 
 def _standing(ceramic: Material, back: float, rng: np.random.Generator) -> Mesh:
-    """Draw a bowl on a foot. Its rim starts at y = `back` and is 40 cm high."""
+    """Draw a bowl on a foot. The rim starts at y = `back`, 40 cm above the floor."""
     width, length = 0.36, 0.47
     waist = rng.uniform(0.17, 0.22)
 
@@ -136,7 +136,7 @@ def _seat(
     opened: bool,
     lean: float,
 ) -> Mesh:
-    """Draw the seat and the lid on the rim. There are `lean` metres of free depth behind an open lid."""
+    """Draw the seat and the lid on the rim. An open lid has `lean` metres of space behind it."""
     outer = rounded(0.375, 0.455, (0.187, 0.29), (0.13, 0.1), points=8)
     inner = rounded(0.22, 0.29, (0.11, 0.17), (0.09, 0.09), y=0.09, points=8)
     seat = ring(outer, inner, 0.02, 0.006)

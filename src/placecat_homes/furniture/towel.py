@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def cloths(rng: np.random.Generator, style: Style, count: int) -> list[Material]:
-    """Draw materials for towels, which may or may not match."""
+    """Choose materials for towels. They may or may not match."""
     first = palette.plain_fabric(rng)
     match = rng.random() < 0.5
     return [

@@ -32,12 +32,12 @@ def wardrobe(
     style
         Style of the home.
     width
-        Metres; 0.95 to 2.4 if None.
+        Width in metres; 0.95 to 2.4 if None.
     kind
         "hinged" (two to five doors, sometimes mirrored), "sliding" (two or three doors, often mirrored),
         "open" (no doors) or "antique" (a cornice and drawers); chosen at random if None.
     height
-        Metres; chosen at random if None.
+        Height in metres; chosen at random if None.
 
     Returns
     -------

@@ -121,7 +121,7 @@ def wardrobe_shelf(
     style
         Style of the home.
     width, height
-        Metres; chosen at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
@@ -182,7 +182,7 @@ def low_shelf(
     style
         Style of the home.
     width, height
-        Metres; chosen at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
@@ -213,12 +213,12 @@ def wall_board(rng: np.random.Generator, style: Style, width: float | None = Non
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        A shelf with the lower end of the longest garment at z = 0.
+        A shelf with the hem of the longest garment at z = 0.
     """
     width = between(rng, 0.6, 1.0) if width is None else width
     wood, depth = style.any_wood(rng), 0.36
@@ -246,7 +246,7 @@ def shoe_rack(rng: np.random.Generator, style: Style, width: float | None = None
     style
         Style of the home.
     width
-        Metres; chosen at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------

@@ -38,9 +38,9 @@ def washbasin(
         "pedestal", "wall" (with its drain showing), "vanity" (a cabinet with the basin as its top), "vessel"
         (a bowl on a counter) or "stand" (a bowl on a table); chosen at random if None.
     width
-        Metres; chosen at random if None. A vanity of 1.1 m or more has two basins.
+        Width in metres; chosen at random if None. A vanity of 1.1 m or more has two basins.
     clutter
-        From only a bar of soap (0) to many bottles (1); taken from the style if None.
+        Amount of clutter, from 0 (only a bar of soap) to 1 (many bottles); taken from the style if None.
 
     Returns
     -------

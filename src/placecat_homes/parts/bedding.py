@@ -43,15 +43,17 @@ def cover(
     width
         Width of the mattress in metres.
     start, end
-        Positions along y, in metres, of the edge near the head and of the foot of the bed.
+        Positions along y in metres: the blanket's edge near the head, and the foot of the bed.
     top
         Height of the top of the mattress in metres.
     side, foot
-        How far it hangs down at each side and at the foot in metres. If `foot` is 0, it ends on the mattress.
+        How far the blanket hangs down at each side and at the foot, in metres. If `foot` is 0, it ends on the
+        mattress.
     thickness, crease
         Thickness of the blanket and height of its creases in metres.
     slant
-        Extra distance from the head at +x relative to -x, in metres, for a blanket that is half thrown back.
+        How much farther from the head the edge is at +x than at -x, in metres. Nonzero for a blanket that is
+        half thrown back.
     centre
         Shift of the blanket along x in metres.
     quilt
@@ -75,7 +77,7 @@ def cover(
     foot_arc = radius * math.pi / 2 + max(foot - radius, 0.0) - radius if foot > 0 else 0.0
 
     def bent(arc: Array, edge: float) -> tuple[Array, Array]:
-        """Map a distance along the blanket to its position along the top and its drop over the edge."""
+        """Convert a distance along the blanket into a horizontal position and a drop over the edge."""
         over = np.maximum(arc - (edge - radius), 0.0)
         turn = np.minimum(over / radius, math.pi / 2)
         down = radius * (1 - np.cos(turn)) + np.maximum(over - radius * math.pi / 2, 0.0)
@@ -178,7 +180,7 @@ def cushions(rng: np.random.Generator, style: Style, width: float, top: float, y
 
 
 def linen(rng: np.random.Generator, style: Style) -> Material:
-    """Draw a material for bed linen."""
+    """Choose a material for bed linen."""
     choice = rng.random()
     if choice < 0.25:
         white = palette.shade((0.93, 0.92, 0.9), rng.uniform(0.92, 1.0))

@@ -39,7 +39,7 @@ def chest(
     style
         Style of the home.
     width, depth, height
-        Metres.
+        Size in metres.
     shares
         Relative heights of the drawers from the top down.
     case, front
@@ -65,7 +65,7 @@ def chest(
 
 
 def surface(rng: np.random.Generator, style: Style) -> Material:
-    """Draw a surface material for office desks and shelves."""
+    """Choose a surface material for office desks and shelves."""
     kind = rng.random()
     if kind < 0.35:
         return style.wood

@@ -21,7 +21,7 @@ def front(width: float, height: float, material: Material, design: str = "flat")
     Parameters
     ----------
     width, height
-        Metres.
+        Size in metres.
     material
         Material of the front.
     design

@@ -15,7 +15,7 @@ def board(width: float, depth: float, height: float, radius: float, steps: int =
     Parameters
     ----------
     width, depth, height, radius
-        Metres.
+        Dimensions in metres.
     steps
         Number of edges in each corner.
     """
@@ -23,7 +23,7 @@ def board(width: float, depth: float, height: float, radius: float, steps: int =
 
 
 def bent(mesh: Mesh, radius: float) -> Mesh:
-    """Bend the sides of an upright panel towards +y, around a vertical axis `radius` metres in front."""
+    """Bend the sides of an upright panel towards +y around a vertical axis `radius` metres in front of it."""
     x = mesh.vertices[:, 0]
     vertices = mesh.vertices.copy()
     vertices[:, 1] += x * x / np.float32(2 * radius)

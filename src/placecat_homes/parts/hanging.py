@@ -16,7 +16,7 @@ def curtain(
     Parameters
     ----------
     width, height, depth, thickness
-        Metres; `depth` is the depth of the folds.
+        Dimensions in metres; `depth` is the depth of the folds.
     folds
         Number of folds across the width.
 

@@ -28,7 +28,7 @@ def rounded(
     Parameters
     ----------
     width, depth
-        Metres.
+        Size in metres.
     front, back
         Radius of the corners at +y and at -y, or their radii along x and y. If `back` is None, it equals
         `front`.
@@ -221,7 +221,7 @@ def hung(rng: np.random.Generator, width: float, front: float, back: float, radi
     Returns
     -------
     Mesh
-        A cloth below z = radius.
+        A cloth that hangs down from z = `radius`.
     """
     over = math.pi * radius
     phase, folds = rng.uniform(0, 6), rng.uniform(1.5, 3.0)

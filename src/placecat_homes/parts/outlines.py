@@ -19,7 +19,7 @@ def rectangle(width: float, depth: float, radius: float = 0.0, steps: int = 4) -
     Parameters
     ----------
     width, depth, radius
-        Metres.
+        Dimensions in metres.
     steps
         Number of edges in each rounded corner.
 
@@ -96,7 +96,8 @@ def loft(rings: Sequence[NDArray[np.float64]], *, close: bool = False) -> Mesh:
     Parameters
     ----------
     rings
-        Points of each ring, shape (n, 3). If the skin goes up outside, they are counter-clockwise from above.
+        Points of each ring, shape (n, 3). If a skin goes up the outside, the points run
+        counter-clockwise as seen from above.
     close
         Whether to close the last ring with a fan around its middle.
 
@@ -132,6 +133,6 @@ def ring(outline: Sequence[tuple[float, float]], z: float) -> NDArray[np.float64
 
 
 def textured(mesh: Mesh, *, u: float = 0.0, v: float = 0.0, quarter: bool = False) -> Mesh:
-    """Shift the texture of a mesh in metres. `quarter` turns it by 90 degrees, for upright wood grain."""
+    """Shift a mesh's texture by `u` and `v` metres. `quarter` turns it by 90 degrees for upright grain."""
     uv = mesh.uv[:, ::-1] if quarter else mesh.uv
     return replace(mesh, uv=(uv + np.array([u, v], np.float32)).astype(np.float32))

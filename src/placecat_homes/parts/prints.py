@@ -19,7 +19,7 @@ PAPERS: tuple[Colour, ...] = (
 
 
 def ink(rng: np.random.Generator) -> Colour:
-    """Draw a strong colour for headings, binders and pens."""
+    """Choose a strong colour for headings, binders and pens."""
     hue, deep = rng.random(), rng.uniform(0.2, 0.9)
     wheel = np.clip(np.abs((hue * 6 + np.array([0, 4, 2])) % 6 - 3) - 1, 0, 1)
     r, g, b = (float(v) for v in deep * (1 - rng.beta(1.6, 1.3) * (1 - wheel)))
@@ -27,7 +27,7 @@ def ink(rng: np.random.Generator) -> Colour:
 
 
 def leaf(rng: np.random.Generator, *, white: float = 0.8) -> Material:
-    """Draw a plain paper material. It is white with probability `white`."""
+    """Choose a plain paper material. It is white with probability `white`."""
     first = rng.random() < white
     return Material(PAPERS[int(rng.integers(3))] if first else PAPERS[int(rng.integers(3, len(PAPERS)))])
 

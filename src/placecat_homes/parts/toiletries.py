@@ -15,7 +15,7 @@ PAPER = Material((0.94, 0.93, 0.91))
 
 
 def bright(rng: np.random.Generator) -> Colour:
-    """Draw a typical packaging colour: white, pastel or strong."""
+    """Choose a typical packaging colour: white, pastel or strong."""
     if rng.random() < 0.3:
         return (0.93, 0.93, 0.9)
     hue, strength, value = rng.uniform(0, 6), rng.uniform(0.2, 0.85), rng.uniform(0.35, 0.95)
@@ -148,7 +148,7 @@ def cosmetic(rng: np.random.Generator) -> Mesh:
 
 
 def row(rng: np.random.Generator, width: float, fill: float = 0.7) -> Mesh:
-    """Draw a row of bottles, jars and tubes, centred in x and on y = 0.
+    """Draw a row of bottles, jars and tubes, centred in x and near y = 0.
 
     Parameters
     ----------

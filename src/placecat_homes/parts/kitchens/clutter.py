@@ -61,18 +61,18 @@ def worktop_things(
     rng
         Random number generator.
     style
-        Style of the home. Its clutter decides how many objects there are.
+        Style of the home. Its `clutter` determines how many objects there are.
     design
         Design of the kitchen.
     units
         The cabinets below.
     oven
-        Whether there may be a microwave oven among them.
+        Whether a microwave oven may be among the objects.
 
     Returns
     -------
     Mesh
-        The objects in the frame of the row of cabinets.
+        The objects in the coordinates of the cabinet row.
     """
     parts: list[Mesh] = []
     microwave_due = oven and rng.random() < 0.5

@@ -37,7 +37,7 @@ def hob(rng: np.random.Generator, kind: str, width: float, depth: float, *, knob
     kind
         "glass", "gas" or "iron" (plates).
     width, depth
-        Metres.
+        Size in metres.
     knobs
         Whether the hob has knobs at the front.
 
@@ -101,7 +101,7 @@ def oven_front(
     body
         Material of the front: steel, black or white.
     width, height
-        Metres.
+        Size in metres.
     knobs
         Number of knobs.
 

@@ -74,7 +74,7 @@ class Design:
 
     @classmethod
     def draw(cls, rng: np.random.Generator, style: Style) -> "Design":
-        """Draw a design that fits the style of a home.
+        """Choose a design that fits the style of a home.
 
         Parameters
         ----------

@@ -19,7 +19,7 @@ class Unit:
     x
         Position of the middle in metres.
     width
-        Metres.
+        Width in metres.
     """
 
     kind: str
@@ -53,7 +53,7 @@ def row(
     rng
         Random number generator.
     length
-        Metres; x runs from -length / 2 to length / 2.
+        Length in metres; x runs from -length / 2 to length / 2.
     fixed
         Kinds and widths of the required cabinets. If space is short, the last ones are left out first.
     sink_at
@@ -109,7 +109,7 @@ def row(
 def _worth(
     units: Sequence[Unit], start: float, end: float, sink_at: float | None, corners: Sequence[float]
 ) -> float:
-    """Rate an order by the space beside the hob and sink, and the places of the sink and dishwasher."""
+    """Rate an order by the space beside the hob and sink and by where the sink and dishwasher are."""
     at = {unit.kind: unit for unit in units}
     worth = 0.0
     sink, cooker, washer = at.get("sink"), at.get("cooker"), at.get("dishwasher")
@@ -129,7 +129,7 @@ def _worth(
 
 
 def sink_width(rng: np.random.Generator, length: float) -> float:
-    """Draw the width of the sink cabinet in metres, given the length of the row."""
+    """Choose the width of the sink cabinet in metres, given the length of the row."""
     if length < 1.7:
         return 0.5
     return float(rng.choice([0.6, 0.8, 0.9] if length > 2.4 else [0.5, 0.6]))

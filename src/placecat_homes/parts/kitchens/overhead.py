@@ -52,7 +52,7 @@ def overhead(
     Returns
     -------
     Mesh
-        The upper half at its final height, in the frame of the base cabinets.
+        The upper half at its final height, in the coordinates of the base cabinets.
     """
     left, right = units[0].left, units[-1].right
     top = min(design.top, ceiling - 0.06)
