@@ -53,7 +53,7 @@ def bathtub(
     Returns
     -------
     Mesh
-        A tub 1.4 to 1.8 m wide.
+        A tub 1.4 to 1.8 m long.
     """
     ceramic = ceramic or palette.ceramic(rng)
     length = length or float(rng.choice((1.5, 1.6, 1.7, 1.75)))

@@ -16,7 +16,7 @@ from placecat_homes.style import Style
 
 
 def console_table(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a narrow table on legs that holds keys, letters, a bowl, a telephone, flowers or a lamp.
+    """Draw a narrow table on legs, with keys, letters, a bowl, a telephone, flowers or a lamp on top.
 
     Parameters
     ----------

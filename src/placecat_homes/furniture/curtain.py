@@ -28,7 +28,7 @@ def curtains(rng: np.random.Generator, style: Style, width: float = 1.3, height:
     width
         Width of the window in metres; the rod is longer.
     height
-        Height of the rod above the lower end in metres.
+        Height of the rod above the hem in metres.
 
     Returns
     -------
@@ -102,7 +102,7 @@ def blind(rng: np.random.Generator, style: Style, width: float = 1.2, height: fl
     Returns
     -------
     Mesh
-        A blind in a window whose lower end is at z = 0.
+        A blind in a window whose bottom is at z = 0.
     """
     drop = height * (between(rng, 0.12, 0.55) if chance(rng, 0.75) else between(rng, 0.55, 0.95))
     kind = choose(rng, ("roller", "venetian", "roman"))

@@ -68,7 +68,7 @@ def thrown(
     ----------
     path
         Points (y, z) of the surface, from one end of the blanket to the other. The outside of the surface is
-        on the left.
+        to the left of the path.
     width
         Width along x in metres.
     material

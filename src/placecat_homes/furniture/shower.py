@@ -39,7 +39,7 @@ def shower(
     width
         Width in metres; chosen at random if None.
     kind
-        "cabin" (glass on all sides, with a door), "walk-in" (one pane) or "curtain"; random if None.
+        "cabin" (glass on three sides, with doors), "walk-in" (one pane) or "curtain"; random if None.
 
     Returns
     -------

@@ -42,7 +42,7 @@ def towel(rng: np.random.Generator, style: Style, *, kind: str | None = None) ->
     Returns
     -------
     Mesh
-        Towels 0.5 to 0.9 m high, with their lower end at z = 0.
+        Towels about 0.4 to 0.9 m high, with their lowest point at z = 0.
     """
     kind = kind or str(rng.choice(("rail", "double rail", "hooks", "ring"), p=(0.4, 0.15, 0.3, 0.15)))
     if kind == "hooks":

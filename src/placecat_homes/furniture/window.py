@@ -27,7 +27,7 @@ def window(
     width, height
         Width and height of the opening in metres.
     depth
-        Distance from the inner face of the wall to the window.
+        Distance from the inner face of the wall to the window in metres.
     to_floor
         Whether to build a balcony door without a sill.
 
