@@ -10,7 +10,7 @@ from placecat_homes.style import Style
 
 
 def pull(style: Style, width: float, *, kind: str | None = None) -> Mesh:
-    """Draw a handle for a front `width` metres wide. It is centred on the origin and sticks out towards +y."""
+    """Draw a handle for a front `width` metres wide. It is centred on the origin and faces +y."""
     kind = kind or style.handle
     if kind == "knob":
         return cylinder(0.013, 0.025, 10).turned(-90, "x").of(style.metal)

@@ -164,7 +164,7 @@ def _flat_sided(rings: list[np.ndarray]) -> Mesh:
 
 
 def _stretch(rng: np.random.Generator, style: Style, design: Design, length: float, top: float) -> Mesh:
-    """Fill a free part of the wall, centred in x."""
+    """Draw what hangs on a free part of the wall. It is centred in x."""
     kind = design.overhead
     if kind in ("cabinets", "glass") and chance(rng, 0.12):
         kind = "shelves"
