@@ -16,7 +16,7 @@ def heat(room: Room, design: int, rng: np.random.Generator) -> None:
     design
         Seed of the look that all radiators of a building share.
     rng
-        Random generator for the size and the place.
+        Random number generator for the size and the place.
     """
     for window in room.windows:
         if window.sill < 0.7:

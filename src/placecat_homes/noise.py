@@ -12,7 +12,7 @@ def smooth(rng: np.random.Generator, pixels: int, power: float, stretch: float =
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     pixels
         Width and height of the field.
     power

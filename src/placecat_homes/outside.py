@@ -16,7 +16,7 @@ def draw(rng: np.random.Generator, *, weather: str, azimuth: float = 0.8, elevat
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     weather
         ``sunny``, ``cloudy``, ``dusk`` or ``night``.
     azimuth, elevation

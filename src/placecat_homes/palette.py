@@ -29,7 +29,7 @@ def colour(rng: Rng, saturation: float = 0.5, low: float = 0.15, high: float = 0
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     saturation
         Upper limit of the saturation.
     low, high

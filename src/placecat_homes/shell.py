@@ -55,7 +55,7 @@ class Finish:
         Parameters
         ----------
         rng
-            Source of randomness.
+            Random number generator.
         floor, wall
             Materials that most rooms of the building have.
 

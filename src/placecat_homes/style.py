@@ -49,7 +49,7 @@ class Style:
         Parameters
         ----------
         rng
-            Source of randomness.
+            Random number generator.
 
         Returns
         -------
@@ -81,7 +81,7 @@ class Style:
         Parameters
         ----------
         rng
-            Source of randomness.
+            Random number generator.
 
         Returns
         -------
@@ -98,7 +98,7 @@ class Style:
         Parameters
         ----------
         rng
-            Source of randomness.
+            Random number generator.
 
         Returns
         -------

@@ -1,1 +1,1 @@
-"""Pieces of furniture, each kind in its own module."""
+"""Pieces of furniture, one module per kind."""

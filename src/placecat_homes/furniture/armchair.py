@@ -16,19 +16,19 @@ from placecat_homes.style import Style
 
 
 def armchair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an armchair: sofa-like, winged, round, of bent wood, a rocking chair or a recliner.
+    """Draw a sofa-like armchair, wing chair, tub chair, rocking chair, recliner or bentwood chair.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     modern = style.modern
     kinds = (_like_sofa, wing_chair, tub_chair, rocking_chair, recliner, bent_chair)
@@ -41,7 +41,7 @@ def _like_sofa(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def wing_chair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a high chair with wings beside the head."""
+    """Draw a wing chair with a high back."""
     skin = cover(rng, style)
     width, depth, tall = between(rng, 0.7, 0.82), between(rng, 0.78, 0.88), between(rng, 1.02, 1.16)
     arm, inner, foot, top = 0.11, width - 0.22, 0.16, 0.44
@@ -73,14 +73,14 @@ def wing_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _plate(profile: list[tuple[float, float]], thickness: float) -> Mesh:
-    """An upright plate across x whose outline (y, z) runs counter-clockwise seen from +x."""
+    """Draw an upright plate. Its outline (y, z) runs counter-clockwise as seen from +x."""
     flat = extrude(profile, thickness, smooth=True)
-    # The outline (y, z) lies in x, y; turning it by 90 degrees about x and then about z puts it upright.
+    # The outline (y, z) is drawn in the x-y plane. Turning it by 90 degrees about x, then z, puts it upright.
     return flat.turned(90, "x").turned(90).moved(-thickness / 2)
 
 
 def tub_chair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a chair whose back and arms are one round shell."""
+    """Draw a tub chair whose back and arms form one round shell."""
     skin = cover(rng, style)
     radius, height = between(rng, 0.34, 0.4), between(rng, 0.68, 0.82)
     low, thick, foot = between(rng, 0.5, 0.66), 0.08, between(rng, 0.03, 0.18)
@@ -89,7 +89,7 @@ def tub_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
     def shell(inside: bool) -> Mesh:
         def surface(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
-            # The inner surface runs the other way round, so that it faces inwards.
+            # The inner surface runs the other way round so that it faces inwards.
             s = 1 - s if inside else s
             a = -math.pi / 2 + (s - 0.5) * span
             rim = low + (height - low) * np.cos((s - 0.5) * math.pi) ** 1.5
@@ -129,7 +129,7 @@ def tub_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def rocking_chair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a wooden chair on two runners."""
+    """Draw a wooden rocking chair on two runners."""
     wood = style.any_wood(rng)
     width, tall, top = between(rng, 0.5, 0.58), between(rng, 1.0, 1.12), 0.42
     parts = []
@@ -153,7 +153,7 @@ def rocking_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def recliner(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a broad padded chair, its footrest sometimes raised."""
+    """Draw a wide padded recliner, sometimes with its footrest raised."""
     skin = palette.leather(rng) if chance(rng, 0.6) else cover(rng, style)
     width, arm = between(rng, 0.82, 0.95), 0.18
     inner, top, tall = width - 2 * arm, 0.46, between(rng, 0.98, 1.1)
@@ -178,7 +178,7 @@ def recliner(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def bent_chair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a light chair: a long cushion on two springing frames of bent wood."""
+    """Draw a light chair with a long cushion on two springy bentwood frames."""
     frame, skin = style.any_wood(rng), cover(rng, style)
     width, depth = between(rng, 0.62, 0.7), 0.78
     parts = []

@@ -15,7 +15,7 @@ from placecat_homes.style import Style
 
 
 def bar_cart(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a trolley on wheels with bottles and glasses."""
+    """Draw a serving trolley with bottles and glasses."""
     w, d, height = between(rng, 0.6, 0.8), between(rng, 0.38, 0.45), between(rng, 0.72, 0.85)
     metal = style.metal
     tray: Material = choose(

@@ -1,4 +1,4 @@
-"""Rows of wash basins in lavatories."""
+"""Rows of washbasins in lavatories."""
 
 import numpy as np
 
@@ -21,20 +21,20 @@ def basin_row(
     ceramic: Material | None = None,
     mirror: bool = True,
 ) -> Mesh:
-    """Draw wash basins side by side, in one counter or each on its own, with a mirror behind them.
+    """Draw a row of washbasins, either set into a shared counter or mounted separately.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the building.
     count
         Number of basins.
     ceramic
-        Material of the basins; drawn at random if None.
+        Material of the basins; chosen at random if None.
     mirror
-        Whether a mirror, or one per basin, hangs on the wall above.
+        Whether to hang mirrors above the basins.
 
     Returns
     -------

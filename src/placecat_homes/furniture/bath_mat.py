@@ -1,4 +1,4 @@
-"""Mats and scales on bathroom floors."""
+"""Bath mats and bathroom scales."""
 
 import numpy as np
 
@@ -21,7 +21,7 @@ def bath_mat(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def pedestal_mat(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a mat with a notch for the foot of a toilet; its back edge goes around the foot."""
+    """Draw a mat with a notch in its back edge that fits around the foot of a toilet."""
     cloth = palette.carpet(rng)
     left = rounded(0.13, 0.32, 0.03, 0.03)
     front = rounded(0.5, 0.26, 0.08, 0.02, y=0.26)

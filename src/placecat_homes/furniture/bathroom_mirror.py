@@ -1,4 +1,4 @@
-"""Mirrors and mirror cabinets to hang over wash basins."""
+"""Mirrors and mirror cabinets to hang above washbasins."""
 
 import math
 
@@ -23,23 +23,23 @@ def bathroom_mirror(
     width: float | None = None,
     height: float | None = None,
 ) -> Mesh:
-    """Draw a mirror.
+    """Draw a bathroom mirror.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     kind
-        "plain", "framed", "round" or "cabinet"; drawn at random if None.
+        "plain", "framed", "round" or "cabinet"; chosen at random if None.
     width, height
-        Metres; drawn at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Its lower edge is z = 0; there may be a lamp above it.
+        A mirror with its lower edge at z = 0. There may be a lamp above it.
     """
     kind = kind or str(rng.choice(("plain", "framed", "round", "cabinet"), p=(0.25, 0.25, 0.18, 0.32)))
     width = width or rng.uniform(0.45, 0.8)
@@ -81,7 +81,7 @@ def _framed(rng: np.random.Generator, style: Style, width: float, height: float)
 def _round(rng: np.random.Generator, style: Style, width: float, height: float) -> list[Mesh]:
     outline = rounded(width, height, (width / 2, height / 2), points=9)
     disc = loft([(outline, 0.0), (outline, 0.012)]).turned(90, "x").mirrored()
-    # The disc lay with its back edge at y = 0; now it stands on z = 0 and reaches to -y.
+    # The disc was lying with its back edge at y = 0. It now stands on z = 0 and extends towards -y.
     disc = disc.moved(0, 0.014)
     angle = np.linspace(0, 2 * math.pi, 33)
     path = [(width / 2 * math.cos(a), 0.01, height / 2 + height / 2 * math.sin(a)) for a in angle]
@@ -114,7 +114,7 @@ def _cabinet(rng: np.random.Generator, style: Style, width: float, height: float
 
 
 def _lamp(rng: np.random.Generator, style: Style, width: float, depth: float) -> Mesh:
-    """Draw a strip lamp or a row of bulbs above a mirror, its foot at z = 0."""
+    """Draw a strip light or a row of bulbs for a mirror, with its base at z = 0."""
     white = (1.0, 0.93, 0.82)
     if rng.random() < 0.6:
         length = min(width, rng.uniform(0.35, 0.6))

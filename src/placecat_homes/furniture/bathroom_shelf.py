@@ -1,4 +1,4 @@
-"""Shelves and cupboards with bottles and towels."""
+"""Bathroom shelves and cabinets with bottles and towels."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from placecat_homes.style import Style
 
 
 def _load(rng: np.random.Generator, style: Style, width: float, fill: float) -> Mesh:
-    """Fill one board with bottles, folded or rolled towels, or paper."""
+    """Fill one shelf with bottles, folded or rolled towels, or toilet paper."""
     choice = rng.random()
     if choice < 0.55 or width < 0.25:
         return row(rng, width - 0.04, fill).moved(0, 0.11)
@@ -29,7 +29,7 @@ def _load(rng: np.random.Generator, style: Style, width: float, fill: float) -> 
 
 
 def bathroom_shelf(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an open rack of wood or metal on the floor, full of bottles and towels."""
+    """Draw an open floor-standing rack of wood or metal, full of bottles and towels."""
     width, height, depth = rng.uniform(0.35, 0.6), rng.uniform(0.9, 1.75), rng.uniform(0.24, 0.3)
     wood = style.any_wood(rng)
     boards = max(3, round(height / 0.38))
@@ -50,7 +50,7 @@ def bathroom_shelf(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def bathroom_wall_shelf(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw one to three boards on the wall with bottles and towels; z = 0 is the lowest board."""
+    """Draw one to three wall shelves with bottles and jars. The lowest point is at z = 0."""
     width, depth = rng.uniform(0.4, 0.7), rng.uniform(0.14, 0.2)
     material = palette.GLASS if rng.random() < 0.3 else style.any_wood(rng)
     parts = []
@@ -67,7 +67,7 @@ def bathroom_wall_shelf(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def bathroom_cabinet(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a narrow high cupboard with doors, drawers and an open compartment of towels."""
+    """Draw a tall, narrow cabinet with doors, drawers and an open compartment for towels."""
     width, depth, height = rng.uniform(0.3, 0.45), rng.uniform(0.28, 0.36), rng.uniform(1.5, 1.9)
     material = style.fronts if rng.random() < 0.5 else style.any_wood(rng)
     design = "flat" if style.modern > 0.55 else str(rng.choice(FRONTS))

@@ -1,4 +1,4 @@
-"""Bath tubs."""
+"""Bathtubs."""
 
 import math
 
@@ -28,32 +28,32 @@ def bathtub(
     screen: str | None = None,
     wall_height: float = 1.9,
 ) -> Mesh:
-    """Draw a bath tub along the wall, with its tap and hand shower.
+    """Draw a bathtub along the wall, with a tap and a hand shower.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     ceramic
-        Material of the tub; drawn at random if None.
+        Material of the tub; chosen at random if None.
     kind
         "built-in" (with a panel in front), "claw-foot" or "modern" (both free-standing);
-        drawn at random if None.
+        chosen at random if None.
     length
-        Metres; drawn at random if None.
+        Length in metres; chosen at random if None.
     tiles
-        Tiles of the wall behind a built-in tub and perhaps of its panel; drawn at random if None.
+        Tiles on the wall behind a built-in tub, and sometimes on its panel; chosen at random if None.
     screen
-        Screen in front of a built-in tub: "curtain", "glass" or "none"; drawn at random if None.
+        Screen in front of a built-in tub: "curtain", "glass" or "none"; chosen at random if None.
     wall_height
-        Height in metres up to which the wall behind a built-in tub is tiled; 0 for bare walls.
+        Height in metres of the tiled wall behind a built-in tub; 0 for a bare wall.
 
     Returns
     -------
     Mesh
-        A tub 1.4 to 1.8 m wide.
+        A tub 1.4 to 1.8 m long.
     """
     ceramic = ceramic or palette.ceramic(rng)
     length = length or float(rng.choice((1.5, 1.6, 1.7, 1.75)))
@@ -68,7 +68,7 @@ def bathtub(
 def _hollow(
     width: float, depth: float, round_: tuple[float, float], y: float, top: float, deep: float
 ) -> list[tuple[Outline, float]]:
-    """Return the rings of the inside; the end at +x slopes."""
+    """Return the rings of the inner surface. The end at +x slopes."""
     rings = []
     for short, narrow, down in (
         (0, 0, 0),
@@ -140,7 +140,7 @@ def _built_in(
 
 
 def _shower_curtain(rng: np.random.Generator, style: Style, length: float, depth: float, top: float) -> Mesh:
-    """Draw a curtain on a rail above the front edge, usually drawn aside."""
+    """Draw a curtain on a rail above the front edge, usually pulled aside."""
     high = 2.0
     cloth = style.any_fabric(rng)
     wide = length * rng.uniform(0.2, 0.75)
@@ -173,7 +173,7 @@ def _shower_curtain(rng: np.random.Generator, style: Style, length: float, depth
 def _things(
     rng: np.random.Generator, style: Style, length: float, depth: float, top: float, screen: str
 ) -> Mesh:
-    """Put bottles and perhaps a rubber duck on the edge, and a towel over it."""
+    """Put bottles and perhaps a rubber duck on the edge, and hang a towel over it."""
     parts = []
     for k in range(int(rng.integers(1, 3 + round(4 * style.clutter)))):
         parts.append(bottle(rng).moved(length / 2 - 0.12 - 0.09 * k, 0.045, top))
@@ -192,7 +192,7 @@ def _things(
 
 
 def _free(rng: np.random.Generator, style: Style, ceramic: Material, length: float, kind: str) -> Mesh:
-    """Draw a free-standing tub a little off the wall, with a floor-standing mixer."""
+    """Draw a free-standing tub a little away from the wall, with a floor-standing mixer tap."""
     depth, gap = rng.uniform(0.72, 0.8), 0.12
     top = 0.58
     outer_paint = palette.paint(rng) if rng.random() < 0.4 else ceramic

@@ -27,20 +27,20 @@ def bed(
     kind: str | None = None,
     bedclothes: str | None = None,
 ) -> Mesh:
-    """Draw a bed with its bedclothes, the head at the wall.
+    """Draw a bed and its bedclothes, with the head against the wall.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
         Width of the mattress in metres: 0.9 to 1.2 for one person, 1.4 to 1.8 for two; a double bed if None.
     kind
-        One of `KINDS`; drawn at random if None.
+        One of `KINDS`; chosen at random if None.
     bedclothes
-        How the bed is made, see `bedding`; drawn at random if None.
+        How the bed is made (see `bedding`); chosen at random if None.
 
     Returns
     -------
@@ -102,7 +102,7 @@ def bed(
 def _rails(
     width: float, length: float, y: float, low: float, material: Material, high: float = 0.2
 ) -> list[Mesh]:
-    """Draw side boards and the slatted base between them."""
+    """Draw the side rails and the slatted base between them."""
     side = box(0.03, length, high, bevel=0.004)
     return [
         side.moved(-width / 2 - 0.02, y, low + 0.06 - high).of(material),
@@ -133,7 +133,7 @@ def _wooden(
 def _board(
     rng: np.random.Generator, wood: Material, outer: float, high: float, post: float, design: str
 ) -> Mesh:
-    """Draw a head or foot board between two posts."""
+    """Draw a headboard or footboard between two posts."""
     inner = outer - 2 * post
     x = (outer - post) / 2
     low = 0.16
@@ -177,7 +177,7 @@ def _cloth(rng: np.random.Generator) -> Material:
 
 
 def _headboard(rng: np.random.Generator, cloth: Material, width: float, high: float) -> Mesh:
-    """Draw a padded headboard 0.1 m deep: in squares, in upright channels, or plain with a border."""
+    """Draw a padded headboard 0.1 m deep, with squares, vertical channels, wings or a plain panel."""
     design = str(rng.choice(("plain", "squares", "channels", "wings")))
     parts = [box(width, 0.07, high - 0.1, bevel=0.02).moved(0, 0, 0.1)]
     if design == "squares":

@@ -1,4 +1,4 @@
-"""Benches and rows of seats for waiting."""
+"""Benches and rows of waiting-room seats."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from placecat_homes.style import Style
 
 
 def bench(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a bench (of slats or with a cushion, with or without a back) or seats on a common beam."""
+    """Draw a slatted or cushioned bench, or a row of seats on a shared beam."""
     return _seats(rng, style) if chance(rng, 0.45) else _slats(rng, style)
 
 

@@ -1,4 +1,4 @@
-"""Parts that many pieces of furniture share: boards, legs, knobs."""
+"""Parts shared by many pieces of furniture, such as boards, legs and handles."""
 
 import math
 from collections.abc import Sequence
@@ -15,18 +15,18 @@ T = TypeVar("T")
 
 
 def choose(rng: np.random.Generator, options: Sequence[T], weights: Sequence[float] | None = None) -> T:
-    """Draw one of the options at random."""
+    """Choose one of the options at random."""
     p = None if weights is None else np.asarray(weights, float) / sum(weights)
     return options[int(rng.choice(len(options), p=p))]
 
 
 def between(rng: np.random.Generator, low: float, high: float) -> float:
-    """Draw a number between two limits."""
+    """Draw a random number between two limits."""
     return float(rng.uniform(low, high))
 
 
 def chance(rng: np.random.Generator, probability: float) -> bool:
-    """Draw True with a given probability."""
+    """Return True with the given probability."""
     return bool(rng.random() < probability)
 
 
@@ -36,18 +36,18 @@ def block(
     at: tuple[float, float, float] = (0.0, 0.0, 0.0),
     bevel: float = 0.0,
 ) -> Mesh:
-    """Draw a box of a material.
+    """Draw a box made of one material.
 
     Parameters
     ----------
     material
-        Material of the whole box.
+        Material of the box.
     size
         Width, depth and height in metres.
     at
-        Position of the middle of its lower back edge.
+        Midpoint of the lower back edge.
     bevel
-        Metres.
+        Width of the bevels in metres.
 
     Returns
     -------
@@ -58,7 +58,7 @@ def block(
 
 
 def backed(mesh: Mesh) -> Mesh:
-    """Move a piece so that it is centred in x and its back is on y = 0; its height stays."""
+    """Centre a piece in x and move its back to y = 0. Its z coordinates stay the same."""
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1]), 0.0)
 
@@ -71,14 +71,14 @@ def leg(
     thin: float,
     segments: int = 10,
 ) -> Mesh:
-    """Draw a round leg that gets thinner towards its foot.
+    """Draw a round leg that tapers towards its foot.
 
     Parameters
     ----------
     foot, top
-        x and y of its axis at the lower and the upper end, in metres.
+        Position (x, y) of the axis at the lower and upper ends, in metres.
     height
-        Metres.
+        Height in metres.
     thick, thin
         Radius at the top and at the foot in metres.
     segments
@@ -87,7 +87,7 @@ def leg(
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     straight = lathe([(0, 0), (thin, 0), (thick, height), (0, height)], segments)
     up = straight.vertices[:, 2:3] / height
@@ -107,18 +107,18 @@ def legs(
     kind
         "square", "round", "tapered", "splayed", "turned" or "sled".
     width, depth
-        Outer size in metres of the rectangle they stand on.
+        Outer size of the rectangle they stand on, in metres.
     height
-        Metres.
+        Height in metres.
     material
         Material of the legs.
     thickness
-        Metres.
+        Thickness in metres.
 
     Returns
     -------
     Mesh
-        Legs in the frame of a piece of furniture: back at y = 0, centred in x.
+        The legs, centred in x, with the back of the rectangle at y = 0.
     """
     t = thickness
     parts: list[Mesh] = []
@@ -167,7 +167,7 @@ def open_box(
     bottom: bool = True,
     top: bool = True,
 ) -> Mesh:
-    """Draw a case of boards that is open in front, as for shelves and cupboards.
+    """Draw a case of boards with an open front, for shelves and cupboards.
 
     Parameters
     ----------
@@ -183,7 +183,7 @@ def open_box(
     Returns
     -------
     Mesh
-        With its back on y = 0.
+        A case with its back on y = 0.
     """
     width, depth, height = size
     parts = [block(material, (board, depth, height), (side * (width - board) / 2, 0, 0)) for side in (-1, 1)]
@@ -198,12 +198,12 @@ def open_box(
 
 
 def handle(kind: str, material: Material, length: float = 0.14) -> Mesh:
-    """Draw the handle of a drawer or door: a level bar, a knob, or nothing for "none".
+    """Draw the handle of a drawer or door: a horizontal bar, a knob, or nothing for "none".
 
     Parameters
     ----------
     kind
-        As in `Style.handle`.
+        Kind of handle (see `Style.handle`).
     material
         Material of the handle.
     length
@@ -212,7 +212,7 @@ def handle(kind: str, material: Material, length: float = 0.14) -> Mesh:
     Returns
     -------
     Mesh
-        In front of the plane y = 0, centred on the origin.
+        A handle in front of the plane y = 0, centred on the origin.
     """
     if kind == "bar":
         h = length / 2
@@ -224,7 +224,7 @@ def handle(kind: str, material: Material, length: float = 0.14) -> Mesh:
 
 
 def ring(radius: float, count: int, start: float = 0.0) -> list[tuple[float, float]]:
-    """Return points on a circle, counter-clockwise."""
+    """Return points on a circle in counter-clockwise order."""
     return [
         (
             radius * math.cos(start + 2 * math.pi * k / count),
@@ -235,23 +235,23 @@ def ring(radius: float, count: int, start: float = 0.0) -> list[tuple[float, flo
 
 
 def shade(low: float, high: float, height: float, material: Material, segments: int = 22) -> Mesh:
-    """Draw a lampshade: a sleeve of cloth, open above and below.
+    """Draw a lampshade that is open at the top and bottom.
 
     Parameters
     ----------
     low, high
-        Radius of its lower and upper rim in metres.
+        Radii of the lower and upper rims, in metres.
     height
-        Metres.
+        Height in metres.
     material
-        Material of both sides.
+        Material of the inside and the outside.
     segments
         Number of segments around the axis.
 
     Returns
     -------
     Mesh
-        Around the z axis, its lower rim on z = 0.
+        A shade around the z axis, with its lower rim on z = 0.
     """
     t = 0.003
     return lathe([(low - t, 0), (low, 0), (high, height), (high - t, height), (low - t, 0)], segments).of(

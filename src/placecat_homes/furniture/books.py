@@ -12,7 +12,7 @@ PAGES = Material((0.9, 0.87, 0.78))
 
 
 def covers(rng: np.random.Generator, count: int = 9) -> list[Material]:
-    """Draw the materials of the covers of a home's books."""
+    """Choose cover materials for the books in a home."""
     found = []
     for _ in range(count):
         base = palette.colour(rng, 0.85, 0.12, 0.9)
@@ -27,25 +27,25 @@ def row(
     depth: float = 0.24,
     pool: list[Material] | None = None,
 ) -> Mesh:
-    """Draw books that stand side by side.
+    """Draw a row of upright books.
 
     Parameters
     ----------
     rng
-        Random generator for the sizes and colours.
+        Random number generator.
     length
         Length of the row in metres.
     height
-        Height of the shelf in metres; the books are lower.
+        Height of the shelf in metres; the books are shorter.
     depth
         Depth of the shelf in metres.
     pool
-        Covers to choose from; drawn at random if None.
+        Covers to choose from; a random selection if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, with the spines facing +y.
+        The books stand on z = 0 with their spines facing +y.
     """
     pool = covers(rng) if pool is None else pool
     parts: list[Mesh] = []
@@ -90,16 +90,16 @@ def stack(rng: np.random.Generator, count: int | None = None, pool: list[Materia
     Parameters
     ----------
     rng
-        Random generator for the sizes and colours.
+        Random number generator.
     count
-        How many; 2 to 6 if None.
+        Number of books; 2 to 6 if None.
     pool
-        Covers to choose from; drawn at random if None.
+        Covers to choose from; a random selection if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     pool = covers(rng) if pool is None else pool
     count = int(rng.integers(2, 7)) if count is None else count
@@ -125,7 +125,7 @@ def stack(rng: np.random.Generator, count: int | None = None, pool: list[Materia
 
 
 def magazine(rng: np.random.Generator) -> Mesh:
-    """Draw a magazine that lies flat, with a picture on its cover."""
+    """Draw a magazine lying flat, with a picture on its cover."""
     w, d = between(rng, 0.2, 0.23), between(rng, 0.27, 0.3)
     cover = palette.art(rng, w, d)
     top = quad(w, d).turned(90, "x").moved(0, d, 0.008).of(cover)

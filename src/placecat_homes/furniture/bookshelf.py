@@ -1,4 +1,4 @@
-"""Shelves and wall units."""
+"""Bookshelves, wall units and wall shelves."""
 
 import numpy as np
 
@@ -21,23 +21,23 @@ def bookshelf(
     height: float | None = None,
     full: float | None = None,
 ) -> Mesh:
-    """Draw a shelf with books and objects: a case of boards, a ladder, a grid of cubes, or metal frames.
+    """Draw a bookcase, a grid of cubes or a metal-framed shelf, with books and objects.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, height
-        Metres; drawn at random if None.
+        Size in metres; chosen at random if None.
     full
-        0 for few books to 1 for many; drawn at random if None.
+        How full the shelves are, from 0 (few books) to 1 (many); chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width = between(rng, 0.6, 1.1) if width is None else width
     height = (
@@ -170,23 +170,23 @@ def _frame(rng: np.random.Generator, style: Style, width: float, height: float, 
 def wall_unit(
     rng: np.random.Generator, style: Style, width: float | None = None, screen: bool | None = None
 ) -> Mesh:
-    """Draw a wide wall unit: cupboards below, shelves and glass doors above, often with a television.
+    """Draw a wide wall unit of cupboards, shelves and glass doors, often with a television.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
     screen
-        Whether a television stands in it; drawn at random if None.
+        Whether it includes a television; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width = between(rng, 2.0, 3.2) if width is None else width
     height, low, depth = between(rng, 1.8, 2.15), between(rng, 0.48, 0.62), between(rng, 0.38, 0.45)
@@ -239,21 +239,21 @@ def wall_unit(
 
 
 def wall_shelf(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw one or two boards on a wall with objects on them.
+    """Draw one or two wall shelves with objects on them.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        z = 0 is its lower end.
+        The lowest point of the mesh is at z = 0.
     """
     width = between(rng, 0.6, 1.2) if width is None else width
     wood, depth, pool = style.any_wood(rng), between(rng, 0.2, 0.26), covers(rng)

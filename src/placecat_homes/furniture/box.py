@@ -21,21 +21,21 @@ def cardboard(
     depth: float | None = None,
     height: float | None = None,
 ) -> Mesh:
-    """Draw a cardboard box, closed with tape or open with its flaps up.
+    """Draw a cardboard box, either taped shut or open with its flaps up.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, depth, height
-        Metres; drawn at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     w = between(rng, 0.3, 0.6) if width is None else width
     d = w * between(rng, 0.6, 0.85) if depth is None else depth
@@ -73,21 +73,21 @@ def storage_box(
     depth: float | None = None,
     height: float | None = None,
 ) -> Mesh:
-    """Draw a storage box for a shelf: of cloth, plastic or card, with a lid or a handle.
+    """Draw a cloth, plastic or cardboard storage box for a shelf, with a lid or a handle.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, depth, height
-        Metres; drawn at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     w = between(rng, 0.25, 0.42) if width is None else width
     d = between(rng, 0.25, 0.36) if depth is None else depth
@@ -132,16 +132,16 @@ def basket(rng: np.random.Generator, style: Style, height: float | None = None) 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     height
-        Metres; drawn at random if None.
+        Height in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     h = between(rng, 0.2, 0.45) if height is None else height
     r = h * between(rng, 0.4, 0.7)
@@ -166,16 +166,16 @@ def pile(rng: np.random.Generator, style: Style, count: int = 3) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     count
-        How many.
+        Number of boxes.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     parts, z = [], 0.0
     w, d = between(rng, 0.4, 0.6), between(rng, 0.3, 0.42)

@@ -1,4 +1,4 @@
-"""Lamps on the ceiling."""
+"""Ceiling lamps and pendant lamps."""
 
 import math
 
@@ -12,32 +12,32 @@ from placecat_homes.shapes import box, cylinder, lathe, superellipsoid, tube
 from placecat_homes.style import Style
 
 GLOW = Material((1.0, 0.93, 0.82), emission=1.6)
-"""Glass or cloth with a lamp behind it."""
+"""Glass or cloth lit from behind."""
 
 BULB = Material((1.0, 0.95, 0.85), emission=4.0)
 """A bulb."""
 
 
 def light_colour(rng: np.random.Generator) -> Colour:
-    """Draw the colour of a lamp's light, from warm to neutral white."""
+    """Choose a light colour between warm white and neutral white."""
     warm = rng.random()
     return (1.0, 0.8 + 0.15 * warm, 0.58 + 0.34 * warm)
 
 
 def ceiling_lamp(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a lamp close under the ceiling.
+    """Draw a lamp mounted close to the ceiling.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        z = 0 is the ceiling; centred in x and y.
+        A lamp centred in x and y, with the ceiling at z = 0.
     """
     designs = (_globe, _drum, _spots, _strip, _bare, _panel)
     modern = style.modern
@@ -109,19 +109,19 @@ def _panel(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def pendant(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a lamp that hangs from the ceiling, as those over dining tables do.
+    """Draw a pendant lamp, like those above dining tables.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        z = 0 is the ceiling; centred in x and y.
+        A lamp centred in x and y, with the ceiling at z = 0.
     """
     drop = between(rng, 0.7, 1.0)
     designs = (_shade, _dome, _ball, _several, _chandelier)

@@ -1,4 +1,4 @@
-"""Fluorescent lights on the ceilings of offices and halls."""
+"""Fluorescent ceiling lights for offices and hallways."""
 
 import numpy as np
 
@@ -15,9 +15,9 @@ def ceiling_strip(rng: np.random.Generator, style: Style, *, length: float | Non
     Parameters
     ----------
     rng, style
-        Random generator and style that the design is drawn from.
+        Random number generator and style of the home.
     length
-        Metres; 1.2 or 1.5 if None.
+        Length in metres; 1.2 or 1.5 if None.
     """
     length = length or choose(rng, (1.2, 1.5))
     kind = choose(rng, ("cover", "louvre", "tube", "square"), (2, 2, 1, 1.5))

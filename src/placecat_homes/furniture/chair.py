@@ -27,18 +27,18 @@ def chair(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     design
-        One of `DESIGNS`; one that suits the style is drawn if None.
+        One of `DESIGNS`; chosen to suit the style if None.
     armrests
-        Whether it has armrests; if None, it usually has none.
+        Whether the chair has armrests; if None, it rarely does.
 
     Returns
     -------
     Mesh
-        A chair with its back to the wall; a person on it looks along +y.
+        A chair with its back to the wall, so that a person sitting in it faces +y.
     """
     m = style.modern
     weights = (1.2 - m, 1.0, 0.8, 0.2 + 1.3 * m, 0.7, 0.7 * (1 - m), 0.7 * (1 - m), 0.1 + 0.7 * m)
@@ -57,7 +57,7 @@ def chair(
 
 
 def _post(x: float, low: float, high: float, lean: float, size: float) -> Mesh:
-    """Draw an upright of the back whose leg is splayed backwards and whose upper part leans back."""
+    """Draw a rear post. Its leg is splayed backwards and its upper part leans back."""
     half = size / 2
     lower = [(-0.05 - half, 0), (-0.05 + half, 0), (half, low), (-half, low)]
     upper = [(-half, low), (half, low), (half * 0.7 - lean, high), (-half - lean, high)]
@@ -83,7 +83,7 @@ def _towards(point: tuple[float, float], other: tuple[float, float], distance: f
 
 
 def _pad(outline: Sequence[tuple[float, float]], height: float) -> Mesh:
-    """Draw a stuffed seat over an outline, its underside on z = 0."""
+    """Draw a padded seat over an outline, with its underside on z = 0."""
     points = np.asarray(outline)
     middle = points.mean(axis=0)
     rings = [
@@ -102,7 +102,7 @@ def _pad(outline: Sequence[tuple[float, float]], height: float) -> Mesh:
 
 
 def seat_cover(rng: np.random.Generator, style: Style) -> Material:
-    """Draw the cover of a seat."""
+    """Choose a material for a seat cover."""
     kind = rng.random()
     if kind < 0.3:
         return palette.leather(rng)
@@ -110,7 +110,7 @@ def seat_cover(rng: np.random.Generator, style: Style) -> Material:
 
 
 def _seat(rng: np.random.Generator, style: Style, wood: Material, width: float, depth: float) -> Mesh:
-    """Draw the seat of a wooden chair (a board, a pad or rush), its top at seat height."""
+    """Draw the board, pad or rush seat of a wooden chair, with its top at seat height."""
     outline = _seat_outline(width, width * 0.88, depth)
     kind = rng.random()
     if kind < 0.4:

@@ -1,4 +1,4 @@
-"""Glazed cabinets for dishes, and Welsh dressers."""
+"""China cabinets and Welsh dressers."""
 
 import numpy as np
 
@@ -17,16 +17,16 @@ SHADOW = Material(colour=(0.06, 0.05, 0.045))
 
 
 def china_cabinet(rng: np.random.Generator, style: Style, *, width: float | None = None) -> Mesh:
-    """Draw a tall cabinet with dishes and glasses, behind glass doors or on the open shelves of a dresser.
+    """Draw a tall cabinet with dishes and glasses behind glass doors or on open shelves.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------

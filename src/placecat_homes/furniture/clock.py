@@ -1,4 +1,4 @@
-"""Clocks on the wall."""
+"""Wall clocks."""
 
 import numpy as np
 
@@ -18,14 +18,14 @@ def clock(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        z = 0 is its lower end.
+        The lowest point of the mesh is at z = 0.
     """
     radius = between(rng, 0.11, 0.2)
     frame = choose(rng, (style.metal, style.wood, palette.paint(rng)))

@@ -21,7 +21,7 @@ HANGER = (
 
 
 def cloth(rng: np.random.Generator) -> Material:
-    """Draw the material of a piece of clothing."""
+    """Choose a material for a piece of clothing."""
     kind = rng.random()
     if kind < 0.3:
         v = between(rng, 0.06, 0.3) if chance(rng, 0.6) else between(rng, 0.75, 0.95)
@@ -39,16 +39,16 @@ def garment(rng: np.random.Generator, kind: str | None = None, hanger: Material 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     kind
-        "shirt", "jacket", "coat", "dress", "trousers" or "skirt"; drawn at random if None.
+        "shirt", "jacket", "coat", "dress", "trousers" or "skirt"; chosen at random if None.
     hanger
         Material of the hanger.
 
     Returns
     -------
     Mesh
-        Hanging from a rod along x through the origin, with its shoulders along y.
+        A garment hanging from a rod along x through the origin, with its shoulders along y.
     """
     kind = (
         choose(rng, ("shirt", "jacket", "coat", "dress", "trousers", "skirt"), (5, 2, 1, 2, 2, 0.7))
@@ -97,7 +97,10 @@ def garment(rng: np.random.Generator, kind: str | None = None, hanger: Material 
 
 
 def _body(top: float, hem: float, thick: float, long: float, slope: float, fold: float) -> Mesh:
-    """A hollow piece of hanging cloth: flat along x, `top` and `hem` metres wide along y."""
+    """Draw the hollow body of a hanging garment, thin along x.
+
+    `top` and `hem` are its widths along y in metres.
+    """
 
     def surface(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
         a = s * 2 * math.pi
@@ -111,33 +114,33 @@ def _body(top: float, hem: float, thick: float, long: float, slope: float, fold:
         drop = np.interp(t, [0, 0.12, 1], [0, 0.08 if slope > 0.05 else 0.02, long])
         return x, y, -drop
 
-    # With s from the front to +y and t downwards the surface would face inwards, so s runs the other way.
+    # Because t runs down, s is reversed. Otherwise the surface would face inwards.
     return sheet(lambda s, t: surface(1 - s, t), 14, 6, (2 * top, long))
 
 
 def hanging(
     rng: np.random.Generator, style: Style, width: float, long: float = 1.3, full: float = 0.8
 ) -> Mesh:
-    """Draw clothes that hang side by side on a rod.
+    """Draw clothes hanging side by side on a rod.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Width of the rod in metres.
+        Length of the rod in metres.
     long
         Space below the rod in metres.
     full
-        0 for a nearly empty rod to 1 for a crowded one.
+        How full the rod is, from 0 (nearly empty) to 1 (crowded).
 
     Returns
     -------
     Mesh
-        The clothes without the rod, which is the x axis. They are centred and hang below it, about 0.25 m to
-        both sides along y.
+        The clothes without the rod. They hang centred below the x axis and extend about 0.25 m to either side
+        along y.
     """
     hanger = choose(rng, HANGER)
     kinds = ["shirt", "shirt", "shirt", "jacket", "trousers", "skirt"]
@@ -174,18 +177,18 @@ def folded(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, depth
-        Metres.
+        Size in metres.
     count
-        How many; 2 to 6 if None.
+        Number of pieces; 2 to 6 if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, with the back on y = 0 and the folds in front.
+        The pile stands on z = 0, with its back on y = 0 and the folds in front.
     """
     count = int(rng.integers(2, 7)) if count is None else count
     parts, z = [], 0.0
@@ -204,16 +207,16 @@ def shoes(rng: np.random.Generator, style: Style, kind: str | None = None) -> Me
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     kind
-        "shoe", "sneaker" or "boot"; drawn at random if None.
+        "shoe", "sneaker" or "boot"; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, with the heels at y = 0.
+        The shoes stand on z = 0 with their heels at y = 0.
     """
     kind = choose(rng, ("shoe", "sneaker", "boot")) if kind is None else kind
     skin = (

@@ -1,4 +1,4 @@
-"""Rails with clothes."""
+"""Clothes rails and coat hooks."""
 
 import numpy as np
 
@@ -17,16 +17,16 @@ def clothes_rail(rng: np.random.Generator, style: Style, width: float | None = N
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width = between(rng, 0.8, 1.4) if width is None else width
     height, depth = between(rng, 1.5, 1.7), 0.48
@@ -51,21 +51,21 @@ def clothes_rail(rng: np.random.Generator, style: Style, width: float | None = N
 
 
 def coat_hooks(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a board with hooks, coats, bags and hats on it.
+    """Draw a wall board with hooks that carry coats, bags and hats.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        The lower end of the longest coat is z = 0; the board is up to 1.3 m above.
+        The lowest point is at z = 0, and the board is up to 1.3 m above it.
     """
     width = between(rng, 0.5, 1.1) if width is None else width
     wood = style.any_wood(rng)

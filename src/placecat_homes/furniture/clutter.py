@@ -1,4 +1,4 @@
-"""Small objects that lie about on tables and shelves."""
+"""Small objects on tables and shelves."""
 
 import numpy as np
 
@@ -23,14 +23,14 @@ def mug(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     r, h = between(rng, 0.036, 0.046), between(rng, 0.07, 0.1)
     skin = palette.ceramic(rng)
@@ -50,14 +50,14 @@ def remote(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Lying on z = 0, its length along y.
+        A remote control lying along y on z = 0.
     """
     long = between(rng, 0.15, 0.22)
     parts = [block(palette.RUBBER, (0.045, long, 0.018), (0, 0, 0), 0.004)]
@@ -68,21 +68,21 @@ def remote(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def small_thing(rng: np.random.Generator, style: Style, height: float = 0.4) -> Mesh:
-    """Draw an ornament, lower than `height` metres, for a shelf, sill or sideboard.
+    """Draw an ornament for a shelf, sill or sideboard.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     height
-        Metres.
+        Maximum height in metres.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     kind = choose(rng, (vase, figure, bowl, candle, "plant", "books"), (2, 3, 1.5, 1, 2, 1))
     if kind == "plant":
@@ -104,25 +104,25 @@ def fill(
     pool: list[Material],
     full: float = 0.8,
 ) -> Mesh:
-    """Draw what stands on one shelf: books, boxes, ornaments or nothing.
+    """Draw the contents of one shelf: books, boxes, ornaments or nothing.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, height, depth
         Free space in metres.
     pool
-        Covers of the home's books.
+        Book covers to choose from.
     full
-        0 leaves most shelves empty, 1 fills them with books.
+        How full the shelf is, from 0 (mostly empty) to 1 (full of books).
 
     Returns
     -------
     Mesh
-        With its back on y = 0, centred in x.
+        The contents, centred in x, with their back on y = 0.
     """
     kind = choose(
         rng,
@@ -167,23 +167,23 @@ def fill(
 
 
 def table_things(rng: np.random.Generator, style: Style, width: float, depth: float, count: int) -> Mesh:
-    """Draw what lies on a coffee table: magazines, remote controls, cups, a bowl, a vase.
+    """Draw objects for a coffee table, such as magazines, remote controls, cups, a bowl or a vase.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, depth
         Width and depth of the table top in metres.
     count
-        Largest number of objects.
+        Maximum number of objects.
 
     Returns
     -------
     Mesh
-        Around the middle of the table, on z = 0.
+        Objects on z = 0 around the middle of the table.
     """
     parts: list[Mesh] = []
     taken: list[tuple[float, float, float]] = []

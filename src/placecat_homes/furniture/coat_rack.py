@@ -1,4 +1,4 @@
-"""Rows of hooks on a wall with coats, bags and hats, and hall units."""
+"""Coat racks and hall units."""
 
 import numpy as np
 
@@ -12,14 +12,14 @@ from placecat_homes.style import Style
 
 
 def coat_rack(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw hooks on a board with coats and bags; the lower end is the hem of the longest coat.
+    """Draw a wall board with hooks that carry coats and bags. The lowest point is at z = 0.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the design and what hangs there.
+        Random number generator and style of the home.
     width
-        Metres; 0.6 to 1.3 if None.
+        Width in metres; 0.6 to 1.3 if None.
     """
     width = width or between(rng, 0.6, 1.3)
     wood = choose(rng, (style.wood, style.any_wood(rng), palette.paint(rng)))
@@ -54,7 +54,7 @@ def coat_rack(rng: np.random.Generator, style: Style, width: float | None = None
 
 
 def hall_wardrobe(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a standing hall unit: a panel with hooks and coats, a bench for shoes, and a shelf for hats."""
+    """Draw a hall unit with a panel of hooks and coats, a bench for shoes, and a shelf for hats."""
     width, high = between(rng, 0.8, 1.3), between(rng, 1.85, 2.05)
     wood = choose(rng, (style.wood, style.any_wood(rng)))
     deep = between(rng, 0.34, 0.4)
@@ -99,7 +99,7 @@ def hall_wardrobe(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def shoes(rng: np.random.Generator, style: Style, *, boots: bool | None = None) -> Mesh:
-    """Draw a pair of shoes or boots with their toes towards +y."""
+    """Draw a pair of shoes or boots with their toes pointing towards +y."""
     skin = choose(rng, (palette.leather(rng), palette.plastic(rng), palette.plain_fabric(rng)))
     sole = choose(
         rng, (Material((0.9, 0.9, 0.88)), Material((0.06, 0.06, 0.06)), Material((0.55, 0.4, 0.25)))

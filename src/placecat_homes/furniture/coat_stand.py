@@ -1,4 +1,4 @@
-"""Coat stands, and coats, bags and umbrellas on hooks."""
+"""Coat stands, coats, bags and hats."""
 
 import math
 
@@ -14,14 +14,14 @@ from placecat_homes.style import Style
 
 
 def coat(rng: np.random.Generator, style: Style, length: float | None = None) -> Mesh:
-    """Draw a coat or jacket that hangs from a hook by its loop at the origin.
+    """Draw a coat or jacket hanging by its loop from a hook at the origin.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the cut and the cloth.
+        Random number generator and style of the home.
     length
-        Metres; 0.6 to 1.1 if None.
+        Length in metres; 0.6 to 1.1 if None.
     """
     length = length or between(rng, 0.6, 1.1)
     cloth = _cloth(rng)
@@ -63,7 +63,7 @@ def bag(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def hat(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a hat lying on a board."""
+    """Draw a hat lying on a shelf."""
     felt = _cloth(rng)
     line = [(0, 0), (0.15, 0), (0.155, 0.008), (0.095, 0.02), (0.09, 0.08), (0.07, 0.11), (0, 0.105)]
     return lathe(line, 18).of(felt)

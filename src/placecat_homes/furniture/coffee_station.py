@@ -1,4 +1,4 @@
-"""Coffee machines for offices, with cups around them."""
+"""Coffee machines and coffee stations for offices."""
 
 import numpy as np
 
@@ -16,13 +16,13 @@ STEEL = Material((0.65, 0.66, 0.67), gloss=0.4, roughness=0.5)
 
 
 def coffee_machine(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a coffee machine for a counter: fully automatic, with a glass jug, or for espresso."""
+    """Draw a fully automatic coffee machine, a filter machine with a glass jug, or an espresso machine."""
     kind = choose(rng, ("automatic", "jug", "espresso"))
     return {"automatic": _automatic, "jug": _jug, "espresso": _espresso}[kind](rng)
 
 
 def coffee_station(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a low cabinet or table that holds a coffee machine, stacks of cups, mugs, sugar and a tin."""
+    """Draw a low cabinet or table with a coffee machine, mugs, stacks of paper cups, and tins."""
     wide, deep, high = between(rng, 0.75, 1.1), between(rng, 0.42, 0.5), between(rng, 0.8, 0.92)
     skin = choose(rng, (style.any_wood(rng), palette.paint(rng)))
     if chance(rng, 0.65):

@@ -1,4 +1,4 @@
-"""Low tables to stand in front of a sofa."""
+"""Coffee tables."""
 
 import math
 
@@ -16,21 +16,21 @@ from placecat_homes.style import Style
 
 
 def coffee_table(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a coffee table with objects on it: rectangular, round, of glass, a chest, or a nest of two.
+    """Draw a coffee table, a chest or a nest of two tables, with objects on top.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width = between(rng, 0.75, 1.25) if width is None else width
     kind = choose(rng, (_rectangular, _round, _glass, _chest, _nest), (3, 2, 1.5, 0.8, 0.8))

@@ -19,7 +19,7 @@ DARK = Material((0.03, 0.03, 0.035), gloss=0.03)
 
 
 def monitor(rng: np.random.Generator, style: Style, *, case: Material | None = None) -> Mesh:
-    """Draw a screen on its foot: a flat one or an old picture tube."""
+    """Draw a monitor on its stand, with a flat screen or an old picture tube."""
     case = case or _case(rng)
     if chance(rng, 0.12 + 0.2 * (1 - style.modern)):
         return _tube_monitor(rng, case)
@@ -27,7 +27,7 @@ def monitor(rng: np.random.Generator, style: Style, *, case: Material | None = N
 
 
 def keyboard(rng: np.random.Generator, style: Style, *, case: Material | None = None) -> Mesh:
-    """Draw a keyboard whose keys are a picture."""
+    """Draw a keyboard whose keys are a texture."""
     case = case or _case(rng)
     wide, deep = choose(rng, ((0.45, 0.155), (0.43, 0.14), (0.29, 0.125)))
     keys = palette.shade(case.colour, 0.95)
@@ -39,7 +39,7 @@ def keyboard(rng: np.random.Generator, style: Style, *, case: Material | None = 
 
 
 def mouse(rng: np.random.Generator, style: Style, *, case: Material | None = None) -> Mesh:
-    """Draw a mouse, now and then on a pad; its cable leads to the back."""
+    """Draw a mouse, often with a mouse pad and a cable that runs to the back."""
     case = case or _case(rng)
     parts = [superellipsoid(0.06, 0.105, 0.036, 0.8, 0.8, 12).moved(0, 0.12, 0.003).of(case)]
     if chance(rng, 0.6):
@@ -97,14 +97,14 @@ def laptop(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def workstation(rng: np.random.Generator, style: Style, width: float = 1.4, depth: float = 0.7) -> Mesh:
-    """Draw a complete computer on a desk: screens or a laptop, keyboard, mouse, and cables down the back.
+    """Draw a computer on a desk, with monitors or a laptop, a keyboard, a mouse and cables.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide what is there.
+        Random number generator and style of the home.
     width, depth
-        Width and depth of the desk top in metres; z = 0 is the top.
+        Width and depth of the desk top in metres. Its surface is at z = 0.
     """
     case = _case(rng)
     alone = chance(rng, 0.18)

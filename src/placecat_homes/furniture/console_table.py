@@ -1,4 +1,4 @@
-"""Narrow tables for a hall."""
+"""Console tables for hallways."""
 
 import math
 
@@ -16,14 +16,14 @@ from placecat_homes.style import Style
 
 
 def console_table(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a narrow table on legs, with keys, letters, a bowl, a telephone, flowers or a lamp on it.
+    """Draw a narrow table on legs, with keys, letters, a bowl, a telephone, flowers or a lamp on top.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the design and the objects.
+        Random number generator and style of the home.
     width
-        Metres; 0.7 to 1.2 if None.
+        Width in metres; 0.7 to 1.2 if None.
     """
     width = width or between(rng, 0.7, 1.2)
     deep, high = between(rng, 0.26, 0.36), between(rng, 0.76, 0.88)

@@ -1,4 +1,4 @@
-"""Pots, pans and other things that stand ready for cooking."""
+"""Pots, pans and cooking utensils."""
 
 import math
 
@@ -80,7 +80,7 @@ def pan(rng: np.random.Generator, style: Style, *, radius: float | None = None) 
 
 
 def utensil_jar(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a jar with spoons, whisk and spatulas standing in it."""
+    """Draw a jar of spoons, whisks and spatulas."""
     r, height = float(rng.uniform(0.048, 0.062)), float(rng.uniform(0.13, 0.17))
     jar = lathe([(0, 0), (r, 0), (1.03 * r, height), (0.95 * r, height), (0.9 * r, 0.03), (0, 0.02)], 14)
     parts = [jar.of(palette.ceramic(rng) if rng.random() < 0.6 else style.metal)]
@@ -108,7 +108,7 @@ def utensil_jar(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def knife_block(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a slanted block with knife handles sticking out."""
+    """Draw a slanted knife block with handles sticking out."""
     wooden = style.wood if rng.random() < 0.5 else (palette.wood(rng) if rng.random() < 0.7 else BLACK)
     block = sideways([(0, 0), (0.14, 0), (0.19, 0.13), (0.12, 0.22), (0.0, 0.1)], 0.1).of(wooden)
     parts = [block]
@@ -122,7 +122,7 @@ def knife_block(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def cutting_board(rng: np.random.Generator, style: Style, *, leaning: bool | None = None) -> Mesh:
-    """Draw a cutting board, lying or leaning on the wall behind it."""
+    """Draw a cutting board, either lying flat or leaning against the wall."""
     width, height = float(rng.uniform(0.24, 0.36)), float(rng.uniform(0.28, 0.42))
     wooden = palette.wood(rng)
     if leaning if leaning is not None else rng.random() < 0.6:
@@ -135,7 +135,7 @@ def cutting_board(rng: np.random.Generator, style: Style, *, leaning: bool | Non
 
 
 def hanging_rail(rng: np.random.Generator, style: Style, *, width: float | None = None) -> Mesh:
-    """Draw a wall rail with ladles, spatulas and pans hanging from hooks; z = 0 is the lowest point."""
+    """Draw a wall rail with ladles, spatulas and pans hanging from hooks. The lowest point is at z = 0."""
     length = width or float(rng.uniform(0.5, 0.9))
     parts = [tube([(-length / 2, 0.045, 0), (length / 2, 0.045, 0)], 0.007, 8).of(style.metal)]
     for x in (-length / 2 + 0.03, length / 2 - 0.03):

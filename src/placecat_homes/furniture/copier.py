@@ -1,4 +1,4 @@
-"""Large office copiers that stand on the floor."""
+"""Floor-standing office copiers."""
 
 import numpy as np
 
@@ -16,12 +16,12 @@ DARK = Material((0.1, 0.1, 0.11), gloss=0.03)
 
 
 def copier(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a copier: paper trays below, an output tray, a control panel, and a lid with a feeder.
+    """Draw a copier with paper trays, an output tray, a control panel, and a lid with a document feeder.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the size, the colours and the attachments.
+        Random number generator and style of the home.
     """
     body = _shell(rng)
     trim = choose(

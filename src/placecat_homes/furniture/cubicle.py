@@ -20,25 +20,25 @@ def cubicle(
     depth: float | None = None,
     ceramic: Material | None = None,
 ) -> Mesh:
-    """Draw cubicles side by side, each with a toilet and a door that is shut or ajar.
+    """Draw a row of cubicles, each with a toilet and a door that is shut or ajar.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the building.
     count
         Number of cubicles.
     width, depth
-        Width and depth of each cubicle in metres; drawn at random if None.
+        Width and depth of each cubicle in metres; chosen at random if None.
     ceramic
-        Material of the toilets; drawn at random if None.
+        Material of the toilets; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Cubicles 2 m high, open above, 0.15 m off the floor.
+        Cubicles 2 m high, open at the top and raised 0.15 m off the floor.
     """
     width, depth = width or rng.uniform(0.88, 1.0), depth or rng.uniform(1.35, 1.55)
     ceramic = ceramic or palette.ceramic(rng)
@@ -76,7 +76,7 @@ def cubicle(
 
 
 def grab_rails(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a pair of fold-down rails, as beside accessible toilets; z = 0 is the floor."""
+    """Draw a pair of fold-down grab rails for an accessible toilet. The floor is at z = 0."""
     material = style.metal if rng.random() < 0.5 else palette.WHITE
     path = [(0, 0, 0.88), (0, 0.68, 0.88), (0, 0.74, 0.84), (0, 0.74, 0.78), (0, 0.68, 0.74), (0, 0, 0.74)]
     rail = tube(path, 0.017, 8)
@@ -86,14 +86,14 @@ def grab_rails(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _inside(x: float, total: float) -> float:
-    """Keep a post 12 cm wide within the row."""
+    """Limit x so that a post 12 cm wide stays within the row."""
     return min(max(x, -total / 2 + 0.06), total / 2 - 0.06)
 
 
 def _door(
     width: float, height: float, material: Material, metal: Material, side: float, locked: bool
 ) -> Mesh:
-    """Draw a door leaf with knob, lock and hinges; `side` (-1 or 1) is the end along x with the hinges."""
+    """Draw a door leaf with a knob, a lock, and hinges at the -x or +x end (`side` -1 or 1)."""
     free = -side * (width / 2 - 0.06)
     sign = Material((0.75, 0.1, 0.1) if locked else (0.1, 0.55, 0.2))
     parts = [

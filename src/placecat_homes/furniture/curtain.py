@@ -1,4 +1,4 @@
-"""Curtains, nets and blinds to hang in front of windows."""
+"""Curtains, net curtains and blinds."""
 
 import math
 
@@ -13,27 +13,27 @@ from placecat_homes.shapes import quad, sheet, superellipsoid, tube
 from placecat_homes.style import Style
 
 NET = Material((0.95, 0.95, 0.93), opacity=0.5)
-"""Thin white cloth that light comes through."""
+"""Thin white cloth that lets light through."""
 
 
 def curtains(rng: np.random.Generator, style: Style, width: float = 1.3, height: float = 1.6) -> Mesh:
-    """Draw a pair of curtains on a rod, drawn aside.
+    """Draw a pair of open curtains on a rod.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
         Width of the window in metres; the rod is longer.
     height
-        Height of the rod above the lower end, in metres.
+        Height of the rod above the hem in metres.
 
     Returns
     -------
     Mesh
-        z = 0 is the lower end.
+        The lowest point of the mesh is at z = 0.
     """
     overhang = between(rng, 0.12, 0.28)
     cloth = palette.fabric(rng) if chance(rng, 0.5) else palette.plain_fabric(rng)
@@ -72,7 +72,7 @@ def _rod(rng: np.random.Generator, width: float, material: Material) -> Mesh:
 
 
 def _tied(width: float, height: float, folds: int, side: int) -> Mesh:
-    """Hang a curtain that a band holds back at the outer side."""
+    """Draw a curtain held back at its outer side by a band."""
     middle = 0.42
 
     def surface(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
@@ -83,17 +83,17 @@ def _tied(width: float, height: float, folds: int, side: int) -> Mesh:
         y = 0.03 + 0.03 * np.sin(s * folds * 2 * math.pi) * (1 - 0.5 * waist)
         return x, y, t * height
 
-    # With s towards smaller x and t upwards the surface faces +y, into the room.
+    # The surface faces +y, into the room, because s runs towards smaller x and t upwards.
     return sheet(surface, folds * 6, 12, (width, height))
 
 
 def blind(rng: np.random.Generator, style: Style, width: float = 1.2, height: float = 1.4) -> Mesh:
-    """Draw a roller, pleated or venetian blind, let down some way.
+    """Draw a roller, Venetian or Roman blind, partly lowered.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, height
@@ -102,7 +102,7 @@ def blind(rng: np.random.Generator, style: Style, width: float = 1.2, height: fl
     Returns
     -------
     Mesh
-        z = 0 is the lower end of the window.
+        A blind in a window whose bottom is at z = 0.
     """
     drop = height * (between(rng, 0.12, 0.55) if chance(rng, 0.75) else between(rng, 0.55, 0.95))
     kind = choose(rng, ("roller", "venetian", "roman"))
@@ -146,12 +146,12 @@ def blind(rng: np.random.Generator, style: Style, width: float = 1.2, height: fl
 
 
 def net(rng: np.random.Generator, style: Style, width: float = 1.2, height: float = 1.4) -> Mesh:
-    """Draw a net curtain over a whole window.
+    """Draw a net curtain that covers a window.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, height
@@ -160,7 +160,7 @@ def net(rng: np.random.Generator, style: Style, width: float = 1.2, height: floa
     Returns
     -------
     Mesh
-        z = 0 is the lower end.
+        The lowest point of the mesh is at z = 0.
     """
     drop = height if chance(rng, 0.6) else height * between(rng, 0.35, 0.6)
     low = 0.0 if drop < height else 0.02

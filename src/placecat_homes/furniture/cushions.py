@@ -1,4 +1,4 @@
-"""Upholstery: cushions, pillows and blankets on seats."""
+"""Cushions, pillows and blankets on seats."""
 
 import math
 from collections.abc import Sequence
@@ -14,34 +14,34 @@ from placecat_homes.style import Style
 
 
 def seat(width: float, depth: float, thickness: float, softness: float = 0.25) -> Mesh:
-    """Draw a seat cushion, its back on y = 0, lying on z = 0."""
+    """Draw a seat cushion lying on z = 0 with its back on y = 0."""
     return superellipsoid(width, depth, thickness, softness * 1.6, softness * 0.6, 20).moved(0, depth / 2, 0)
 
 
 def upright(width: float, thickness: float, height: float, softness: float = 0.3) -> Mesh:
-    """Draw a back cushion that stands on z = 0 with its back on y = 0."""
+    """Draw a back cushion standing on z = 0 with its back on y = 0."""
     lying = superellipsoid(width, height, thickness, softness * 1.6, softness * 0.8, 20)
     return lying.moved(0, height / 2, -thickness).turned(90, "x")
 
 
 def scatter(rng: np.random.Generator, style: Style, width: float, count: int | None = None) -> Mesh:
-    """Draw loose pillows that lean against a backrest.
+    """Draw loose pillows leaning against a backrest.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
         Width of the seat in metres.
     count
-        Number of pillows; drawn at random if None.
+        Number of pillows; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Pillows on a seat at z = 0 with its backrest at y = 0.
+        Pillows on a seat at z = 0, with the backrest at y = 0.
     """
     count = int(rng.integers(0, 2 + round(width / 0.45))) if count is None else count
     first, second = style.any_fabric(rng), style.any_fabric(rng)
@@ -62,15 +62,15 @@ def scatter(rng: np.random.Generator, style: Style, width: float, count: int | N
 def thrown(
     path: Sequence[tuple[float, float]], width: float, material: Material, away: float = 0.012
 ) -> Mesh:
-    """Draw a blanket laid over something.
+    """Draw a blanket draped over a surface.
 
     Parameters
     ----------
     path
-        (y, z) points of the surface it lies on, from one end of the blanket to the other, with the outside of
-        the surface on the left.
+        Points (y, z) of the surface, from one end of the blanket to the other. The outside of the surface is
+        to the left of the path.
     width
-        Along x, in metres.
+        Width along x in metres.
     material
         Material of the blanket.
     away

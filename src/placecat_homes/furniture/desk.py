@@ -1,4 +1,4 @@
-"""Desks: with drawers, on trestles, on steel legs or between panels."""
+"""Desks with drawers, trestles, steel legs or side panels."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from placecat_homes.shapes import box, tube
 from placecat_homes.style import Style
 
 HEIGHT = 0.74
-"""Height of the top of every desk in metres, on which objects stand."""
+"""Height of every desk top in metres."""
 
 
 def desk(
@@ -23,9 +23,9 @@ def desk(
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the design, the size and the materials.
+        Random number generator and style of the home.
     width, depth
-        Metres; 1.2 to 1.8 by 0.65 to 0.85 if None.
+        Size in metres; 1.2 to 1.8 by 0.65 to 0.85 if None.
     """
     width = width or float(rng.uniform(1.2, 1.8))
     depth = depth or float(rng.uniform(0.65, 0.85))

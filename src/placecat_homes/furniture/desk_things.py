@@ -17,7 +17,7 @@ GREY = Material((0.12, 0.12, 0.13), gloss=0.03)
 
 
 def paper_stack(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a high or low pile of papers."""
+    """Draw a pile of papers."""
     return stack(rng, between(rng, 0.004, 0.11), loose=0.008).turned(between(rng, -20, 20))
 
 
@@ -37,7 +37,7 @@ def pen_cup(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def desk_lamp(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a desk lamp with a bent arm; it shines down and forwards."""
+    """Draw a desk lamp with a bent arm. It shines down and forwards."""
     material = choose(rng, (style.metal, palette.paint(rng), Material((0.05, 0.05, 0.05), gloss=0.03)))
     high, reach = between(rng, 0.32, 0.45), between(rng, 0.15, 0.28)
     lean = between(rng, -0.12, 0.02)
@@ -139,7 +139,7 @@ def in_tray(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def loose_papers(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a few sheets lying about, perhaps with a pen."""
+    """Draw a few loose sheets of paper, perhaps with a pen."""
     parts = []
     for k in range(int(rng.integers(1, 4))):
         sheet = lying(rng).turned(between(rng, -30, 30))
@@ -151,7 +151,7 @@ def loose_papers(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def small_thing(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a stapler, a roll of tape, a calculator, a bottle or a block of notes."""
+    """Draw a stapler, a pad of sticky notes, a calculator, a bottle or a pair of glasses."""
     kind = choose(rng, ("stapler", "notes", "calculator", "bottle", "glasses"))
     if kind == "stapler":
         return join(
@@ -199,18 +199,18 @@ def clutter(
     middle: float = 0.7,
     amount: float = 0.6,
 ) -> Mesh:
-    """Draw all small objects on a desk, to the left and right of the computer.
+    """Draw the small objects on a desk, to the left and right of the computer.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide what is there.
+        Random number generator and style of the home.
     width, depth
-        Width and depth of the desk top in metres. The top is z = 0, its back edge is on y = 0, centred in x.
+        Width and depth of the desk top in metres. It is centred in x at z = 0, with its back edge on y = 0.
     middle
-        Width in metres of the middle part that stays free.
+        Width of the free space in the middle, in metres.
     amount
-        From tidy (0) to untidy (1).
+        How untidy the desk is, from 0 (tidy) to 1 (untidy).
     """
     makers = [paper_stack, pen_cup, loose_papers, book_pile, mug, phone, small_thing, in_tray, desk_lamp]
     weights = np.array([2.0, 1.2, 1.6, 1.3, 1.3, 1.0, 1.5, 0.8, 0.9])

@@ -1,4 +1,4 @@
-"""A table with the chairs around it and the objects on it."""
+"""Dining tables with chairs around them and objects on top."""
 
 import math
 
@@ -30,22 +30,22 @@ def dining_set(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     seats
-        Approximate number of chairs; drawn at random if None.
+        Approximate number of chairs; chosen at random if None.
     width, depth
-        Width and depth of the table top in metres; if None, drawn to suit the number of seats.
+        Width and depth of the table top in metres; if None, chosen to suit the number of seats.
     shape
-        "rectangle", "round" or "oval"; drawn at random if None.
+        "rectangle", "round" or "oval"; chosen at random if None.
     laid
         Probability that the table is laid.
 
     Returns
     -------
     Mesh
-        One piece, centred in x, with its back on y = 0.
+        The set, centred in x, with its back on y = 0.
     """
     number = seats or int(rng.choice([4, 6, 6, 8]))
     form = shape or choose(
@@ -87,13 +87,13 @@ def dining_set(
 
 
 def _at(mesh: Mesh, x: float, y: float, turn: float, inwards: float) -> Mesh:
-    """Put an object at the edge point (x, y) of a table, facing inwards."""
+    """Put an object at the point (x, y) on the edge of a table, facing inwards."""
     a = math.radians(turn)
     return mesh.turned(turn).moved(x - inwards * math.sin(a), y + inwards * math.cos(a))
 
 
 def _seated(rng: np.random.Generator, model: Mesh, x: float, y: float, turn: float) -> Mesh:
-    """Put a chair at the edge of a table, pushed in some way."""
+    """Put a chair at the edge of a table, usually pushed in slightly."""
     deep = float(model.size[1])
     inwards = between(rng, 0.1, 0.24) if chance(rng, 0.85) else between(rng, -0.15, 0.05)
     askew = float(rng.normal(0, 3)) if chance(rng, 0.75) else float(rng.normal(0, 13))
@@ -127,21 +127,21 @@ def _beside(
 
 
 def breakfast_set(rng: np.random.Generator, style: Style, *, seats: int | None = None) -> Mesh:
-    """Draw a small table with one side at the wall and two or three chairs or stools.
+    """Draw a small table against the wall, with two or three chairs or stools.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     seats
-        Number of chairs, two or three; drawn at random if None.
+        Number of chairs, two or three; chosen at random if None.
 
     Returns
     -------
     Mesh
-        A set whose back is at the wall.
+        A set with its back against the wall.
     """
     number = seats or choose(rng, (2, 2, 3))
     if chance(rng, 0.2):

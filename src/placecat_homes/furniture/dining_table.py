@@ -30,15 +30,15 @@ def dining_table(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     shape
-        "rectangle", "round" or "oval"; drawn at random if None.
+        "rectangle", "round" or "oval"; chosen at random if None.
     width, depth
-        Width and depth of its top in metres; drawn at random if None.
+        Width and depth of the top in metres; chosen at random if None.
     cloth
-        Whether a table cloth lies on it; drawn at random if None.
+        Whether the table has a tablecloth; chosen at random if None.
 
     Returns
     -------
@@ -79,7 +79,7 @@ def _under(
     wood: Material,
     glass: bool,
 ) -> Mesh:
-    """Draw legs and apron, centred on the origin."""
+    """Draw the legs and the apron, centred on the origin."""
     m = style.modern
     kinds: tuple[str, ...]
     weights: tuple[float, ...]
@@ -164,23 +164,23 @@ def table_cloth(
     outline: list[tuple[float, float]] | None = None,
     drop: float = 0.25,
 ) -> Mesh:
-    """Draw a table cloth that hangs down in folds around a table top.
+    """Draw a tablecloth that hangs in folds around a table top.
 
     Parameters
     ----------
     rng
-        Random generator for the folds and the pattern.
+        Random number generator.
     style
         Style of the home.
     outline
-        Outline of the table top, centred, counter-clockwise; that of a table of 1.2 m by 0.8 m if None.
+        Outline of the centred table top, counter-clockwise; a rectangle of 1.2 m by 0.8 m if None.
     drop
-        Length in metres that hangs down.
+        Length of the overhang in metres.
 
     Returns
     -------
     Mesh
-        Centred on the origin, at the height of a table.
+        A tablecloth centred on the origin at table height.
     """
     corners = np.array(outline or rectangle(1.2, 0.8, 0.012))
     closed = np.vstack([corners, corners[:1]])
@@ -222,7 +222,7 @@ def small_table(rng: np.random.Generator, style: Style, *, width: float | None =
 
 
 def folding_table(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a narrow wall table, as found in small kitchens."""
+    """Draw a narrow folding table to put against the wall of a small kitchen."""
     wood = style.any_wood(rng)
     w, d = between(rng, 0.8, 1.1), between(rng, 0.45, 0.55)
     top = box(w, d, 0.03, 0.005).moved(z=HEIGHT - 0.03).of(wood)

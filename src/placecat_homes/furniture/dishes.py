@@ -74,7 +74,7 @@ def plates(
 def standing_plate(
     rng: np.random.Generator, style: Style, *, radius: float | None = None, china: Material | None = None
 ) -> Mesh:
-    """Draw a plate that leans upright at the back of a shelf."""
+    """Draw an upright plate leaning at the back of a shelf."""
     disc = _plate(radius or float(rng.uniform(0.1, 0.14)), china or _china(rng), 18)
     return grounded(disc.turned(-78, "x"))
 
@@ -211,7 +211,7 @@ def bottle(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def teapot(rng: np.random.Generator, style: Style, *, china: Material | None = None) -> Mesh:
-    """Draw a teapot with spout, handle and lid."""
+    """Draw a teapot with a spout, a handle and a lid."""
     r = float(rng.uniform(0.065, 0.085))
     body = lathe(
         [
@@ -243,7 +243,7 @@ def teapot(rng: np.random.Generator, style: Style, *, china: Material | None = N
 
 
 def jug(rng: np.random.Generator, style: Style, *, china: Material | None = None) -> Mesh:
-    """Draw a jug with a handle, of glass or china."""
+    """Draw a glass or china jug with a handle."""
     r, height = float(rng.uniform(0.05, 0.065)), float(rng.uniform(0.17, 0.24))
     body = lathe(
         [

@@ -1,4 +1,4 @@
-"""Soap and paper dispensers and hand dryers for the walls of lavatories, and waste bins."""
+"""Soap and paper dispensers, hand dryers and waste bins for lavatories."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ def _shell(rng: np.random.Generator, style: Style) -> Material:
 
 
 def soap_box(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a soap dispenser for the wall; hang it 1.05 m high."""
+    """Draw a wall-mounted soap dispenser. It should hang 1.05 m above the floor."""
     shell = _shell(rng, style)
     outline = rounded(0.11, 0.1, 0.03, 0.003)
     return join(
@@ -31,7 +31,7 @@ def soap_box(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def towel_dispenser(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a paper-towel dispenser with one towel hanging out; hang it 1.1 m high."""
+    """Draw a paper-towel dispenser with one towel hanging out. It should hang about 1.1 m above the floor."""
     shell = _shell(rng, style)
     width, height = rng.uniform(0.27, 0.32), rng.uniform(0.3, 0.42)
     outline = rounded(width, 0.14, 0.04, 0.003)
@@ -47,7 +47,7 @@ def towel_dispenser(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def hand_dryer(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a warm-air hand dryer; hang it 1.1 m high."""
+    """Draw a warm-air hand dryer. It should hang 1.1 m above the floor."""
     shell = _shell(rng, style)
     if rng.random() < 0.4:
         slot = rounded(0.3, 0.22, 0.04, 0.003)
@@ -65,7 +65,7 @@ def hand_dryer(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def paper_dispenser(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a round dispenser for large rolls of toilet paper; hang it 0.7 m high."""
+    """Draw a round dispenser for large rolls of toilet paper. It should hang 0.75 m above the floor."""
     shell = _shell(rng, style)
     body = cylinder(0.13, 0.11, 20, bevel=0.012).turned(-90, "x").moved(0, 0, 0.17)
     return grounded(

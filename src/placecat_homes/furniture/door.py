@@ -1,4 +1,4 @@
-"""Doors: a frame and a leaf that is open or shut."""
+"""Doors with a frame and a leaf that is open or shut."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -32,24 +32,24 @@ def door(
     Parameters
     ----------
     rng
-        Random generator for the design: plain, panelled or glazed, with a handle or a knob.
+        Random number generator.
     style
         Style of the building.
     width, height
         Width and height of the opening in metres.
     wall
-        Thickness of the wall.
+        Thickness of the wall in metres.
     angle
-        Degrees by which the leaf is open; 0 is shut.
+        Opening angle of the leaf in degrees; 0 is shut.
     hinge
-        "left" or "right", as seen from the room it swings into.
+        Side of the hinge ("left" or "right"), as seen from the room the leaf swings into.
     glass
-        Make the leaf a pane of glass in a narrow frame.
+        Whether the leaf is a pane of glass in a narrow frame.
 
     Returns
     -------
     Mesh
-        A door in a wall whose near face is y = 0 and whose far face is y = -wall; the leaf swings to +y.
+        A door that swings towards +y. The near face of the wall is at y = 0 and the far face is at y = -wall.
     """
     designs = ["plain", "two", "four", "lights"]
     design = "glass" if glass else str(rng.choice(designs, p=[0.35, 0.25, 0.25, 0.15]))
@@ -83,14 +83,14 @@ def frame(style: Style, width: float, height: float, wall: float = 0.12, casing:
     width, height
         Width and height of the opening in metres.
     wall
-        Thickness of the wall.
+        Thickness of the wall in metres.
     casing
-        Width of the boards around the opening.
+        Width of the boards around the opening in metres.
 
     Returns
     -------
     Mesh
-        The near face of the wall is y = 0, the far face y = -wall.
+        The near face of the wall is at y = 0 and the far face is at y = -wall.
     """
     t, deep = _LINING, 0.014
     parts = []
@@ -107,7 +107,7 @@ def frame(style: Style, width: float, height: float, wall: float = 0.12, casing:
 
 
 def leaf_corners(width: float, angle: float, hinge: str) -> np.ndarray:
-    """Return the (4, 2) footprint corners of an open leaf in the frame of `door`, counter-clockwise."""
+    """Return the (4, 2) corners of an open leaf's footprint, counter-clockwise in `door` coordinates."""
     t, w = _LINING, width - 2 * _LINING + 0.012
     corners = np.array([(-w, -LEAF), (0.0, -LEAF), (0.0, 0.0), (-w, 0.0)])
     c, s = np.cos(np.radians(-angle)), np.sin(np.radians(-angle))
@@ -141,7 +141,7 @@ def _framed(
     bar: float,
     filling: Material | None = None,
 ) -> Mesh:
-    """A leaf of stiles and rails around panels, or around frosted glass if `panel` is None."""
+    """Draw a leaf of stiles and rails around panels, or around frosted glass if `filling` is None."""
     parts = []
     for sign in (-1, 1):
         parts.append(_upright(box(bar, LEAF, height, 0.003)).moved(sign * (width - bar) / 2))
@@ -177,12 +177,12 @@ def _framed(
 
 
 def _upright(mesh: Mesh) -> Mesh:
-    """Let the grain of wood run upwards."""
+    """Turn the wood grain upright."""
     return replace(mesh, uv=np.ascontiguousarray(mesh.uv[:, ::-1]))
 
 
 def _handle(metal: Material, knob: bool, width: float) -> Mesh:
-    """A handle on the face y = 0, at hand height, that points to the hinge (+x)."""
+    """Draw a handle on the face y = 0 at hand height. It points towards the hinge (+x)."""
     z = 1.03
     if knob:
         ball = cylinder(0.028, 0.03, 12, 0.01).turned(-90, "x").moved(0, 0.03, z)

@@ -11,7 +11,7 @@ from placecat_homes.style import Style
 
 
 def door_sign(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a sign with a room number and names behind glass, to hang at 1.4 m."""
+    """Draw a sign with a room number and names behind glass. It should hang about 1.4 m above the floor."""
     width, height = choose(rng, ((0.15, 0.15), (0.21, 0.12), (0.15, 0.21)))
     case = choose(rng, (Material((0.75, 0.76, 0.77), gloss=0.25, roughness=0.5), Material(ink(rng))))
     parts = [

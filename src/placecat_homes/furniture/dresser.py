@@ -22,13 +22,13 @@ from placecat_homes.style import Style
 
 
 def _stand(mesh: Mesh, x: float, y: float, z: float) -> Mesh:
-    """Move an object so that the middle of its footprint is at x, y and its foot at z."""
+    """Move an object so that its footprint is centred on (x, y) and its base is at z."""
     middle = (mesh.low + mesh.high) / 2
     return mesh.moved(x - float(middle[0]), y - float(middle[1]), z - float(mesh.low[2]))
 
 
 def jewel_box(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a small casket, perhaps open with its lid up."""
+    """Draw a small jewellery box, sometimes with its lid open."""
     width, depth, height = rng.uniform(0.16, 0.26), rng.uniform(0.12, 0.18), rng.uniform(0.06, 0.1)
     material = style.any_wood(rng) if rng.random() < 0.6 else palette.leather(rng)
     lid = box(width, depth, 0.025, bevel=0.004)
@@ -39,13 +39,13 @@ def jewel_box(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def standing_mirror(rng: np.random.Generator, style: Style, width: float = 0.5, height: float = 0.6) -> Mesh:
-    """Draw a slightly tilted oval or square mirror on a foot, for a chest or dressing table."""
+    """Draw a slightly tilted oval or square mirror on a stand, for a chest or dressing table."""
     outline = (
         rounded(width, height, (width / 2, height / 2), points=8)
         if rng.random() < 0.55
         else rounded(width, height, 0.04, points=4)
     )
-    # The glass is drawn lying face down and then raised, so that it faces +y.
+    # The glass is drawn face down and then raised so that it faces +y.
     glass = loft([(outline, 0.0), (outline, 0.006)]).turned(90, "x").moved(0, 0.02, 0)
     frame = style.any_wood(rng) if rng.random() < 0.7 else style.metal
     rim = tube([(float(x), 0.012, float(z)) for x, z in [*outline, outline[0]]], 0.016, 6)
@@ -63,7 +63,7 @@ def standing_mirror(rng: np.random.Generator, style: Style, width: float = 0.5, 
 
 
 def _decoration(rng: np.random.Generator, style: Style, width: float, depth: float, top: float) -> Mesh:
-    """Put a mirror, a lamp, perfume bottles, a casket, framed photographs and clothes on a chest."""
+    """Put objects on a chest, such as a mirror, a lamp, perfume bottles, framed photographs and clothes."""
     parts: list[Mesh] = []
     room = [(-width / 2 + 0.03, width / 2 - 0.03)]
     if width > 0.75 and rng.random() < 0.4:
@@ -110,21 +110,21 @@ def _thing(rng: np.random.Generator, style: Style, width: float) -> Mesh:
 
 
 def dresser(rng: np.random.Generator, style: Style, *, width: float | None = None) -> Mesh:
-    """Draw a chest of drawers with decoration on top.
+    """Draw a chest of drawers with objects on top.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; 0.5 to 1.5 m if None.
+        Width in metres; 0.6 to 1.5 if None.
 
     Returns
     -------
     Mesh
-        A chest 0.75 to 1.25 m high without the decoration.
+        A chest 0.75 to 1.25 m high, not counting the objects on top.
     """
     width = width or rng.uniform(0.6, 1.5)
     depth = rng.uniform(0.4, 0.5)
@@ -163,7 +163,7 @@ def dresser(rng: np.random.Generator, style: Style, *, width: float | None = Non
 
 
 def vanity_table(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a dressing table with mirror, drawers and perfume bottles, and a stool in front of it."""
+    """Draw a dressing table with a mirror, drawers and perfume bottles, and a stool in front of it."""
     width, depth, height = rng.uniform(0.85, 1.15), rng.uniform(0.4, 0.48), 0.75
     material = style.any_wood(rng)
     design = "flat" if style.modern > 0.5 else "raised"
@@ -241,7 +241,7 @@ def _vanity_mirror(
 
 
 def _stool(rng: np.random.Generator, style: Style, material: Material) -> Mesh:
-    """Draw a padded stool, its middle on y = 0.2."""
+    """Draw a padded stool centred on y = 0.2."""
     width, high = rng.uniform(0.36, 0.46), rng.uniform(0.4, 0.45)
     seat = superellipsoid(width, 0.34, 0.09, 0.45, 0.4 if rng.random() < 0.5 else 1.0, 16)
     parts = [
@@ -259,11 +259,11 @@ def bed_bench(rng: np.random.Generator, style: Style, *, width: float | None = N
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; 0.9 to 1.4 m if None.
+        Width in metres; 0.9 to 1.4 if None.
 
     Returns
     -------
@@ -309,7 +309,7 @@ def bed_bench(rng: np.random.Generator, style: Style, *, width: float | None = N
 
 
 def tall_mirror(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a mirror as tall as a person that leans against the wall."""
+    """Draw a full-length mirror leaning against the wall."""
     width, height, frame = rng.uniform(0.42, 0.7), rng.uniform(1.5, 1.8), rng.uniform(0.02, 0.06)
     material = style.any_wood(rng) if rng.random() < 0.7 else style.metal
     post = box(frame, 0.03, height, bevel=0.006).of(material)

@@ -1,4 +1,4 @@
-"""Signs of emergency exits."""
+"""Emergency exit signs."""
 
 import numpy as np
 
@@ -10,14 +10,14 @@ from placecat_homes.style import Style
 
 
 def exit_sign(rng: np.random.Generator, style: Style, *, hanging: bool = False) -> Mesh:
-    """Draw a lit green sign for a wall (lower edge at z = 0) or the ceiling (which is then z = 0).
+    """Draw a green exit sign, usually lit, with its lower edge at z = 0.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the size and the direction of the arrow.
+        Random number generator and style of the home.
     hanging
-        Hang the sign from the ceiling, with two faces.
+        Whether to hang a two-sided sign from the ceiling. The ceiling is then at z = 0.
     """
     width = between(rng, 0.3, 0.42)
     height = width / 2

@@ -1,4 +1,4 @@
-"""High and low filing cabinets with drawers or doors."""
+"""Filing cabinets with drawers or doors."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from placecat_homes.style import Style
 
 
 def filing_cabinet(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a cabinet of two to four deep drawers with labels."""
+    """Draw a cabinet with two to four deep, labelled drawers."""
     skin = _skin(rng, style)
     front = skin if chance(rng, 0.7) else palette.paint(rng)
     count = int(rng.integers(2, 5))
@@ -30,7 +30,7 @@ def filing_cabinet(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def steel_cabinet(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a cabinet with two doors or a roller front, as tall as a person or half as tall."""
+    """Draw a tall or half-height cabinet with two doors or a roller shutter."""
     skin = _skin(rng, style)
     wide, deep = between(rng, 0.8, 1.0), between(rng, 0.4, 0.48)
     high = choose(rng, (between(rng, 1.75, 1.98), between(rng, 0.95, 1.2)), (0.6, 0.4))

@@ -14,7 +14,7 @@ WHITE = Material((0.93, 0.93, 0.92))
 
 
 def fire_extinguisher(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an extinguisher on its bracket, to hang at 0.5 m, often with its sign above."""
+    """Draw a fire extinguisher on a wall, often below a sign. It should hang about 0.5 m above the floor."""
     radius, high = between(rng, 0.075, 0.095), between(rng, 0.42, 0.52)
     line = [(0, 0), (radius * 0.95, 0), (radius, 0.02), (radius, high * 0.78), (radius * 0.75, high * 0.9),
             (0.025, high * 0.96), (0.022, high), (0, high)]  # fmt: skip

@@ -18,7 +18,7 @@ FLAME = Material((1.0, 0.5, 0.12), emission=2.5)
 
 
 def _fire(rng: np.random.Generator, width: float, lit: bool) -> Mesh:
-    """Logs around the origin, burning or not."""
+    """Draw logs around the origin, sometimes burning."""
     parts = []
     for k in range(4):
         log = tube([(-width / 2, 0, 0), (width / 2, 0, 0)], 0.04, 8).turned(rng.normal(0, 12))
@@ -41,14 +41,14 @@ def fireplace(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     return grounded(stove(rng, style) if chance(rng, 0.3) else mantel(rng, style))
 

@@ -1,4 +1,4 @@
-"""Lamps that stand on the floor."""
+"""Floor lamps."""
 
 import math
 
@@ -14,19 +14,19 @@ from placecat_homes.style import Style
 
 
 def floor_lamp(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a standing lamp: with a shade, on three legs, with a bent arm, or as an uplighter.
+    """Draw a shaded lamp, a tripod lamp, an arc lamp or an uplighter.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     return backed(choose(rng, (_shaded, _tripod, _arc, _uplighter))(rng, style))
 

@@ -80,7 +80,7 @@ def fruit_bowl(rng: np.random.Generator, style: Style, *, radius: float | None =
 
 
 def bread(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a loaf on a board, sliced or whole."""
+    """Draw a loaf of bread on a board, either whole or sliced."""
     board = box(0.36, 0.22, 0.02, 0.004).of(palette.wood(rng))
     length = float(rng.uniform(0.2, 0.28))
     loaf = superellipsoid(length, 0.12, 0.1, 0.7, 0.5, 14).of(CRUST).moved(-0.03, 0.11, 0.018)

@@ -22,13 +22,13 @@ def fridge(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     design
-        "single", "two" (freezer above or below), "double" (side by side) or "retro"; drawn at random if None.
+        "single", "two" (freezer above or below), "double" (side by side) or "retro"; random if None.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------

@@ -15,7 +15,7 @@ from placecat_homes.style import Style
 
 
 def iron(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a flat iron that stands on its sole."""
+    """Draw an iron standing on its soleplate."""
     skin = palette.plastic(rng)
     outline = [(-0.055, 0), (0.055, 0), (0.055, 0.1), (0.035, 0.19), (0, 0.24), (-0.035, 0.19), (-0.055, 0.1)]
     sole = extrude(outline, 0.012).of(palette.METALS[0])
@@ -29,21 +29,21 @@ def iron(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def ironing_board(rng: np.random.Generator, style: Style, folded_up: bool | None = None) -> Mesh:
-    """Draw an ironing board, set up with an iron on it, or folded and leaning against the wall.
+    """Draw an ironing board, either set up with an iron on it or folded and leaning against the wall.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     folded_up
-        Whether the board is folded; drawn at random if None.
+        Whether the board is folded; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     away = chance(rng, 0.5) if folded_up is None else folded_up
     long, wide = between(rng, 1.1, 1.3), between(rng, 0.34, 0.42)
@@ -69,7 +69,7 @@ def ironing_board(rng: np.random.Generator, style: Style, folded_up: bool | None
         ]
         legs.append(tube([(-long * 0.45, -0.16, -0.02), (-long * 0.45, 0.16, -0.02)], 0.011, 6))
         board = join(top, join(legs).of(steel))
-        # The board stands upright with its underside to the wall.
+        # The board stands upright with its underside facing the wall.
         return grounded(board.turned(-90, "y").turned(90).turned(180).turned(7, "x"))
     parts = [top.moved(0, 0, height - 0.03)]
     for s, (a, b) in ((-1, (-0.38, 0.3)), (1, (0.38, -0.34))):

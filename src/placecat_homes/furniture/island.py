@@ -30,15 +30,15 @@ def island(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres.
+        Width in metres.
     bar
-        Whether the worktop sticks out behind to leave space for stools (at y < 0.3).
+        Whether the worktop overhangs at the back to leave space for stools (at y < 0.3).
     design
-        Design of the kitchen; drawn at random if None.
+        Design of the kitchen; chosen at random if None.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""A straight fitted kitchen."""
+"""Straight fitted kitchens."""
 
 from collections.abc import Sequence
 
@@ -26,28 +26,28 @@ def kitchen_run(
     dishwasher: bool | None = None,
     cooker: bool = True,
 ) -> Mesh:
-    """Draw a straight fitted kitchen: sink, hob, oven and worktop, what hangs above, and objects on it.
+    """Draw a straight fitted kitchen with a sink, a hob, an oven, wall cabinets and objects on the worktop.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     length
         Length in metres, at least about 1.2.
     design
-        Look of the kitchen; drawn at random if None.
+        Design of the kitchen; chosen at random if None.
     ceiling
         Height of the room in metres.
     wall_cabinets
-        False leaves out everything above the worktop.
+        Whether to draw anything on the wall above the worktop.
     windows
-        Left end, right end (in x) and sill height in metres of each window behind it; nothing hangs there.
+        Left end, right end and sill height of each window, in metres. Nothing hangs in front of a window.
     dishwasher
-        Whether there is one; if None, drawn at random where there is space.
+        Whether there is a dishwasher; if None, chosen at random where there is space.
     cooker
-        Whether it has a hob and oven.
+        Whether there is a hob and an oven.
 
     Returns
     -------

@@ -13,21 +13,21 @@ from placecat_homes.style import Style
 
 
 def kitchen_shelf(rng: np.random.Generator, style: Style, *, width: float | None = None) -> Mesh:
-    """Draw one or two boards with dishes and jars; cups may hang from hooks below.
+    """Draw one or two wall shelves with dishes and jars. Cups may hang from hooks below.
 
     Parameters
     ----------
     rng
-        Random generator for the details.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        A shelf for the wall; its lowest point is z = 0.
+        A wall shelf with its lowest point at z = 0.
     """
     w, depth = width or between(rng, 0.6, 1.3), between(rng, 0.16, 0.22)
     wood = style.any_wood(rng)

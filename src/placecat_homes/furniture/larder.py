@@ -1,4 +1,4 @@
-"""Tall kitchen cupboards with built-in ovens, and open shelves with provisions."""
+"""Tall oven cabinets and open larder shelves for kitchens."""
 
 import numpy as np
 
@@ -19,16 +19,16 @@ from placecat_homes.style import Style
 
 
 def oven_tower(rng: np.random.Generator, style: Style, *, design: Design | None = None) -> Mesh:
-    """Draw a tall cabinet with an oven, usually a microwave oven above it, and doors and drawers.
+    """Draw a tall cabinet with doors, drawers, an oven, and usually a microwave oven above it.
 
     Parameters
     ----------
     rng
-        Random generator for the details.
+        Random number generator.
     style
         Style of the home.
     design
-        Design of the kitchen; drawn at random if None.
+        Design of the kitchen; chosen at random if None.
 
     Returns
     -------
@@ -60,16 +60,16 @@ def oven_tower(rng: np.random.Generator, style: Style, *, design: Design | None 
 
 
 def larder(rng: np.random.Generator, style: Style, *, width: float | None = None) -> Mesh:
-    """Draw open shelves full of provisions, pots and kitchen machines.
+    """Draw open shelves full of food, pots and small appliances.
 
     Parameters
     ----------
     rng
-        Random generator for the details.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------

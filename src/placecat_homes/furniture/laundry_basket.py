@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def laundry_basket(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a basket of wicker, plastic or cloth, closed or with clothes hanging out."""
+    """Draw a wicker, plastic or cloth basket, either closed or with clothes hanging out."""
     width, height = rng.uniform(0.36, 0.5), rng.uniform(0.45, 0.65)
     depth = width * rng.uniform(0.75, 1.0)
     kind = str(rng.choice(("wicker", "plastic", "cloth"), p=(0.5, 0.25, 0.25)))
@@ -47,7 +47,7 @@ def laundry_basket(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def heap(rng: np.random.Generator, cloth: Material, width: float, height: float) -> Mesh:
-    """Draw a crumpled piece of clothing that lies on z = 0, centred."""
+    """Draw a crumpled piece of clothing lying on z = 0, centred on the origin."""
     waves = rng.uniform(0, 2 * math.pi, 6)
     stretch = rng.uniform(0.5, 0.85)
 

@@ -11,7 +11,7 @@ from placecat_homes.style import Style
 
 
 def meeting_table(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a round table on a column or a square one on legs, as high as a desk."""
+    """Draw a desk-height table, either round on a column or square on legs."""
     wide = between(rng, 0.8, 1.1)
     top = surface(rng, style)
     if chance(rng, 0.6):

@@ -53,5 +53,5 @@ def microwave(rng: np.random.Generator, style: Style, *, width: float | None = N
     for sx in (-1, 1):
         for y in (0.04, depth - 0.04):
             parts.append(cylinder(0.015, 0.014, 8, 0).moved(sx * (w / 2 - 0.04), y).of(DARK))
-    # Seen from the front, +x is on the left; the buttons belong on the right.
+    # Seen from the front, +x is on the left. The buttons belong on the right.
     return join(parts).mirrored()

@@ -13,14 +13,14 @@ from placecat_homes.style import Style
 def mirror(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw a framed mirror to hang on a wall: upright, lying, round or oval.
+    """Draw a rectangular, round or oval framed mirror to hang on a wall.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that the design is drawn from.
+        Random number generator and style of the home.
     width, height
-        Metres; 0.4 to 0.8 by 0.6 to 1.5 if None.
+        Size in metres; 0.4 to 0.75 by 0.6 to 1.6 if None.
     """
     width = width or between(rng, 0.4, 0.75)
     height = height or choose(rng, (between(rng, 1.2, 1.6), between(rng, 0.6, 1.0)))

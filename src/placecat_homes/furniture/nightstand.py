@@ -16,7 +16,7 @@ from placecat_homes.style import Style
 
 
 def alarm_clock(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an alarm clock: with two bells, or with glowing digits."""
+    """Draw an alarm clock with two bells or glowing digits."""
     body = palette.plastic(rng)
     if rng.random() < 0.5:
         digits = Material((0.95, 0.15, 0.1) if rng.random() < 0.6 else (0.2, 0.9, 0.5), emission=0.8)
@@ -49,7 +49,7 @@ def _glass(rng: np.random.Generator) -> Mesh:
 
 
 def _tops(rng: np.random.Generator, style: Style, width: float, depth: float, height: float) -> Mesh:
-    """Put a lamp, books, a clock and a glass on a top without overlaps."""
+    """Put a lamp, books, a clock and a glass on a table top without overlap."""
     parts = []
     side = float(rng.choice((-1, 1)))
     if rng.random() < 0.85:
@@ -84,11 +84,11 @@ def nightstand(rng: np.random.Generator, style: Style, *, seed: int | None = Non
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     seed
-        Equal seeds give tables of the same design, as on both sides of a bed; drawn at random if None.
+        Seed for the design, so that the tables on both sides of a bed can match; random if None.
 
     Returns
     -------

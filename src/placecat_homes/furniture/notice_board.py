@@ -1,4 +1,4 @@
-"""Notice boards, and posters on the wall."""
+"""Notice boards, posters and calendars."""
 
 import numpy as np
 
@@ -14,14 +14,14 @@ from placecat_homes.style import Style
 def notice_board(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw a pin board of cork or felt with papers, cards and a poster, to hang at 1 m.
+    """Draw a cork or felt pinboard with papers, cards and a poster. It should hang about 1 m above the floor.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the board and what is on it.
+        Random number generator and style of the home.
     width, height
-        Metres; 0.6 to 1.6 by 0.5 to 1.1 if None.
+        Size in metres; 0.6 to 1.6 by 0.5 to 1.1 if None.
     """
     width = width or between(rng, 0.6, 1.6)
     height = height or between(rng, 0.5, 1.1)
@@ -38,12 +38,12 @@ def notice_board(
 
 
 def papers_on_wall(rng: np.random.Generator, style: Style, width: float = 0.9, height: float = 0.7) -> Mesh:
-    """Draw sheets stuck directly on a wall or door."""
+    """Draw sheets of paper stuck directly to a wall or door."""
     return _papers(rng, width, height, round(width * height * between(rng, 6, 12)) + 2)
 
 
 def wall_poster(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a large printed poster, upright or lying, sometimes in a frame, to hang at 0.9 m."""
+    """Draw a portrait or landscape poster, sometimes framed. It should hang about 1 m above the floor."""
     short, long = choose(rng, ((0.59, 0.84), (0.84, 1.19), (0.42, 0.59)))
     width, height = (short, long) if chance(rng, 0.7) else (long, short)
     sheet = pinned(rng, width, height, large=True)
@@ -56,7 +56,7 @@ def wall_poster(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def calendar(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a wall calendar: a picture over a page of days, to hang at 1.3 m."""
+    """Draw a calendar with a picture above a grid of days. It should hang about 1.3 m above the floor."""
     width = between(rng, 0.25, 0.42)
     picture = width * between(rng, 0.6, 0.9)
     days = width * 0.75

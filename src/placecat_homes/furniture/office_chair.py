@@ -1,4 +1,4 @@
-"""Office chairs: on castors, and for visitors."""
+"""Office chairs and visitor chairs."""
 
 import math
 
@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def office_chair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a swivel chair on a five-star base: a typing, mesh or executive chair."""
+    """Draw a task, mesh or executive swivel chair on a five-star base."""
     kind = str(rng.choice(["task", "mesh", "executive"], p=[0.45, 0.3, 0.25]))
     frame = style.metal if rng.random() < 0.35 else _plastic(rng)
     if kind == "executive":
@@ -40,7 +40,7 @@ def office_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def visitor_chair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a plain chair on a frame of steel tube: cantilevered or with four legs."""
+    """Draw a plain tubular-steel chair, either cantilevered or with four legs."""
     frame = style.metal if rng.random() < 0.6 else _plastic(rng)
     cover = palette.fabric(rng) if rng.random() < 0.6 else palette.plastic(rng)
     parts = [

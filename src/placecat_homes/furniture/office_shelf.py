@@ -1,4 +1,4 @@
-"""Shelves full of binders, books, journals and boxes."""
+"""Office shelves full of binders, books, journals and boxes."""
 
 import numpy as np
 
@@ -25,9 +25,9 @@ def office_shelf(
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the design and what stands in it.
+        Random number generator and style of the home.
     width, height
-        Metres; 0.75 to 1.25 by 1.1 to 2.2 if None.
+        Size in metres; 0.75 to 1.25 by 1.1 to 2.2 if None.
     """
     width = width or between(rng, 0.75, 1.25)
     height = height or choose(rng, (between(rng, 1.1, 1.3), between(rng, 1.75, 2.2)), (0.3, 0.7))
@@ -75,14 +75,14 @@ def shelf_row(
     colours: list[tuple[float, float, float]],
     style: Style,
 ) -> Mesh:
-    """Fill one board of a shelf with binders, books, journals, boxes or a few of each.
+    """Fill one shelf with binders, books, journals and boxes.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide what stands there.
+        Random number generator and style of the home.
     width, height, depth
-        Free space on the board in metres.
+        Free space on the shelf in metres.
     colours
         Colours of the binders.
     """

@@ -11,7 +11,7 @@ from placecat_homes.style import Style
 
 
 def reams(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a pile of wrapped reams of paper; the topmost may be open."""
+    """Draw a pile of wrapped reams of paper. The top ream may be open."""
     brand, ground = Material(ink(rng), gloss=0.03), Material((0.93, 0.93, 0.92), gloss=0.03)
     parts = []
     z = 0.0
@@ -31,7 +31,7 @@ def reams(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def paper_boxes(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw piles of lidded cardboard boxes of paper, side by side."""
+    """Draw one or two piles of cardboard boxes full of paper."""
     card = Material(choose(rng, ((0.66, 0.52, 0.36), (0.9, 0.89, 0.86), (0.55, 0.43, 0.3))))
     lid = card if chance(rng, 0.5) else Material((0.92, 0.92, 0.9))
     brand = Material(ink(rng))
@@ -58,7 +58,7 @@ def paper_boxes(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def paper_pallet(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an open steel shelf with stocks of paper in many colours."""
+    """Draw an open steel shelf stocked with reams of paper."""
     wide, deep, high = between(rng, 0.8, 1.0), 0.36, between(rng, 1.1, 1.9)
     grey = between(rng, 0.25, 0.8)
     steel = Material((grey, grey, grey), gloss=0.03)

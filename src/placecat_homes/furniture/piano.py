@@ -20,14 +20,14 @@ def piano(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width, height, depth = 1.46, between(rng, 1.1, 1.28), 0.36
     case = (

@@ -10,27 +10,27 @@ from placecat_homes.shapes import quad
 from placecat_homes.style import Style
 
 MOUNT = Material((0.93, 0.92, 0.88))
-"""Card around a picture."""
+"""Card mount around a picture."""
 
 
 def picture(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw a picture in a frame, to hang on a wall.
+    """Draw a framed picture to hang on a wall.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, height
-        Size with the frame, in metres; drawn at random if None.
+        Size including the frame, in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        z = 0 is its lower end.
+        The lowest point of the mesh is at z = 0.
     """
     if width is None and height is None:
         long, short = between(rng, 0.3, 1.0), between(rng, 0.62, 0.85)
@@ -73,21 +73,21 @@ def _frame(width: float, height: float, bar: float, depth: float, material: Mate
 
 
 def group(rng: np.random.Generator, style: Style, count: int | None = None) -> Mesh:
-    """Draw several pictures that hang together.
+    """Draw a group of pictures.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     count
-        How many; 2 to 6 if None.
+        Number of pictures; 2 to 6 if None.
 
     Returns
     -------
     Mesh
-        The lower end of the lowest picture is z = 0.
+        A group whose lowest point is at z = 0.
     """
     count = int(rng.integers(2, 7)) if count is None else count
     gap = between(rng, 0.04, 0.1)
@@ -115,19 +115,19 @@ def group(rng: np.random.Generator, style: Style, count: int | None = None) -> M
 
 
 def poster(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a poster without a frame.
+    """Draw an unframed poster.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        z = 0 is its lower end.
+        The lowest point of the mesh is at z = 0.
     """
     width = choose(rng, (0.42, 0.5, 0.6, 0.7))
     height = width * 1.414

@@ -1,4 +1,4 @@
-"""Mail slots."""
+"""Racks of mail slots."""
 
 import numpy as np
 
@@ -16,7 +16,7 @@ def pigeonholes(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the number of slots, the material and the mail.
+        Random number generator and style of the home.
     """
     columns, rows = int(rng.integers(3, 6)), int(rng.integers(5, 10))
     slot_wide, slot_high, deep = between(rng, 0.25, 0.3), between(rng, 0.09, 0.13), between(rng, 0.33, 0.38)

@@ -1,4 +1,4 @@
-"""Plants in pots."""
+"""Potted plants and flowers."""
 
 import math
 from collections.abc import Callable
@@ -17,7 +17,7 @@ from placecat_homes.style import Style
 Points = NDArray[np.float64]
 
 OVAL = (0.12, 0.8, 1.0, 0.75, 0.0)
-"""Widths of a rubber tree's leaf from its stalk to its tip."""
+"""Relative widths of a rubber plant leaf from stalk to tip."""
 
 HEART = (0.55, 1.0, 0.85, 0.5, 0.0)
 SWORD = (0.7, 0.9, 1.0, 0.8, 0.0)
@@ -33,27 +33,27 @@ def leaves(
     outline: tuple[float, ...] = OVAL,
     crease: float = 0.25,
 ) -> Mesh:
-    """Draw many leaves.
+    """Draw leaves.
 
     Parameters
     ----------
     foot
-        (n, 3), where the leaves begin, in metres.
+        (n, 3) starting points of the leaves in metres.
     direction
-        (n, 3), direction in which they start.
+        (n, 3) directions of the leaves at their starting points.
     length, width
-        (n,) metres.
+        (n,) sizes in metres.
     bend
-        (n,) radians by which the tip is bent down.
+        (n,) angles in radians by which the tips bend down.
     outline
         Widths from the stalk to the tip, relative to `width`.
     crease
-        Depth of the fold along the middle, relative to the width.
+        Depth of the fold along the middle, relative to `width`.
 
     Returns
     -------
     Mesh
-        Thin sheets.
+        The leaves, as thin sheets.
     """
     n, rows = len(foot), len(outline)
     ahead = direction / np.maximum(np.linalg.norm(direction, axis=1, keepdims=True), 1e-9)
@@ -89,28 +89,28 @@ def leaves(
 
 
 def _around(rng: np.random.Generator, n: int, low: float, high: float) -> Points:
-    """Directions all around the z axis that rise by `low` to `high` degrees."""
+    """Return directions all around the z axis, `low` to `high` degrees above the horizontal."""
     turn = np.arange(n) * 2.4 + rng.uniform(0, 6.28) + rng.normal(0, 0.25, n)
     rise = np.radians(rng.uniform(low, high, n))
     return np.stack([np.cos(turn) * np.cos(rise), np.sin(turn) * np.cos(rise), np.sin(rise)], 1)
 
 
 def pot(rng: np.random.Generator, style: Style, radius: float, height: float) -> Mesh:
-    """Draw a pot with soil.
+    """Draw a pot filled with soil.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     radius, height
-        Metres.
+        Radius and height in metres.
 
     Returns
     -------
     Mesh
-        Centred on the z axis.
+        A pot centred on the z axis.
     """
     skin = choose(
         rng,
@@ -145,16 +145,16 @@ def plant(rng: np.random.Generator, style: Style, height: float | None = None) -
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     height
-        Height with the pot in metres: below 0.6, a plant for a sill or table; if None, a plant for the floor.
+        Height including the pot, in metres; a floor plant if None. Plants below 0.6 m suit a sill or table.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     height = between(rng, 0.7, 1.8) if height is None else height
     if height < 0.6:
@@ -334,7 +334,7 @@ def blossom(rng: np.random.Generator, size: float, petal: Material) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     size
         Diameter in metres.
     petal
@@ -343,7 +343,7 @@ def blossom(rng: np.random.Generator, size: float, petal: Material) -> Mesh:
     Returns
     -------
     Mesh
-        A flower at the origin that faces upwards.
+        An upward-facing flower at the origin.
     """
     if chance(rng, 0.4):
         return superellipsoid(size * 0.8, size * 0.8, size, 0.9, 1, 10).moved(0, 0, -size * 0.3).of(petal)

@@ -1,4 +1,4 @@
-"""Printers: small printers for a desk, larger ones, and plotters."""
+"""Desktop printers, floor-standing printers and plotters."""
 
 import math
 
@@ -17,13 +17,13 @@ DARK = Material((0.08, 0.08, 0.09), gloss=0.03)
 
 
 def printer(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a printer for a table: a laser printer, or an inkjet printer with a scanner."""
+    """Draw a desktop laser printer, or an inkjet printer with a scanner."""
     skin = _skin(rng)
     return _laser(rng, skin) if chance(rng, 0.6) else _inkjet(rng, skin)
 
 
 def floor_printer(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a larger printer on a stack of paper drawers with castors."""
+    """Draw a floor-standing printer on a stack of paper drawers with castors."""
     skin = _skin(rng)
     top = _laser(rng, skin, large=True)
     wide, deep = float(top.size[0]), float(top.high[1])

@@ -1,4 +1,4 @@
-"""Radiators: flat panels, panels with grooves, or columns of pipes."""
+"""Radiators made of flat panels, grooved panels or columns of pipes."""
 
 import numpy as np
 
@@ -11,21 +11,21 @@ from placecat_homes.style import Style
 def radiator(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Build a radiator, to hang about 0.12 m above the floor.
+    """Build a radiator to hang about 0.12 m above the floor.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the building.
     width, height
-        Metres; drawn at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        A radiator with its back at the wall, at most 0.13 m deep.
+        A radiator at most 0.13 m deep, with its back against the wall.
     """
     wide = float(rng.uniform(0.6, 1.3)) if width is None else width
     tall = float(rng.uniform(0.5, 0.62)) if height is None else height

@@ -14,21 +14,21 @@ from placecat_homes.style import Style
 def rug(
     rng: np.random.Generator, style: Style, width: float | None = None, depth: float | None = None
 ) -> Mesh:
-    """Draw a flat rug, rectangular or round.
+    """Draw a flat rectangular or round rug.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, depth
-        Metres; drawn at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        A rug one centimetre high, its back on y = 0.
+        A rug 1 cm thick with its back edge on y = 0.
     """
     width = between(rng, 1.2, 2.4) if width is None else width
     depth = width * between(rng, 0.6, 0.75) if depth is None else depth
@@ -47,21 +47,21 @@ def rug(
 
 
 def mat(rng: np.random.Generator, style: Style, width: float = 0.8, depth: float = 0.5) -> Mesh:
-    """Draw a small mat, such as those in front of beds, baths and doors.
+    """Draw a small mat, such as a bath mat or doormat.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, depth
-        Metres.
+        Size in metres.
 
     Returns
     -------
     Mesh
-        Its back on y = 0.
+        A mat with its back edge on y = 0.
     """
     cloth = choose(rng, (palette.rug(rng, width, depth), palette.carpet(rng), palette.fabric(rng)))
     if chance(rng, 0.2):

@@ -11,7 +11,7 @@ from placecat_homes.style import Style
 
 
 def shoe_rack(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a rack of two or three boards or bars with pairs of shoes on it."""
+    """Draw a rack of two or three shelves with pairs of shoes on them."""
     width, deep = between(rng, 0.55, 0.95), between(rng, 0.28, 0.32)
     levels = int(rng.integers(2, 4))
     step = between(rng, 0.17, 0.21)
@@ -44,7 +44,7 @@ def shoe_rack(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def shoe_cabinet(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a shallow cabinet with tilting fronts."""
+    """Draw a shallow shoe cabinet with tilting fronts."""
     width, deep = between(rng, 0.6, 1.0), between(rng, 0.18, 0.26)
     levels = int(rng.integers(2, 4))
     tall = between(rng, 0.36, 0.42)

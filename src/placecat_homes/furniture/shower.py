@@ -1,4 +1,4 @@
-"""Shower cabins."""
+"""Showers."""
 
 import math
 
@@ -24,22 +24,22 @@ def shower(
     width: float | None = None,
     kind: str | None = None,
 ) -> Mesh:
-    """Draw a shower with tray, tiled back wall, shower head, and glass walls or a curtain.
+    """Draw a shower with a tray, a tiled back wall, a shower head, and glass walls or a curtain.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     ceramic
-        Material of the tray; drawn at random if None.
+        Material of the tray; chosen at random if None.
     tiles
-        Tiles of the wall behind it; drawn at random if None.
+        Tiles of the back wall; chosen at random if None.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
     kind
-        "cabin" (glass on all sides, a door), "walk-in" (one pane) or "curtain"; drawn at random if None.
+        "cabin" (glass on three sides, with doors), "walk-in" (one pane) or "curtain"; random if None.
 
     Returns
     -------
@@ -96,7 +96,7 @@ def _tray(ceramic: Material, metal: Material, width: float, depth: float, rim: f
 
 
 def _fittings(rng: np.random.Generator, style: Style, width: float) -> Mesh:
-    """Draw the mixer, the head, the hose and a shelf with bottles, all on the back wall."""
+    """Draw the mixer, the shower head, the hose and a shelf of bottles on the back wall."""
     metal = style.metal
     parts = [wall_mixer(metal, spout=False).moved(0, 0, 1.05)]
     if rng.random() < 0.5:
@@ -134,7 +134,7 @@ def _pane(width: float, height: float, metal: Material) -> Mesh:
 def _glass_walls(
     rng: np.random.Generator, style: Style, width: float, depth: float, rim: float, height: float
 ) -> Mesh:
-    """Draw glass on three sides; the front is one or two doors, perhaps ajar."""
+    """Draw glass on three sides. The front has one or two doors, and a single door may be ajar."""
     frame = style.metal if rng.random() < 0.6 else Material((0.9, 0.9, 0.9), gloss=0.05)
     tall = height - rim
     side = _pane(depth - 0.03, tall, frame).turned(90)
@@ -157,7 +157,7 @@ def _glass_walls(
 
 
 def _curtained(rng: np.random.Generator, style: Style, width: float, depth: float, height: float) -> Mesh:
-    """Draw a rail around the tray with a curtain drawn aside."""
+    """Draw a rail around the tray with a curtain pulled aside."""
     wide = width * rng.uniform(0.3, 0.8)
     cloth = curtain(wide, height - 0.2, max(3, int(wide / 0.1)), 0.06).of(style.any_fabric(rng))
     x, y = width / 2 - 0.015, depth - 0.03

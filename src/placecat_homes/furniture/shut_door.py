@@ -1,4 +1,4 @@
-"""Doors that stay shut, as reliefs on a wall."""
+"""Shut doors, modelled as reliefs on a wall."""
 
 from dataclasses import replace
 
@@ -9,22 +9,22 @@ from placecat_homes.mesh import Mesh
 from placecat_homes.style import Style
 
 DEEP = 0.012
-"""Distance of the leaf behind the front of its frame, in metres."""
+"""Depth of the leaf behind the front of its frame, in metres."""
 
 
 def shut_door(
     rng: np.random.Generator, style: Style, width: float = 0.9, height: float = 2.05, hinge: str = "left"
 ) -> Mesh:
-    """Draw the visible side of a shut door, to stand flat against a wall.
+    """Draw the visible side of a shut door that is flat against a wall.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that the design is drawn from.
+        Random number generator and style of the home.
     width, height
         Width and height of the opening in metres.
     hinge
-        "left" or "right".
+        Side of the hinge: "left" or "right".
     """
     whole = door(rng, style, width, height, DEEP, 0.0, hinge)
     keep = whole.vertices[whole.triangles, 1].max(axis=1) > -DEEP

@@ -19,18 +19,18 @@ def side_table(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     height
-        Metres; drawn at random if None.
+        Height in metres; chosen at random if None.
     lamp
-        Whether a lamp stands on it; drawn at random if None.
+        Whether a lamp stands on it; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     height = between(rng, 0.45, 0.62) if height is None else height
     size = between(rng, 0.36, 0.52)

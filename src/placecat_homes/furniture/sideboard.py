@@ -25,23 +25,23 @@ SHADOW = Material(colour=(0.06, 0.05, 0.045))
 def sideboard(
     rng: np.random.Generator, style: Style, *, width: float | None = None, decorated: bool = True
 ) -> Mesh:
-    """Draw a sideboard: doors and drawers on legs or a plinth, tableware and decoration on top.
+    """Draw a sideboard with doors, drawers, and objects on top.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
     decorated
-        Put objects on it.
+        Whether to put objects on top.
 
     Returns
     -------
     Mesh
-        A sideboard 0.75 m to 0.95 m high without the objects on it.
+        A sideboard 0.75 m to 0.95 m high, not counting the objects on top.
     """
     w = width or between(rng, 1.1, 1.9)
     depth, height = between(rng, 0.4, 0.48), between(rng, 0.72, 0.92)
@@ -110,7 +110,7 @@ def _face(
 
 
 def decoration(rng: np.random.Generator, style: Style, *, width: float = 1.2, depth: float = 0.35) -> Mesh:
-    """Draw a row of objects for the top of a sideboard, whose back is at y = 0."""
+    """Draw a row of objects for the top of a sideboard whose back is at y = 0."""
     makers: tuple[Callable[[np.random.Generator, Style], Mesh], ...] = (
         vase,
         _lamp,

@@ -1,4 +1,4 @@
-"""Kettle, toaster, coffee machine and mixer."""
+"""Small kitchen appliances, such as kettles, toasters and coffee machines."""
 
 import numpy as np
 
@@ -24,7 +24,7 @@ def _shell(rng: np.random.Generator) -> Material:
 
 
 def kettle(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an electric kettle on its base, with spout and handle."""
+    """Draw an electric kettle on its base."""
     shell = _shell(rng)
     r, height = float(rng.uniform(0.07, 0.082)), float(rng.uniform(0.18, 0.23))
     top = float(rng.uniform(0.55, 0.85)) * r
@@ -59,7 +59,7 @@ def kettle(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def toaster(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a toaster with two slots, a lever, and perhaps toast in it."""
+    """Draw a toaster with two slots, a lever, and perhaps some toast."""
     shell = _shell(rng)
     width, depth, height = float(rng.uniform(0.26, 0.32)), 0.17, float(rng.uniform(0.17, 0.2))
     rounding = float(rng.choice([0.02, 0.05]))

@@ -15,7 +15,7 @@ from placecat_homes.style import Style
 
 
 def cover(rng: np.random.Generator, style: Style) -> Material:
-    """Draw the cover of the seats."""
+    """Choose a material for the covers."""
     kind = rng.random()
     if kind < 0.5:
         return palette.plain_fabric(rng)
@@ -25,21 +25,21 @@ def cover(rng: np.random.Generator, style: Style) -> Material:
 
 
 def sofa(rng: np.random.Generator, style: Style, seats: int | None = None) -> Mesh:
-    """Draw a straight sofa: boxy, with rolled arms, buttoned all round, or on a wooden frame.
+    """Draw a straight sofa in a boxy, rolled-arm, buttoned or framed design.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     seats
-        1 to 4; 2 or 3 if None.
+        Number of seats, 1 to 4; 2 or 3 if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     seats = int(choose(rng, (2, 3, 3))) if seats is None else seats
     modern = style.modern
@@ -50,7 +50,7 @@ def sofa(rng: np.random.Generator, style: Style, seats: int | None = None) -> Me
 def _dressed(
     rng: np.random.Generator, style: Style, width: float, seats: int, at: tuple[float, float]
 ) -> Mesh:
-    """Loose pillows and sometimes a blanket; `at` gives y and z of the edge between seat and back."""
+    """Draw loose pillows. The seat meets the back at `at` (y, z)."""
     parts = []
     if seats > 1 or chance(rng, 0.5):
         parts.append(scatter(rng, style, width, None if seats > 1 else 1).moved(0, at[0], at[1]))
@@ -160,7 +160,7 @@ def rolled(rng: np.random.Generator, style: Style, seats: int) -> Mesh:
 
 
 def buttoned(rng: np.random.Generator, style: Style, seats: int) -> Mesh:
-    """Draw a chesterfield: arms as high as the back, rolled and buttoned."""
+    """Draw a chesterfield with rolled arms as high as the buttoned back."""
     skin = palette.leather(rng) if chance(rng, 0.65) else palette.plain_fabric(rng)
     each, arm = between(rng, 0.55, 0.66), 0.2
     inner, depth, top, tall, back = (
@@ -193,7 +193,7 @@ def buttoned(rng: np.random.Generator, style: Style, seats: int) -> Mesh:
     columns, pitch = round(inner / 0.14), inner / round(inner / 0.14)
 
     def padding(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
-        # With t from right to left and s upwards, the front is the outside.
+        # The surface faces the front, because t runs from right to left and s upwards.
         x = (0.5 - t) * inner
         z = top + s * (tall - top - 0.06)
         wave = np.abs(np.sin(math.pi * (x / pitch + s * 2))) * np.abs(np.sin(math.pi * (x / pitch - s * 2)))
@@ -250,7 +250,7 @@ def corner_sofa(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
@@ -316,16 +316,16 @@ def footstool(rng: np.random.Generator, style: Style, skin: Material | None = No
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     skin
-        Its cover; drawn at random if None.
+        Material of the cover; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     skin = cover(rng, style) if skin is None else skin
     width, depth, height = between(rng, 0.45, 0.8), between(rng, 0.42, 0.6), between(rng, 0.36, 0.44)

@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def stool(rng: np.random.Generator, style: Style, *, height: float = 0.46) -> Mesh:
-    """Draw a stool; for a breakfast bar it is 0.65 m high."""
+    """Draw a stool. Stools for a breakfast bar should be 0.65 m high."""
     wood = style.any_wood(rng)
     r = between(rng, 0.16, 0.19)
     kind = rng.random()

@@ -1,4 +1,4 @@
-"""Free-standing ranges: hob, oven and controls in one."""
+"""Free-standing ranges with a hob, an oven and controls."""
 
 import numpy as np
 
@@ -25,15 +25,15 @@ def stove(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; 0.5, 0.6 or 0.9 if None.
+        Width in metres; 0.5, 0.6 or 0.9 if None.
     height
-        Height of its hob above the floor in metres.
+        Height of the hob above the floor in metres.
     body
-        Material of the body; steel, white, black or a colour is drawn if None.
+        Material of the body; steel, white, black or coloured if None.
 
     Returns
     -------

@@ -13,21 +13,21 @@ from placecat_homes.style import Style
 
 
 def suitcase(rng: np.random.Generator, style: Style, lying: bool | None = None) -> Mesh:
-    """Draw a suitcase: a ribbed shell on wheels, or an old leather one with straps.
+    """Draw a ribbed hard-shell suitcase on wheels, or an old leather suitcase with straps.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     lying
-        Whether it lies flat instead of standing; drawn at random if None.
+        Whether the suitcase lies flat; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     w, h, d = between(rng, 0.38, 0.5), between(rng, 0.52, 0.74), between(rng, 0.2, 0.28)
     lying = chance(rng, 0.25) if lying is None else lying

@@ -1,4 +1,4 @@
-"""Lamps that stand on furniture."""
+"""Table lamps."""
 
 import numpy as np
 
@@ -16,14 +16,14 @@ def table_lamp(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     return backed(choose(rng, (_shaded, _shaded, _arm, _ball))(rng, style))
 

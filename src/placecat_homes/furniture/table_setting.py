@@ -1,4 +1,4 @@
-"""Objects on a laid table."""
+"""Tableware and centrepieces for laid tables."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ FLAME = Material(colour=(1.0, 0.8, 0.4), emission=3.0)
 
 @dataclass(frozen=True)
 class Tableware:
-    """What all places at one table have in common.
+    """Tableware shared by all places at one table.
 
     Attributes
     ----------
@@ -63,7 +63,7 @@ class Tableware:
 
     @classmethod
     def draw(cls, rng: np.random.Generator, style: Style) -> "Tableware":
-        """Draw the tableware for one table."""
+        """Choose the tableware for one table."""
         return cls(
             china=palette.ceramic(rng),
             metal=palette.METALS[int(rng.integers(2))],
@@ -76,21 +76,21 @@ class Tableware:
 
 
 def place_setting(rng: np.random.Generator, style: Style, *, ware: Tableware | None = None) -> Mesh:
-    """Draw a plate, cutlery, a glass and a napkin for one person, who sits at y < 0 and looks along +y.
+    """Draw a plate, cutlery, a glass and a napkin. The person sits at y < 0 and faces +y.
 
     Parameters
     ----------
     rng
-        Random generator for small differences.
+        Random number generator.
     style
         Style of the home.
     ware
-        What all places at the table have in common; drawn at random if None.
+        Tableware shared by all places at the table; chosen at random if None.
 
     Returns
     -------
     Mesh
-        A setting of about 0.45 m by 0.35 m; the edge of the table is y = 0.
+        A setting of about 0.45 m by 0.35 m. The edge of the table is at y = 0.
     """
     kit = ware or Tableware.draw(rng, style)
     parts: list[Mesh] = []
@@ -154,7 +154,7 @@ def candlestick(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def runner(rng: np.random.Generator, style: Style, *, length: float = 1.2, width: float = 0.35) -> Mesh:
-    """Draw a strip of cloth that lies along the middle of a table."""
+    """Draw a strip of cloth along the middle of a table."""
     return block(style.any_fabric(rng), (length, width, 0.003))
 
 
@@ -166,18 +166,18 @@ def centrepiece(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, depth
         Available space in metres.
     festive
-        Add more objects, as on a laid table.
+        Whether to add more objects, as on a table laid for a meal.
 
     Returns
     -------
     Mesh
-        Centred on the origin, standing on z = 0.
+        A centrepiece on z = 0, centred on the origin.
     """
     first: Mesh
     kind = rng.random()

@@ -1,4 +1,4 @@
-"""Television sets and what they stand on."""
+"""Televisions, television cabinets and audio equipment."""
 
 from dataclasses import replace
 
@@ -23,7 +23,7 @@ def _picture(rng: np.random.Generator, width: float, height: float) -> Material:
 
 
 def _panel(rng: np.random.Generator, width: float, lit: bool) -> Mesh:
-    """A flat screen, its lower edge on z = 0, its back on y = 0."""
+    """Draw a flat screen with its lower edge on z = 0."""
     height = width * 9 / 16
     rim = between(rng, 0.008, 0.025)
     screen = _picture(rng, width - 2 * rim, height - 2 * rim) if lit else palette.BLACK_GLASS
@@ -38,23 +38,23 @@ def _panel(rng: np.random.Generator, width: float, lit: bool) -> Mesh:
 def television(
     rng: np.random.Generator, style: Style, width: float | None = None, lit: bool | None = None
 ) -> Mesh:
-    """Draw a flat television on its own foot, to stand on a piece of furniture.
+    """Draw a flat television with its own stand, to put on a piece of furniture.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
     lit
-        Whether it is on; drawn at random if None.
+        Whether it is on; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width = between(rng, 0.75, 1.35) if width is None else width
     on = chance(rng, 0.3) if lit is None else lit
@@ -77,37 +77,37 @@ def wall_television(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
     lit
-        Whether it is on; drawn at random if None.
+        Whether it is on; chosen at random if None.
 
     Returns
     -------
     Mesh
-        z = 0 is its lower end.
+        The lowest point of the mesh is at z = 0.
     """
     width = between(rng, 0.9, 1.5) if width is None else width
     return _panel(rng, width, chance(rng, 0.3) if lit is None else lit).moved(0, 0.03, 0)
 
 
 def crt(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an old television with a tube.
+    """Draw an old tube television.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width = between(rng, 0.5, 0.72)
     height, depth = width * 0.78, width * 0.72
@@ -138,16 +138,16 @@ def speaker(rng: np.random.Generator, style: Style, height: float | None = None)
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     height
-        Metres; drawn at random if None.
+        Height in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     height = between(rng, 0.25, 1.05) if height is None else height
     width = between(rng, 0.14, 0.2) if height < 0.5 else between(rng, 0.18, 0.24)
@@ -166,19 +166,19 @@ def speaker(rng: np.random.Generator, style: Style, height: float | None = None)
 
 
 def stereo(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a stack of music players and a turntable on a low stand.
+    """Draw a low rack of hi-fi components, often with a turntable on top.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     wood = style.any_wood(rng)
     height, width, depth = between(rng, 0.55, 0.75), 0.52, 0.42
@@ -217,16 +217,16 @@ def bench(rng: np.random.Generator, style: Style, width: float | None = None) ->
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0; its top is the highest part.
+        The cabinet stands on z = 0. Its top is the highest part.
     """
     width = between(rng, 1.2, 2.0) if width is None else width
     depth, height, foot = between(rng, 0.38, 0.46), between(rng, 0.4, 0.56), between(rng, 0.04, 0.16)
@@ -278,18 +278,18 @@ def tv_bench(rng: np.random.Generator, style: Style, width: float | None = None,
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Width of the cabinet in metres; drawn at random if None.
+        Width of the cabinet in metres; chosen at random if None.
     hung
-        Leave out the television because it hangs on the wall above.
+        Whether the television hangs on the wall above. If it does, it is not drawn.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     old = style.modern < 0.35 and not hung and chance(rng, 0.45)
     low = bench(rng, style, width)

@@ -25,17 +25,16 @@ def toilet(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     ceramic
-        Material of the bowl; drawn at random if None.
+        Material of the bowl; chosen at random if None.
     kind
-        "close-coupled" (its cistern stands on the bowl), "wall-hung" (cistern in a boxed wall behind),
-        "low" (cistern hung on the wall at half height) or "high" (old, with a chain);
-        drawn at random if None.
+        "close-coupled" (cistern on the bowl), "wall-hung" (cistern in a boxed wall), "low" (cistern halfway
+        up the wall) or "high" (an old cistern with a chain); chosen at random if None.
     open_lid
-        Whether the lid is open; open in one of three cases if None.
+        Whether the lid is open; open with probability 0.4 if None.
 
     Returns
     -------
@@ -96,7 +95,7 @@ def toilet_brush(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _bowl_inside(back: float, width: float, length: float, top: float) -> list[tuple[np.ndarray, float]]:
-    """Return rings from the rim down to the water."""
+    """Return the rings of the inner surface, from the rim down to the water."""
     inner = rounded(width - 0.07, length - 0.10, (0.13, 0.2), (0.1, 0.1), y=back + 0.06)
     lower = rounded(width - 0.13, length - 0.19, (0.11, 0.15), (0.08, 0.08), y=back + 0.09)
     deep = rounded(0.13, 0.15, (0.06, 0.08), (0.06, 0.06), y=back + 0.13)
@@ -104,7 +103,7 @@ def _bowl_inside(back: float, width: float, length: float, top: float) -> list[t
 
 
 def _standing(ceramic: Material, back: float, rng: np.random.Generator) -> Mesh:
-    """Draw a bowl on a foot; its rim starts at y = `back` and is 40 cm high."""
+    """Draw a bowl on a foot. The rim starts at y = `back`, 40 cm above the floor."""
     width, length = 0.36, 0.47
     waist = rng.uniform(0.17, 0.22)
 
@@ -137,7 +136,7 @@ def _seat(
     opened: bool,
     lean: float,
 ) -> Mesh:
-    """Draw the seat and the lid on the rim; an open lid leans back by up to `lean` metres of free depth."""
+    """Draw the seat and the lid on the rim. An open lid has `lean` metres of space behind it."""
     outer = rounded(0.375, 0.455, (0.187, 0.29), (0.13, 0.1), points=8)
     inner = rounded(0.22, 0.29, (0.11, 0.17), (0.09, 0.09), y=0.09, points=8)
     seat = ring(outer, inner, 0.02, 0.006)
@@ -155,7 +154,7 @@ def _seat(
 
 
 def _tank(rng: np.random.Generator, ceramic: Material, metal: Material) -> Mesh:
-    """Draw a cistern that stands on z = 0, with its lid and a button or lever."""
+    """Draw a cistern standing on z = 0, with a lid and a button or lever."""
     width, height, round_ = rng.uniform(0.36, 0.42), rng.uniform(0.33, 0.38), rng.uniform(0.02, 0.07)
     wide = rounded(width, 0.18, (round_, round_), 0.012)
     low = rounded(width - rng.uniform(0.01, 0.07), 0.165, (round_, round_), 0.012)

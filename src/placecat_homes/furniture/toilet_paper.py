@@ -1,4 +1,4 @@
-"""Toilet paper: on a wall holder, on a stand, and as spare rolls."""
+"""Toilet paper on wall holders, on stands and in piles of spare rolls."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from placecat_homes.style import Style
 
 
 def toilet_paper(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a roll on a holder for the wall; z = 0 is the end of the paper. Hang it 0.55 m high."""
+    """Draw a roll on a wall holder. The lowest point, at z = 0, should be about 0.6 m above the floor."""
     metal = style.metal
     parts = [
         roll(rng, rng.uniform(0.06, 0.14)).moved(0, 0.07),
@@ -23,7 +23,7 @@ def toilet_paper(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def toilet_paper_stand(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a stand with one or two spare rolls on its pole and a roll hung from its arm."""
+    """Draw a stand with one to three spare rolls on its pole and a roll on its arm."""
     metal = style.metal
     parts = [
         cylinder(0.09, 0.015, 16).of(metal),
@@ -36,7 +36,7 @@ def toilet_paper_stand(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def toilet_paper_pile(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw spare rolls piled on the floor: three, two, one."""
+    """Draw spare rolls piled on the floor in up to three layers."""
     parts = [
         standing_roll(rng).moved(0.125 * (k - (2 - row) / 2), 0.065, 0.1 * row)
         for row in range(int(rng.integers(1, 4)))

@@ -1,4 +1,4 @@
-"""Towels on rails, rings, hooks and heated rails."""
+"""Towels on rails, rings, hooks and heated towel rails."""
 
 import math
 
@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def cloths(rng: np.random.Generator, style: Style, count: int) -> list[Material]:
-    """Draw towels that may or may not match."""
+    """Choose materials for towels. They may or may not match."""
     first = palette.plain_fabric(rng)
     match = rng.random() < 0.5
     return [
@@ -33,16 +33,16 @@ def towel(rng: np.random.Generator, style: Style, *, kind: str | None = None) ->
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     kind
-        "rail", "double rail", "hooks" or "ring"; drawn at random if None.
+        "rail", "double rail", "hooks" or "ring"; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Towels 0.5 to 0.9 m high; their lower end is z = 0.
+        Towels about 0.4 to 0.9 m high, with their lowest point at z = 0.
     """
     kind = kind or str(rng.choice(("rail", "double rail", "hooks", "ring"), p=(0.4, 0.15, 0.3, 0.15)))
     if kind == "hooks":
@@ -118,7 +118,7 @@ def _ring(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def towel_radiator(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a heated rail: a ladder of bars with towels on it; its lower end is z = 0."""
+    """Draw a heated towel rail: a ladder of bars with towels. Its lower end is at z = 0."""
     width, height = rng.uniform(0.45, 0.6), rng.uniform(1.1, 1.6)
     metal = style.metal if rng.random() < 0.45 else Material((0.92, 0.92, 0.91), gloss=0.04)
     bars = np.arange(0.05, height, 0.06)

@@ -21,7 +21,7 @@ def _bright(rng: np.random.Generator) -> Material:
 
 
 def teddy(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a sitting teddy bear."""
+    """Draw a seated teddy bear."""
     tone = between(rng, 0.6, 1.15)
     fur = Material((0.62 * tone, 0.44 * tone, 0.27 * tone)) if chance(rng, 0.7) else palette.plain_fabric(rng)
     pale = Material((0.8, 0.68, 0.52))
@@ -75,21 +75,21 @@ def bricks(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def toys(rng: np.random.Generator, style: Style, count: int | None = None) -> Mesh:
-    """Draw toys lying about on the floor.
+    """Draw toys scattered on the floor.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     count
-        How many; drawn at random if None.
+        Number of toys; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, within a square of about one metre.
+        Toys standing on z = 0 within a square of about one metre.
     """
     count = int(rng.integers(2, 5)) if count is None else count
     parts = []

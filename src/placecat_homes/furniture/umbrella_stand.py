@@ -12,7 +12,7 @@ from placecat_homes.style import Style
 
 
 def umbrella_stand(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a pot or tube with umbrellas and a walking stick in it."""
+    """Draw a pot or tube with umbrellas in it."""
     radius, high = between(rng, 0.1, 0.14), between(rng, 0.42, 0.55)
     skin = choose(rng, (palette.ceramic(rng), style.metal, palette.plastic(rng), style.wood))
     bulge = between(rng, 1.0, 1.15)

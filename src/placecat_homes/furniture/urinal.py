@@ -17,23 +17,23 @@ def urinal(
     count: int = 2,
     ceramic: Material | None = None,
 ) -> Mesh:
-    """Draw urinals on the wall, side by side, with screens between them.
+    """Draw a row of wall-mounted urinals with screens between them.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the building.
     count
         Number of urinals.
     ceramic
-        Material of the urinals; drawn at random if None.
+        Material of the urinals; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Urinals whose z = 0 is the floor; the rims are 0.62 m high.
+        Urinals with their rims 0.62 m above the floor. The floor is at z = 0.
     """
     ceramic = ceramic or palette.ceramic(rng)
     pitch = rng.uniform(0.7, 0.85)
@@ -56,7 +56,7 @@ def urinal(
 
 
 def _bowl(ceramic: Material) -> Mesh:
-    """Draw one urinal: a shell that is open in front above its lip."""
+    """Draw one urinal as a shell that is open in front above its lip."""
 
     def ring(width: float, depth: float, z: float, inside: float = 0.0) -> tuple[np.ndarray, float]:
         w, d = width - 2 * inside, depth - 2 * inside

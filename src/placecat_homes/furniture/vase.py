@@ -1,4 +1,4 @@
-"""Small objects that stand on furniture: vases, bowls, candles."""
+"""Vases, candles, bowls and other ornaments."""
 
 import math
 
@@ -17,21 +17,21 @@ FRUIT = ((0.8, 0.15, 0.1), (0.9, 0.55, 0.1), (0.85, 0.75, 0.15), (0.45, 0.6, 0.1
 
 
 def vase(rng: np.random.Generator, style: Style, flowers: bool | None = None) -> Mesh:
-    """Draw a vase, with flowers in it or empty.
+    """Draw a vase, either empty or with flowers.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     flowers
-        Whether there are flowers in it; drawn at random if None.
+        Whether the vase has flowers; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     h, r = between(rng, 0.14, 0.3), between(rng, 0.04, 0.08)
     profile = choose(
@@ -77,14 +77,14 @@ def bouquet(rng: np.random.Generator, height: float, radius: float) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     height, radius
         Height above the rim and radius at the rim, in metres.
 
     Returns
     -------
     Mesh
-        Around the z axis, from z = 0 upwards.
+        Flowers around the z axis, from z = 0 upwards.
     """
     count = int(rng.integers(5, 12))
     green = palette.foliage(rng)
@@ -114,14 +114,14 @@ def candle(rng: np.random.Generator, style: Style) -> Mesh:
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     wax = Material(palette.colour(rng, 0.5, 0.7, 0.97))
     parts = []
@@ -144,16 +144,16 @@ def bowl(rng: np.random.Generator, style: Style, fruit: bool | None = None) -> M
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     fruit
-        Whether there is fruit in it; drawn at random if None.
+        Whether the bowl has fruit; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     r, h = between(rng, 0.1, 0.17), between(rng, 0.06, 0.1)
     skin = choose(rng, (palette.ceramic(rng), palette.wood(rng), palette.paint(rng), style.metal))
@@ -179,19 +179,19 @@ def bowl(rng: np.random.Generator, style: Style, fruit: bool | None = None) -> M
 
 
 def figure(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an ornament: a photograph in a stand, a globe, a turned piece, or a carved stone.
+    """Draw an ornament: a framed photograph, a globe, a turned figure or a stone.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     kind = choose(rng, ("photo", "photo", "globe", "turned", "stone"))
     if kind == "photo":

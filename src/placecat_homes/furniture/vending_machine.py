@@ -1,4 +1,4 @@
-"""Machines that sell snacks and drinks, and dispensers of water."""
+"""Vending machines and water dispensers."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ DARK = Material((0.05, 0.05, 0.055), gloss=0.04)
 
 
 def vending_machine(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a lit vending machine with rows of snacks and bottles behind a window, and a coin panel."""
+    """Draw a lit vending machine with a coin panel, and rows of snacks and bottles behind a window."""
     wide, deep, high = between(rng, 0.8, 0.95), between(rng, 0.7, 0.82), between(rng, 1.75, 1.9)
     skin = choose(rng, (DARK, Material(ink(rng), gloss=0.04), Material((0.85, 0.85, 0.84), gloss=0.04)))
     glass_wide, low = wide * 0.68, high * 0.26
@@ -83,7 +83,7 @@ def vending_machine(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def water_dispenser(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a water cooler with a large bottle on top and cups at the side."""
+    """Draw a water cooler with a large bottle on top and cups on the side."""
     wide, deep, high = 0.31, 0.33, between(rng, 0.92, 1.02)
     skin = choose(rng, (Material((0.9, 0.9, 0.89), gloss=0.04), DARK, palette.plastic(rng)), (3, 1, 1))
     water = Material((0.45, 0.68, 0.88), gloss=0.08, roughness=0.05, opacity=0.55)

@@ -28,16 +28,16 @@ def wardrobe(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; 0.9 to 2.4 m if None.
+        Width in metres; 0.95 to 2.4 if None.
     kind
-        "hinged" (two to five doors, some perhaps of mirror), "sliding" (two or three, often mirrors), "open"
-        (clothes are seen hanging in it) or "antique" (cornice, drawers below); drawn at random if None.
+        "hinged" (two to five doors, sometimes mirrored), "sliding" (two or three doors, often mirrored),
+        "open" (no doors) or "antique" (a cornice and drawers); chosen at random if None.
     height
-        Metres; drawn at random if None.
+        Height in metres; chosen at random if None.
 
     Returns
     -------
@@ -66,7 +66,7 @@ def wardrobe(
 
 
 def _on_top(rng: np.random.Generator, style: Style, width: float, height: float) -> Mesh:
-    """Put boxes, a suitcase or blankets on top of it."""
+    """Put boxes, a suitcase or blankets on top of a wardrobe."""
     parts, x = [], -width / 2 + 0.05
     while x < width / 2 - 0.35:
         wide, high = rng.uniform(0.3, 0.55), rng.uniform(0.1, 0.22)
@@ -212,7 +212,7 @@ def _antique(
 
 
 def garment(rng: np.random.Generator, cloth: Material) -> Mesh:
-    """Draw a shirt, jacket or dress on a hanger that hangs from the origin, its shoulders along y."""
+    """Draw a garment on a hanger at the origin, with its shoulders along y."""
     long, wide = rng.uniform(0.65, 1.15), rng.uniform(0.4, 0.48)
     thick = rng.uniform(0.025, 0.05)
     half, sleeve = wide / 2, wide / 2 + 0.05
@@ -237,7 +237,7 @@ def garment(rng: np.random.Generator, cloth: Material) -> Mesh:
 def _open(
     rng: np.random.Generator, style: Style, material: Material, width: float, depth: float, height: float
 ) -> Mesh:
-    """Draw a wardrobe without doors: a rail of clothes, shelves of folded clothes, and shoes below."""
+    """Draw a wardrobe without doors, with a rail of clothes, shelves of folded clothes, and shoes below."""
     thick, shelf_width = 0.022, min(0.5, width * 0.38)
     split = width / 2 - shelf_width
     parts = [
@@ -308,7 +308,7 @@ def clothes_rail(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def hanging_clothes(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a bathrobe or dress on a hook for a wall or door; its hem is z = 0."""
+    """Draw a garment on a hook for a wall or door. Its hem is at z = 0."""
     piece = garment(rng, style.any_fabric(rng)).turned(90).moved(0, 0.07, 0)
     hook = handle("knob", style.metal).moved(0, 0, 0.03)
     mesh = join(piece, hook)

@@ -1,4 +1,4 @@
-"""Open shelves and rails of a walk-in closet."""
+"""Open shelves and rails for walk-in closets."""
 
 import numpy as np
 
@@ -14,12 +14,12 @@ from placecat_homes.style import Style
 
 
 def on_shelf(rng: np.random.Generator, style: Style, width: float, height: float, depth: float) -> Mesh:
-    """Draw the content of one closet shelf: folded clothes, boxes, shoes, bags, hats or nothing.
+    """Draw the contents of one closet shelf: folded clothes, boxes, shoes, bags, hats or nothing.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, height, depth
@@ -28,7 +28,7 @@ def on_shelf(rng: np.random.Generator, style: Style, width: float, height: float
     Returns
     -------
     Mesh
-        Standing on z = 0, with the back on y = 0, centred in x.
+        The contents stand on z = 0, centred in x, with their back on y = 0.
     """
     kind = choose(rng, ("folded", "boxes", "shoes", "mixed"), (5, 1.5, 1.5, 2))
     parts: list[Mesh] = []
@@ -112,21 +112,21 @@ def _rails(
 def wardrobe_shelf(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw an open closet system: bays with rails of clothes, bays with shelves, and boxes on top.
+    """Draw an open closet with bays of hanging clothes, bays of shelves, and boxes on top.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, height
-        Metres; drawn at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width = between(rng, 1.0, 2.2) if width is None else width
     height = between(rng, 1.95, 2.15) if height is None else height
@@ -178,16 +178,16 @@ def low_shelf(
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width, height
-        Metres; drawn at random if None.
+        Size in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width = between(rng, 0.5, 1.0) if width is None else width
     height = between(rng, 0.65, 0.85) if height is None else height
@@ -204,21 +204,21 @@ def low_shelf(
 
 
 def wall_board(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a board high on a wall, with boxes and folded clothes on it and a rod of clothes below.
+    """Draw a high wall shelf with boxes and folded clothes on it and a rod of clothes below.
 
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        z = 0 is the lower end of the longest piece of clothing.
+        A shelf with the hem of the longest garment at z = 0.
     """
     width = between(rng, 0.6, 1.0) if width is None else width
     wood, depth = style.any_wood(rng), 0.36
@@ -242,16 +242,16 @@ def shoe_rack(rng: np.random.Generator, style: Style, width: float | None = None
     Parameters
     ----------
     rng
-        Random generator for the design.
+        Random number generator.
     style
         Style of the home.
     width
-        Metres; drawn at random if None.
+        Width in metres; chosen at random if None.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     width = between(rng, 0.55, 0.9) if width is None else width
     wood, depth, rows = style.any_wood(rng), 0.32, int(rng.integers(2, 5))

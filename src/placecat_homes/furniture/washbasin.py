@@ -1,4 +1,4 @@
-"""Wash basins, with or without a cabinet, and the objects on them."""
+"""Washbasins and the objects on them."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from placecat_homes.shapes import box, cylinder, lathe, tube
 from placecat_homes.style import Style
 
 RIM = 0.86
-"""Height of the rim of a basin in metres."""
+"""Height of the basin rim in metres."""
 
 
 def washbasin(
@@ -24,28 +24,28 @@ def washbasin(
     width: float | None = None,
     clutter: float | None = None,
 ) -> Mesh:
-    """Draw a wash basin with its tap and the usual objects.
+    """Draw a washbasin with a tap and the usual objects.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     ceramic
-        Material of the basin; drawn at random if None.
+        Material of the basin; chosen at random if None.
     kind
         "pedestal", "wall" (with its drain showing), "vanity" (a cabinet with the basin as its top), "vessel"
-        (a bowl on a counter) or "stand" (a bowl on a table); drawn at random if None.
+        (a bowl on a counter) or "stand" (a bowl on a table); chosen at random if None.
     width
-        Metres; drawn at random if None. A vanity of 1.1 m or more has two basins.
+        Width in metres; chosen at random if None. A vanity of 1.1 m or more has two basins.
     clutter
-        From only a bar of soap (0) to many bottles (1); None takes the clutter of the style.
+        Amount of clutter, from 0 (only a bar of soap) to 1 (many bottles); taken from the style if None.
 
     Returns
     -------
     Mesh
-        A wash basin whose rim is at 0.86 m.
+        A washbasin whose rim is 0.86 m high.
     """
     ceramic = ceramic or palette.ceramic(rng)
     clutter = style.clutter if clutter is None else clutter
@@ -65,7 +65,7 @@ def washbasin(
 def hollow(
     width: float, depth: float, radius: tuple[float, float], y: float, top: float, deep: float
 ) -> list[tuple[Outline, float]]:
-    """Return rings of a hollow from its edge down to its floor."""
+    """Return the rings of a hollow, from its edge to its bottom."""
     rings = []
     for share, down in ((1.0, 0.0), (0.97, 0.02), (0.86, 0.75), (0.7, 0.95), (0.4, 1.0)):
         outline = rounded(width, depth, radius, y=y)
@@ -138,7 +138,7 @@ def _towel_bar(rng: np.random.Generator, style: Style, width: float, depth: floa
 
 
 def _things(rng: np.random.Generator, style: Style, width: float, y: float, z: float, clutter: float) -> Mesh:
-    """Put soap and toothbrushes left and right of the tap; the more clutter, the more objects."""
+    """Put soap, toothbrushes and other objects beside the tap. Their number grows with `clutter`."""
     things = [soap_dispenser(rng, style.metal) if rng.random() < 0.6 else soap(rng)]
     if rng.random() < 0.35 + 0.6 * clutter:
         things.append(tooth_brushes(rng))
@@ -159,7 +159,7 @@ def _things(rng: np.random.Generator, style: Style, width: float, y: float, z: f
 
 
 def _cabinet(rng: np.random.Generator, style: Style, width: float, depth: float, top: float) -> Mesh:
-    """Draw the cabinet under a basin, up to the height `top`."""
+    """Draw the cabinet under a basin, up to a height of `top`."""
     colour = rng.choice(4)
     material = (style.fronts, style.wood, palette.paint(rng), palette.wood(rng))[int(colour)]
     floating = rng.random() < 0.3 + 0.5 * style.modern

@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def washing_machine(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a front loader with porthole, drawer, knob and display, perhaps with objects on top."""
+    """Draw a front-loading washing machine, perhaps with objects on top."""
     width, depth, height = 0.6, rng.uniform(0.5, 0.62), 0.85
     body = Material((0.9, 0.9, 0.9), gloss=0.04)
     if rng.random() < 0.25:

@@ -12,14 +12,14 @@ PENS: tuple[Colour, ...] = ((0.05, 0.06, 0.08), (0.08, 0.15, 0.55), (0.75, 0.1, 
 
 
 def whiteboard(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a used whiteboard, to hang at 0.85 m, with pens and a wiper on its tray.
+    """Draw a used whiteboard with pens and an eraser on its tray. It should hang about 0.9 m above the floor.
 
     Parameters
     ----------
     rng, style
-        Random generator and style that decide the size and the scribbles.
+        Random number generator and style of the home.
     width
-        Metres; 0.9 to 2.0 if None.
+        Width in metres; 0.9 to 2.0 if None.
     """
     width = width or between(rng, 0.9, 2.0)
     height = min(width * between(rng, 0.62, 0.75), 1.2)

@@ -1,4 +1,4 @@
-"""Windows: frame, sashes with muntins, and sill. The panes are left out to let the light through."""
+"""Windows with a frame, sashes, muntins and a sill. The panes are left out so that light passes through."""
 
 import numpy as np
 
@@ -21,21 +21,21 @@ def window(
     Parameters
     ----------
     rng
-        Random generator for the number of sashes and muntins and for the sill.
+        Random number generator.
     style
         Style of the building.
     width, height
         Width and height of the opening in metres.
     depth
-        Distance from the inner face of the wall to the window.
+        Distance from the inner face of the wall to the window in metres.
     to_floor
-        Build a balcony door, without a sill.
+        Whether to build a balcony door without a sill.
 
     Returns
     -------
     Mesh
-        z = 0 is the bottom of the opening, y = 0 the inner face of the wall. The window is at y = -depth;
-        only the sill comes into the room.
+        The bottom of the opening is at z = 0, the inner face of the wall at y = 0 and the window at
+        y = -depth. Only the sill extends into the room.
     """
     bar, thick = float(rng.uniform(0.04, 0.065)), 0.06
     parts = _border(width, height, bar, thick)

@@ -1,1 +1,1 @@
-"""Parts that several kinds of furniture share."""
+"""Parts shared by several kinds of furniture."""

@@ -1,4 +1,4 @@
-"""Small objects arranged on tables, worktops and shelves."""
+"""Arrangements of small objects on tables, worktops and shelves."""
 
 from collections.abc import Iterable, Sequence
 
@@ -8,14 +8,14 @@ from placecat_homes.mesh import Mesh, join
 
 
 def grounded(*parts: Mesh | Iterable[Mesh]) -> Mesh:
-    """Join meshes to one piece that stands on z = 0, its back on y = 0, centred in x."""
+    """Join meshes into one that stands on z = 0, centred in x, with its back on y = 0."""
     mesh = join(*parts)
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1]), -float(low[2]))
 
 
 def centred(mesh: Mesh) -> Mesh:
-    """Shift a mesh so that its middle is above the origin."""
+    """Move a mesh in x and y so that its middle is above the origin."""
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1] + high[1]) / 2)
 
@@ -23,25 +23,25 @@ def centred(mesh: Mesh) -> Mesh:
 def in_a_row(
     rng: np.random.Generator, things: Sequence[Mesh], width: float, *, depth: float = 0.0, gap: float = 0.02
 ) -> Mesh:
-    """Stand as many objects as fit side by side on a shelf, with gaps of random width.
+    """Put objects side by side on a shelf, with random gaps. Objects that do not fit are left out.
 
     Parameters
     ----------
     rng
-        Random generator for the gaps.
+        Random number generator.
     things
-        Standing objects, from left to right as seen from behind (towards +x).
+        Standing objects in order of increasing x.
     width
         Width of the shelf in metres; it is centred in x, with its back on y = 0.
     depth
-        Depth of the shelf in metres; 0 puts all objects at its back edge.
+        Depth of the shelf in metres; 0 puts all objects at the back edge.
     gap
-        Smallest distance in metres.
+        Minimum distance between objects in metres.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     chosen: list[Mesh] = []
     used = 0.0
@@ -73,25 +73,25 @@ def scattered(
     gap: float = 0.02,
     tries: int = 20,
 ) -> Mesh:
-    """Put objects at random places on a table top without overlaps; leave out those that find no place.
+    """Put objects at random places on a table top, without overlap. Objects that do not fit are left out.
 
     Parameters
     ----------
     rng
-        Random generator for the places.
+        Random number generator.
     things
-        Standing objects, which are not turned here.
+        Standing objects. They are not rotated.
     width, depth
         Width and depth of the top in metres; it is centred on the origin.
     gap
-        Smallest distance in metres.
+        Minimum distance between objects in metres.
     tries
         Number of places tried for each object.
 
     Returns
     -------
     Mesh
-        Standing on z = 0.
+        The mesh stands on z = 0.
     """
     taken: list[tuple[float, float, float, float]] = []
     placed = []

@@ -39,33 +39,34 @@ def cover(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     width
         Width of the mattress in metres.
     start, end
-        Where the blanket starts and ends along y: at its edge towards the head, and at the foot of the bed,
-        over which it hangs.
+        Positions along y in metres: the blanket's edge near the head, and the foot of the bed.
     top
-        Height of the mattress.
+        Height of the top of the mattress in metres.
     side, foot
-        How far it hangs down at both sides and at the foot; with a `foot` of 0 it ends on the mattress.
+        How far the blanket hangs down at each side and at the foot, in metres. If `foot` is 0, it ends on the
+        mattress.
     thickness, crease
-        Thickness of the blanket and height of its creases.
+        Thickness of the blanket and height of its creases in metres.
     slant
-        Metres by which the edge towards the head is nearer to the foot at +x than at -x (half thrown back).
+        How much farther from the head the edge is at +x than at -x, in metres. Nonzero for a blanket that is
+        half thrown back.
     centre
-        Shift of the blanket along x.
+        Shift of the blanket along x in metres.
     quilt
-        Edge length of stitched squares in metres; 0 for none.
+        Edge length of the stitched squares in metres; 0 for none.
     clear
-        Distance in metres of the hanging parts from the mattress, so that they clear the frame.
+        Distance in metres between the hanging parts and the mattress, to clear the frame.
     cells
-        Number of cells over the width and over the length.
+        Number of mesh cells along the width and the length.
 
     Returns
     -------
     Mesh
-        A sheet that is visible from both sides.
+        A blanket that is visible from both sides.
     """
     bump = rumples(rng, crease, rng.uniform(0.35, 0.7))
     folds, phase = rng.uniform(0.16, 0.3), rng.uniform(0, 6, 2)
@@ -76,7 +77,7 @@ def cover(
     foot_arc = radius * math.pi / 2 + max(foot - radius, 0.0) - radius if foot > 0 else 0.0
 
     def bent(arc: Array, edge: float) -> tuple[Array, Array]:
-        """Follow the top, a round edge and the hanging part; return the position and how far down it is."""
+        """Convert a distance along the blanket into a horizontal position and a drop over the edge."""
         over = np.maximum(arc - (edge - radius), 0.0)
         turn = np.minimum(over / radius, math.pi / 2)
         down = radius * (1 - np.cos(turn)) + np.maximum(over - radius * math.pi / 2, 0.0)
@@ -125,20 +126,20 @@ def pillows(
     *,
     upright: bool | None = None,
 ) -> Mesh:
-    """Lay or lean pillows at the head (y = 0): one on a single bed, otherwise two, perhaps in two rows.
+    """Draw one or two rows of pillows at the head (y = 0). Single beds have one per row, others have two.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     width
         Width of the mattress in metres.
     top
-        Height of the mattress.
+        Height of the top of the mattress in metres.
     cloth
-        Returns a material for each row of pillows.
+        Function that returns the material for the next row of pillows.
     upright
-        Whether the pillows lean against the headboard; drawn at random if None.
+        Whether the pillows lean against the headboard; chosen at random if None.
 
     Returns
     -------
@@ -167,7 +168,7 @@ def pillows(
 
 
 def cushions(rng: np.random.Generator, style: Style, width: float, top: float, y: float) -> Mesh:
-    """Lean one to four small cushions in a row."""
+    """Draw a row of one to four small leaning cushions."""
     count = int(rng.integers(1, 5 if width > 1.2 else 3))
     parts = []
     for k in range(count):
@@ -179,7 +180,7 @@ def cushions(rng: np.random.Generator, style: Style, width: float, top: float, y
 
 
 def linen(rng: np.random.Generator, style: Style) -> Material:
-    """Draw bed linen."""
+    """Choose a material for bed linen."""
     choice = rng.random()
     if choice < 0.25:
         white = palette.shade((0.93, 0.92, 0.9), rng.uniform(0.92, 1.0))
@@ -200,29 +201,29 @@ def bedding(
     clear: float = 0.0,
     kind: str | None = None,
 ) -> Mesh:
-    """Make a bed: mattress, pillows, duvet or spread, perhaps a throw and cushions.
+    """Draw a mattress, pillows, a duvet or bedspread, and perhaps a throw and cushions.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
         Style of the home.
     width, length
         Width and length of the mattress in metres.
     top
-        Height of the upper side of the mattress.
+        Height of the top of the mattress in metres.
     thick
-        Thickness of the mattress.
+        Thickness of the mattress in metres.
     free
-        Let blankets hang over the sides and the foot; otherwise they end inside the frame.
+        Whether blankets hang over the sides and the foot. Otherwise they end inside the frame.
     footboard
-        The bed has a footboard, so nothing hangs over the foot.
+        Whether the bed has a footboard. If it does, nothing hangs over the foot.
     clear
-        How far the frame sticks out from the mattress, in metres.
+        How far the frame extends beyond the mattress in metres.
     kind
-        "made" (duvet up to the pillows, its edge folded back), "spread" (all covered), "open" (thrown back),
-        "two" (two duvets side by side) or "folded" (folded at the foot); drawn at random if None.
+        "made" (up to the pillows, with a folded edge), "spread" (everything covered), "open" (thrown back),
+        "two" (two duvets side by side) or "folded" (folded at the foot); chosen at random if None.
 
     Returns
     -------

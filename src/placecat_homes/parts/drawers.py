@@ -1,4 +1,4 @@
-"""Handles, chests of drawers, and surfaces of desks."""
+"""Chests of drawers, their handles, and desk surfaces."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from placecat_homes.style import Style
 
 
 def pull(style: Style, width: float, *, kind: str | None = None) -> Mesh:
-    """Draw a handle for a front `width` metres wide, sticking out to +y with its middle on the origin."""
+    """Draw a handle for a front `width` metres wide. It is centred on the origin and faces +y."""
     kind = kind or style.handle
     if kind == "knob":
         return cylinder(0.013, 0.025, 10).turned(-90, "x").of(style.metal)
@@ -39,7 +39,7 @@ def chest(
     style
         Style of the home.
     width, depth, height
-        Metres.
+        Size in metres.
     shares
         Relative heights of the drawers from the top down.
     case, front
@@ -47,7 +47,7 @@ def chest(
     plinth
         Height of the base in metres.
     handle
-        Kind of handle; None takes that of the style.
+        Kind of handle; taken from the style if None.
     """
     parts = [
         box(width, depth - 0.02, height - plinth, 0.003).moved(z=plinth).of(case),
@@ -65,7 +65,7 @@ def chest(
 
 
 def surface(rng: np.random.Generator, style: Style) -> Material:
-    """Choose the surface of desks and shelves in an office."""
+    """Choose a surface material for office desks and shelves."""
     kind = rng.random()
     if kind < 0.35:
         return style.wood

@@ -1,4 +1,4 @@
-"""Fronts of drawers and doors, their handles, and taps."""
+"""Drawer fronts, door fronts, handles and taps."""
 
 import math
 
@@ -16,21 +16,21 @@ TAPS = ("mixer", "tall", "two handles", "square")
 
 
 def front(width: float, height: float, material: Material, design: str = "flat") -> Mesh:
-    """Draw the upright front of a drawer or door, 2 cm thick, its back on y = 0.
+    """Draw an upright drawer or door front, 2 cm thick, with its back on y = 0.
 
     Parameters
     ----------
     width, height
-        Metres.
+        Size in metres.
     material
-        Material of the whole front.
+        Material of the front.
     design
         One of `FRONTS`; small fronts are always flat.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, centred in x.
+        A front standing on z = 0, centred in x.
     """
     border = min(0.07, width * 0.18, height * 0.28)
     if design == "flat" or border < 0.025:
@@ -62,7 +62,7 @@ def front(width: float, height: float, material: Material, design: str = "flat")
 
 
 def handle(kind: str, metal: Material, length: float = 0.14, *, upright: bool = False) -> Mesh:
-    """Draw a handle that sticks out to +y, with its foot at the origin.
+    """Draw a handle that sticks out towards +y from the origin.
 
     Parameters
     ----------
@@ -73,12 +73,12 @@ def handle(kind: str, metal: Material, length: float = 0.14, *, upright: bool = 
     length
         Length of a bar in metres.
     upright
-        Turn a bar upright, as for doors.
+        Whether a bar is upright, as on doors.
 
     Returns
     -------
     Mesh
-        Centred at the origin.
+        A handle centred on the origin.
     """
     if kind == "none":
         return empty()
@@ -123,18 +123,18 @@ def fronts(
     rows, columns
         Number of fronts in each direction.
     design
-        Design of the fronts, see `front`.
+        Design of the fronts (see `front`).
     grip
-        Kind of handle, see `handle`; "none" leaves a dark gap above each front instead.
+        Kind of handle (see `handle`). With "none", each front has a dark gap above it instead.
     gap
         Gap between fronts in metres.
     doors
-        The fronts are doors, which open to the side; pairs of doors have their handles in the middle.
+        Whether the fronts are doors. A pair of doors has its handles in the middle.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, its back on y = 0, centred in x.
+        The fronts stand on z = 0, centred in x, with their backs on y = 0.
     """
     parts: list[Mesh] = []
     w, h = width / columns, height / rows
@@ -160,18 +160,18 @@ def fronts(
 
 
 def tap(rng: np.random.Generator, metal: Material, kind: str | None = None, size: float = 1.0) -> Mesh:
-    """Draw a tap standing on z = 0 whose spout reaches to +y.
+    """Draw a tap that stands on z = 0, with its spout towards +y.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     metal
         Material of the metal parts.
     kind
-        One of `TAPS`; drawn at random if None.
+        One of `TAPS`; chosen at random if None.
     size
-        Factor on the size.
+        Scale factor.
 
     Returns
     -------
@@ -215,7 +215,7 @@ def tap(rng: np.random.Generator, metal: Material, kind: str | None = None, size
 
 
 def wall_mixer(metal: Material, *, spout: bool = True) -> Mesh:
-    """Draw the mixer of a bath or shower: a bar on the wall with two grips, and a spout."""
+    """Draw the mixer tap of a bath or shower: a bar on the wall with two handles, and a spout."""
     parts = [
         tube([(-0.14, 0.05, 0), (0.14, 0.05, 0)], 0.02, 10),
         tube([(-0.18, 0.05, 0), (-0.142, 0.05, 0)], 0.025, 10),
@@ -229,7 +229,7 @@ def wall_mixer(metal: Material, *, spout: bool = True) -> Mesh:
 
 
 def hand_shower(metal: Material, white: Material, length: float = 0.6) -> Mesh:
-    """Draw a rail on the wall with a sliding hand shower and its hose; z = 0 is the lower end of the rail."""
+    """Draw a wall rail with a sliding hand shower and its hose. The lower end of the rail is at z = 0."""
     head = length * 0.9
     turn = np.linspace(0, math.pi, 9)
     hose = [

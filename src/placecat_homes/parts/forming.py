@@ -1,4 +1,4 @@
-"""Boards with round corners, and bent panels."""
+"""Boards with rounded corners, and bent panels."""
 
 from dataclasses import replace
 
@@ -10,12 +10,12 @@ from placecat_homes.shapes import extrude
 
 
 def board(width: float, depth: float, height: float, radius: float, steps: int = 4) -> Mesh:
-    """Draw a level board with round corners, its back on y = 0.
+    """Draw a horizontal board with rounded corners and its back on y = 0.
 
     Parameters
     ----------
     width, depth, height, radius
-        Metres.
+        Dimensions in metres.
     steps
         Number of edges in each corner.
     """
@@ -23,7 +23,7 @@ def board(width: float, depth: float, height: float, radius: float, steps: int =
 
 
 def bent(mesh: Mesh, radius: float) -> Mesh:
-    """Bend an upright panel around a vertical axis `radius` metres in front, so that its sides come to +y."""
+    """Bend the sides of an upright panel towards +y around a vertical axis `radius` metres in front of it."""
     x = mesh.vertices[:, 0]
     vertices = mesh.vertices.copy()
     vertices[:, 1] += x * x / np.float32(2 * radius)

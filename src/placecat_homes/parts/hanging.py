@@ -11,19 +11,19 @@ from placecat_homes.shapes import extrude
 def curtain(
     width: float, height: float, folds: int = 8, depth: float = 0.05, thickness: float = 0.004
 ) -> Mesh:
-    """Draw hanging cloth in folds, its back near y = 0.
+    """Draw hanging cloth in folds, with its back near y = 0.
 
     Parameters
     ----------
     width, height, depth, thickness
-        Metres; `depth` is the depth of the folds.
+        Dimensions in metres; `depth` is the depth of the folds.
     folds
-        Number of folds over the width.
+        Number of folds across the width.
 
     Returns
     -------
     Mesh
-        Standing on z = 0, centred in x.
+        A cloth whose lower edge is on z = 0, centred in x.
     """
     steps = folds * 6
     x = np.linspace(-width / 2, width / 2, steps + 1)

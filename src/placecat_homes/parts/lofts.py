@@ -1,4 +1,4 @@
-"""Shapes made of stacked level outlines (basins, bowls, tubs) and soft shapes (cushions, cloth)."""
+"""Lofted shapes such as basins, bowls and tubs, and soft shapes such as cushions and cloth."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -23,24 +23,24 @@ def rounded(
     y: float = 0.0,
     points: int = 5,
 ) -> Outline:
-    """Draw a level rectangle with rounded corners, counter-clockwise seen from above, centred in x.
+    """Return a rectangle with rounded corners, counter-clockwise and centred in x.
 
     Parameters
     ----------
     width, depth
-        Metres.
+        Size in metres.
     front, back
         Radius of the corners at +y and at -y, or their radii along x and y. If `back` is None, it equals
         `front`.
     y
-        Where its back edge lies.
+        Position of the back edge in metres.
     points
-        Points in each corner; outlines with equally many points can be lofted.
+        Number of points per corner. Lofted outlines must have the same number of points.
 
     Returns
     -------
     Outline
-        (4 * points, 2), metres.
+        Points in metres, shape (4 * points, 2).
     """
     angle = np.linspace(0, math.pi / 2, points)
     outline = []
@@ -59,20 +59,21 @@ def _pair(radii: Radii) -> tuple[float, float]:
 
 
 def loft(rings: Sequence[tuple[Outline, float]], *, bottom: bool = True, top: bool = True) -> Mesh:
-    """Span a skin over level outlines, from the bottom up along the outside.
+    """Draw a skin through horizontal outlines.
 
     Parameters
     ----------
     rings
-        Outlines with equally many points and their heights. A vessel goes up outside and down again inside.
-        Where the profile turns by more than 40 degrees the edge stays sharp.
+        Outlines with the same number of points, and their heights, from the bottom up. For a vessel they go
+        up the outside and then down the inside. Where the profile turns by more than 40 degrees, the edge
+        stays sharp.
     bottom, top
         Whether to close the first outline (seen from below) and the last (seen from above).
 
     Returns
     -------
     Mesh
-        A skin whose u runs around and whose v runs along the profile, in metres.
+        A skin. Its texture coordinates are in metres: u runs around the skin and v along the profile.
     """
     levels = np.stack([np.c_[outline, np.full(len(outline), z)] for outline, z in rings])
     middle = levels.mean(axis=1, keepdims=True)
@@ -128,7 +129,7 @@ def _cap(level: NDArray[np.float64], up: float) -> Mesh:
 
 
 def plate(outline: Outline, height: float, bevel: float = 0.004) -> Mesh:
-    """Draw a level plate with a bevelled upper edge, standing on z = 0."""
+    """Draw a horizontal plate with a bevelled upper edge, lying on z = 0."""
     bevel = min(bevel, height * 0.45)
     middle = outline.mean(axis=0)
     reach = float(np.linalg.norm(outline - middle, axis=1).mean())
@@ -137,7 +138,7 @@ def plate(outline: Outline, height: float, bevel: float = 0.004) -> Mesh:
 
 
 def ring(outer: Outline, inner: Outline, height: float, bevel: float = 0.004) -> Mesh:
-    """Draw a level frame between two outlines, standing on z = 0."""
+    """Draw a horizontal frame between two outlines, lying on z = 0."""
     a = outer + (inner - outer) * 0.15
     b = inner + (outer - inner) * 0.15
     return loft(
@@ -156,7 +157,7 @@ def ring(outer: Outline, inner: Outline, height: float, bevel: float = 0.004) ->
 
 
 def pillow(width: float, depth: float, height: float, cells: int = 10) -> Mesh:
-    """Draw a stuffed pillow with pointed corners, lying on z = 0, its back edge on y = 0."""
+    """Draw a pillow with pointed corners, lying on z = 0 with its back edge on y = 0."""
 
     def half(sign: float) -> Mesh:
         def surface(s: NDArray[np.float64], t: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
@@ -176,16 +177,16 @@ def pillow(width: float, depth: float, height: float, cells: int = 10) -> Mesh:
 def rumples(
     rng: np.random.Generator, size: float = 0.012, scale: float = 0.5
 ) -> Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.float64]]:
-    """Draw a field of soft creases over the plane.
+    """Draw a random height map of soft creases.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     size
         Typical height in metres.
     scale
-        Typical wave length in metres.
+        Typical wavelength in metres.
 
     Returns
     -------
@@ -206,21 +207,21 @@ def rumples(
 
 
 def hung(rng: np.random.Generator, width: float, front: float, back: float, radius: float = 0.015) -> Mesh:
-    """Draw a cloth laid over a bar, such as a towel; the bar's axis is the x axis.
+    """Draw a cloth, such as a towel, hanging over a bar along the x axis.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     width, front, back
-        Width, and how far the cloth hangs down in front of and behind the bar, in metres.
+        Width of the cloth and its lengths in front of and behind the bar, in metres.
     radius
-        Radius of the bar including the cloth.
+        Radius of the bar in metres, including the cloth.
 
     Returns
     -------
     Mesh
-        An open sheet below z = radius.
+        A cloth that hangs down from z = `radius`.
     """
     over = math.pi * radius
     phase, folds = rng.uniform(0, 6), rng.uniform(1.5, 3.0)

@@ -1,4 +1,4 @@
-"""Outlines of boards and vessels, and bodies made from them."""
+"""Outlines of boards and vessels, and solids made from them."""
 
 import math
 from collections.abc import Sequence
@@ -14,12 +14,12 @@ Outline = list[tuple[float, float]]
 
 
 def rectangle(width: float, depth: float, radius: float = 0.0, steps: int = 4) -> Outline:
-    """Return the outline of a centred rectangle with rounded corners, counter-clockwise.
+    """Return the counter-clockwise outline of a centred rectangle with rounded corners.
 
     Parameters
     ----------
     width, depth, radius
-        Metres.
+        Dimensions in metres.
     steps
         Number of edges in each rounded corner.
 
@@ -45,7 +45,7 @@ def rectangle(width: float, depth: float, radius: float = 0.0, steps: int = 4) -
 
 
 def oval(width: float, depth: float, steps: int = 24) -> Outline:
-    """Return the outline of a centred ellipse, counter-clockwise."""
+    """Return the counter-clockwise outline of a centred ellipse."""
     angles = [2 * math.pi * k / steps for k in range(steps)]
     return [(width / 2 * math.cos(a), depth / 2 * math.sin(a)) for a in angles]
 
@@ -56,49 +56,50 @@ def frontal(outline: Sequence[tuple[float, float]], depth: float, *, smooth: boo
     Parameters
     ----------
     outline
-        (x, z) in metres, counter-clockwise with x to the right and z up.
+        Points (x, z) in metres, counter-clockwise with x to the right and z up.
     depth
         Thickness in metres, along y.
     smooth
-        Shade the edges as if they were rounded.
+        Whether to shade the edges as if they were rounded.
 
     Returns
     -------
     Mesh
-        Its back on y = 0.
+        A board with its back on y = 0.
     """
     return extrude(outline, depth, smooth=smooth).turned(90, "x").moved(y=depth)
 
 
 def sideways(outline: Sequence[tuple[float, float]], width: float, *, smooth: bool = False) -> Mesh:
-    """Draw a body whose outline is seen from the side.
+    """Draw a solid whose outline is seen from the side.
 
     Parameters
     ----------
     outline
-        (y, z) in metres, counter-clockwise with y to the right and z up.
+        Points (y, z) in metres, counter-clockwise with y to the right and z up.
     width
-        Metres, along x.
+        Width along x in metres.
     smooth
-        Shade the edges as if they were rounded.
+        Whether to shade the edges as if they were rounded.
 
     Returns
     -------
     Mesh
-        Centred in x.
+        A solid centred in x.
     """
     return extrude(outline, width, smooth=smooth).turned(90, "x").turned(90, "z").moved(x=-width / 2)
 
 
 def loft(rings: Sequence[NDArray[np.float64]], *, close: bool = False) -> Mesh:
-    """Draw a smooth skin through rings of equally many points.
+    """Draw a smooth skin through rings with the same number of points.
 
     Parameters
     ----------
     rings
-        (n, 3) each, counter-clockwise seen from above where the skin goes up outside.
+        Points of each ring, shape (n, 3). If a skin goes up the outside, the points run
+        counter-clockwise as seen from above.
     close
-        Also close the last ring with a fan around its middle.
+        Whether to close the last ring with a fan around its middle.
 
     Returns
     -------
@@ -126,12 +127,12 @@ def loft(rings: Sequence[NDArray[np.float64]], *, close: bool = False) -> Mesh:
 
 
 def ring(outline: Sequence[tuple[float, float]], z: float) -> NDArray[np.float64]:
-    """Put an outline at a height, as a ring for `loft`."""
+    """Return an outline at height `z` as a ring for `loft`."""
     points = np.asarray(outline, dtype=np.float64)
     return np.c_[points, np.full(len(points), z)]
 
 
 def textured(mesh: Mesh, *, u: float = 0.0, v: float = 0.0, quarter: bool = False) -> Mesh:
-    """Shift the texture of a mesh by metres, or turn it by 90 degrees, as for the grain of upright boards."""
+    """Shift a mesh's texture by `u` and `v` metres. `quarter` turns it by 90 degrees for upright grain."""
     uv = mesh.uv[:, ::-1] if quarter else mesh.uv
     return replace(mesh, uv=(uv + np.array([u, v], np.float32)).astype(np.float32))

@@ -1,4 +1,4 @@
-"""Sheets of paper with something printed on them."""
+"""Printed sheets of paper."""
 
 import numpy as np
 
@@ -19,7 +19,7 @@ PAPERS: tuple[Colour, ...] = (
 
 
 def ink(rng: np.random.Generator) -> Colour:
-    """Draw a strong colour, like those of headings, binders and pens."""
+    """Choose a strong colour for headings, binders and pens."""
     hue, deep = rng.random(), rng.uniform(0.2, 0.9)
     wheel = np.clip(np.abs((hue * 6 + np.array([0, 4, 2])) % 6 - 3) - 1, 0, 1)
     r, g, b = (float(v) for v in deep * (1 - rng.beta(1.6, 1.3) * (1 - wheel)))
@@ -27,32 +27,32 @@ def ink(rng: np.random.Generator) -> Colour:
 
 
 def leaf(rng: np.random.Generator, *, white: float = 0.8) -> Material:
-    """Choose plain paper, which is white with probability `white`."""
+    """Choose a plain paper material. It is white with probability `white`."""
     first = rng.random() < white
     return Material(PAPERS[int(rng.integers(3))] if first else PAPERS[int(rng.integers(3, len(PAPERS)))])
 
 
 def page(rng: np.random.Generator, width: float, height: float, *, white: float = 0.8) -> Material:
-    """Print a page of text."""
+    """Draw a page of text."""
     paper = leaf(rng, white=white).colour
     colours = (paper, (0.12, 0.12, 0.14), ink(rng), ink(rng))
     return Material(texture=Texture("page", colours, (width, height), int(rng.integers(12))))
 
 
 def poster(rng: np.random.Generator, width: float, height: float) -> Material:
-    """Print a poster with columns, plots and pictures."""
+    """Draw a poster with columns, plots and pictures."""
     paper = PAPERS[int(rng.integers(3))] if rng.random() < 0.8 else ink(rng)
     colours = (paper, ink(rng), ink(rng), ink(rng))
     return Material(texture=Texture("poster", colours, (width, height), int(rng.integers(1000))))
 
 
 def lying(rng: np.random.Generator, width: float = 0.21, height: float = 0.297) -> Mesh:
-    """Lay a page on a table, to be read from +y, its middle on the origin."""
+    """Draw a page lying on a table, readable from +y and centred on the origin."""
     return slab(width, height).of(page(rng, width, height)).moved(y=-height / 2).turned(180).moved(z=0.001)
 
 
 def stack(rng: np.random.Generator, high: float, *, loose: float = 0.01) -> Mesh:
-    """Pile up sheets in a few bundles that are not quite aligned, centred on the origin."""
+    """Draw a pile of slightly misaligned bundles of paper, centred on the origin."""
     parts = []
     z = 0.0
     bundles = max(1, min(4, round(high / 0.015)))
@@ -68,6 +68,6 @@ def stack(rng: np.random.Generator, high: float, *, loose: float = 0.01) -> Mesh
 
 
 def pinned(rng: np.random.Generator, width: float, height: float, *, large: bool = False) -> Mesh:
-    """Hang a sheet flat on a board or wall, with its back on y = 0 and its lower edge on z = 0."""
+    """Draw a sheet that hangs flat on a board or wall, with its back on y = 0 and its lower edge on z = 0."""
     material = poster(rng, width, height) if large else page(rng, width, height, white=0.65)
     return quad(width, height).of(material).moved(y=0.002)

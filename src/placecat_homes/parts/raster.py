@@ -1,4 +1,4 @@
-"""A small canvas for drawing pictures: lines, rectangles, discs and rows of words."""
+"""A small canvas for drawing lines, rectangles, discs and rows of words."""
 
 import itertools
 
@@ -7,14 +7,14 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Canvas:
-    """A square picture; x runs to the right and y down, both in [0, 1].
+    """A square picture. The coordinates x (to the right) and y (down) are in [0, 1].
 
     Parameters
     ----------
     pixels
-        Side length of the picture.
+        Side length of the picture in pixels.
     ground
-        sRGB of the paper.
+        sRGB colour of the background.
     """
 
     def __init__(self, pixels: int, ground: ArrayLike) -> None:
@@ -57,7 +57,7 @@ class Canvas:
         self.stroke([(x, y), (x, y)], 2 * radius, colour)
 
     def stroke(self, points: ArrayLike, width: float, colour: ArrayLike) -> None:
-        """Draw a line through points, with round ends."""
+        """Draw a line with round ends through the points."""
         line = np.asarray(points, np.float64)
         for a, b in itertools.pairwise(line):
             low, high = np.minimum(a, b) - width, np.maximum(a, b) + width
@@ -84,7 +84,7 @@ class Canvas:
     def words(
         self, rng: np.random.Generator, x0: float, x1: float, y: float, height: float, colour: ArrayLike
     ) -> None:
-        """Print a row of words between x0 and x1 on the line y, as small strokes of the size of letters."""
+        """Draw a row of words between x0 and x1 on the line y, as small letter-sized blocks."""
         x = x0
         step = height * 0.7
         while x + 2 * step < x1:
@@ -100,7 +100,7 @@ class Canvas:
     def writing(
         self, rng: np.random.Generator, x0: float, x1: float, y: float, height: float, colour: ArrayLike
     ) -> None:
-        """Write a row of handwriting: a wavy line broken into words."""
+        """Draw a row of handwriting as a wavy line broken into words."""
         x = x0
         while x + height < x1:
             end = min(x1, x + height * float(rng.uniform(1.2, 5.0)))

@@ -1,4 +1,4 @@
-"""Small objects found on wash stands and shelves: bottles, tubes, jars, soap, toothbrushes, rolls."""
+"""Toiletries for washbasins and shelves, such as bottles, tubes, jars and soap."""
 
 import math
 
@@ -15,7 +15,7 @@ PAPER = Material((0.94, 0.93, 0.91))
 
 
 def bright(rng: np.random.Generator) -> Colour:
-    """Draw a typical colour of packaging: white, pastel or strong."""
+    """Choose a typical packaging colour: white, pastel or strong."""
     if rng.random() < 0.3:
         return (0.93, 0.93, 0.9)
     hue, strength, value = rng.uniform(0, 6), rng.uniform(0.2, 0.85), rng.uniform(0.35, 0.95)
@@ -30,7 +30,7 @@ def _label(rng: np.random.Generator, width: float, height: float, y: float, z: f
 
 
 def bottle(rng: np.random.Generator) -> Mesh:
-    """Draw a bottle of shampoo, gel or lotion: 12 to 25 cm high, centred, with a cap or a pump."""
+    """Draw a centred bottle of shampoo, gel or lotion, 12 to 25 cm high, with a cap or a pump."""
     height, width = rng.uniform(0.11, 0.2), rng.uniform(0.05, 0.08)
     body = Material(bright(rng), gloss=0.05, roughness=0.2)
     cap = Material(bright(rng), gloss=0.04)
@@ -54,7 +54,7 @@ def bottle(rng: np.random.Generator) -> Mesh:
 
 
 def jar(rng: np.random.Generator) -> Mesh:
-    """Draw a low jar of cream with a lid, centred."""
+    """Draw a low, centred jar of cream with a lid."""
     radius, height = rng.uniform(0.025, 0.04), rng.uniform(0.03, 0.06)
     return join(
         cylinder(radius, height, 10).of(Material(bright(rng), gloss=0.05)),
@@ -63,7 +63,7 @@ def jar(rng: np.random.Generator) -> Mesh:
 
 
 def flacon(rng: np.random.Generator) -> Mesh:
-    """Draw a bottle of perfume, centred."""
+    """Draw a centred perfume bottle."""
     width, height = rng.uniform(0.04, 0.07), rng.uniform(0.06, 0.09)
     tint = Material(bright(rng), gloss=0.08, roughness=0.05)
     stopper = Material((0.8, 0.65, 0.35) if rng.random() < 0.5 else (0.75, 0.76, 0.78), gloss=0.5)
@@ -86,7 +86,7 @@ def squeeze_tube(rng: np.random.Generator) -> Mesh:
 
 
 def soap_dispenser(rng: np.random.Generator, metal: Material) -> Mesh:
-    """Draw a centred soap dispenser whose pump points to +y."""
+    """Draw a centred soap dispenser with its pump towards +y."""
     body = Material(bright(rng), gloss=0.06, roughness=0.1)
     height = rng.uniform(0.1, 0.14)
     shape = [(0, 0), (0.034, 0), (0.035, height * 0.8), (0.03, height * 0.93), (0.014, height), (0, height)]
@@ -98,7 +98,7 @@ def soap_dispenser(rng: np.random.Generator, metal: Material) -> Mesh:
 
 
 def soap(rng: np.random.Generator) -> Mesh:
-    """Draw a bar of soap on a dish, centred."""
+    """Draw a centred bar of soap on a dish."""
     dish = lathe([(0, 0), (0.03, 0), (0.065, 0.02), (0.06, 0.02), (0.03, 0.006), (0, 0.006)], 14).scaled(
         1, 0.75, 1
     )
@@ -109,7 +109,7 @@ def soap(rng: np.random.Generator) -> Mesh:
 
 
 def tooth_brushes(rng: np.random.Generator) -> Mesh:
-    """Draw a glass or mug with one to four toothbrushes and perhaps toothpaste, centred."""
+    """Draw a centred glass or mug with one to four toothbrushes and perhaps toothpaste."""
     mug = GLASS if rng.random() < 0.4 else Material(bright(rng), gloss=0.06)
     profile = [(0, 0), (0.03, 0), (0.036, 0.1), (0.033, 0.1), (0.028, 0.006), (0, 0.006)]
     parts = [lathe(profile, 12).of(mug)]
@@ -142,22 +142,22 @@ def standing_roll(rng: np.random.Generator) -> Mesh:
 
 
 def cosmetic(rng: np.random.Generator) -> Mesh:
-    """Draw a random object for a bathroom shelf, centred."""
+    """Draw a random, centred object for a bathroom shelf."""
     makers = (bottle, bottle, bottle, jar, squeeze_tube, flacon)
     return makers[int(rng.integers(len(makers)))](rng).turned(rng.uniform(-25, 25))
 
 
 def row(rng: np.random.Generator, width: float, fill: float = 0.7) -> Mesh:
-    """Stand bottles and jars in a row, centred in x and on y = 0.
+    """Draw a row of bottles, jars and tubes, centred in x and near y = 0.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     width
         Width of the shelf in metres.
     fill
-        Share of the places that are taken.
+        Fraction of the places that are filled.
 
     Returns
     -------
@@ -174,21 +174,21 @@ def row(rng: np.random.Generator, width: float, fill: float = 0.7) -> Mesh:
 
 
 def folded_towels(rng: np.random.Generator, cloths: list[Material], width: float = 0.34) -> Mesh:
-    """Draw a stack of folded towels, its back on y = 0.
+    """Draw a stack of folded towels with its back on y = 0.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     cloths
         Material of each towel, from the bottom up.
     width
-        Width in metres; the stack is three quarters as deep.
+        Width in metres. The stack is three quarters as deep.
 
     Returns
     -------
     Mesh
-        The stack; each towel consists of two rounded layers with the fold in front.
+        The stack. Each towel consists of two rounded layers with the fold in front.
     """
     parts = []
     z = 0.0
@@ -202,7 +202,7 @@ def folded_towels(rng: np.random.Generator, cloths: list[Material], width: float
 
 
 def rolled_towel(cloth: Material, length: float = 0.3, radius: float = 0.05) -> Mesh:
-    """Draw a rolled-up towel lying on z = 0 along y, its back on y = 0."""
+    """Draw a rolled-up towel lying along y on z = 0, with its back on y = 0."""
     turns = [(radius * f, length + 0.004 * math.sin(9 * f)) for f in (1.0, 0.8, 0.6, 0.4, 0.2)]
     body = lathe([(0, 0), (radius, 0), *turns, (0, length)], 14)
     return body.turned(-90, "x").moved(z=radius).of(cloth)

@@ -25,7 +25,7 @@ class AtWalls(Occupied):
     Attributes
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     """
 
     def __init__(

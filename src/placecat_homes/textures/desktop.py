@@ -12,7 +12,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random generator.
+        Random number generator.
     colours
         Colour of the background, then those of title bars and pictures.
     pixels

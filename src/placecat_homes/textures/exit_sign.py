@@ -12,7 +12,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random generator, which chooses the direction.
+        Random number generator, which chooses the direction.
     colours
         Colours of the background and of the figures.
     pixels

@@ -14,7 +14,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random generator.
+        Random number generator.
     colours
         Colours of the case and of the keys.
     pixels

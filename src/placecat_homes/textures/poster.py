@@ -12,7 +12,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random generator.
+        Random number generator.
     colours
         Colours of the paper and the heading, then those of pictures.
     pixels

@@ -16,7 +16,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Random generator.
+        Random number generator.
     colours
         Colours of the board, then of the pens.
     pixels

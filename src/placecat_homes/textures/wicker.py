@@ -13,7 +13,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     colours
         Colours of the canes and of the gaps.
     pixels

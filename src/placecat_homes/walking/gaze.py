@@ -54,7 +54,7 @@ class Gaze:
     ground
         The building.
     rng
-        Source of randomness.
+        Random number generator.
     carriage
         How fast the camera turns.
     height, pitch

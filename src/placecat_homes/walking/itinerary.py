@@ -91,7 +91,7 @@ def draw(
     ground
         The building.
     rng
-        Source of randomness.
+        Random number generator.
     statistics
         Statistics of walks: how often rooms follow each other.
     rooms

@@ -114,7 +114,7 @@ def lay_out(
     router
         Finds paths.
     rng
-        Source of randomness.
+        Random number generator.
     statistics
         Statistics of walks: where transitions begin and end.
     carriage

@@ -63,7 +63,7 @@ def choose(
     ground
         The building.
     rng
-        Source of randomness.
+        Random number generator.
     room
         Index of the room.
     near

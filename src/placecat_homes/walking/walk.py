@@ -68,7 +68,7 @@ def walk(
     ground
         The building.
     rng
-        Source of randomness; a different one gives a different walk through the same rooms.
+        Random number generator; a different one gives a different walk through the same rooms.
     statistics
         Statistics of the order of rooms and the length of stays.
     carriage

@@ -26,20 +26,20 @@ Hole = tuple[float, float, float, float]
 def base(
     rng: np.random.Generator, style: Style, design: Design, units: tuple[Unit, ...], *, cook: bool = True
 ) -> Mesh:
-    """Draw a row of base cabinets with worktop, sink and hob.
+    """Draw a row of base cabinets with a worktop, a sink and a hob.
 
     Parameters
     ----------
     rng
-        Random generator for the details.
+        Random number generator.
     style
         Style of the home.
     design
         Design of the kitchen.
     units
-        The cabinets.
+        The cabinets of the row.
     cook
-        Sometimes put pots on the hob.
+        Whether there may be pots on the hob.
 
     Returns
     -------

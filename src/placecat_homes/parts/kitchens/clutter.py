@@ -1,4 +1,4 @@
-"""Objects that stand on worktops."""
+"""Objects on worktops."""
 
 from collections.abc import Callable
 
@@ -54,25 +54,25 @@ THINGS: tuple[tuple[Maker, float], ...] = (
 def worktop_things(
     rng: np.random.Generator, style: Style, design: Design, units: tuple[Unit, ...], *, oven: bool = True
 ) -> Mesh:
-    """Draw the objects on the free stretches of a worktop.
+    """Draw objects on the free parts of a worktop.
 
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     style
-        Style of the home, whose clutter decides how many objects there are.
+        Style of the home. Its `clutter` determines how many objects there are.
     design
         Design of the kitchen.
     units
         The cabinets below.
     oven
-        Allow a microwave oven among them.
+        Whether a microwave oven may be among the objects.
 
     Returns
     -------
     Mesh
-        The objects in the frame of the row of cabinets.
+        The objects in the coordinates of the cabinet row.
     """
     parts: list[Mesh] = []
     microwave_due = oven and rng.random() < 0.5
@@ -111,7 +111,7 @@ def worktop_things(
 
 
 def stretches(units: tuple[Unit, ...]) -> list[tuple[float, float]]:
-    """Return the left and right ends of the stretches of worktop without sink or hob."""
+    """Return the left and right ends of each part of the worktop without a sink or hob."""
     free: list[tuple[float, float]] = []
     for unit in units:
         if unit.kind == "cooker":

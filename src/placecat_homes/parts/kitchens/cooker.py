@@ -1,4 +1,4 @@
-"""Hobs and the fronts of ovens."""
+"""Hobs and oven fronts."""
 
 import numpy as np
 
@@ -18,7 +18,7 @@ DISPLAY = Material(colour=(0.2, 0.85, 0.75), emission=0.7)
 
 
 def _plates(width: float, depth: float) -> list[tuple[float, float, float]]:
-    """Places and radii of the cooking plates."""
+    """Return the centres and radii of the cooking zones."""
     x, near, far = width * 0.24, depth * 0.72, depth * 0.28
     plates = [(-x, far, 0.075), (x, far, 0.095), (-x, near, 0.095), (x, near, 0.075)]
     if width > 0.8:
@@ -33,11 +33,11 @@ def hob(rng: np.random.Generator, kind: str, width: float, depth: float, *, knob
     Parameters
     ----------
     rng
-        Random generator for the details.
+        Random number generator.
     kind
         "glass", "gas" or "iron" (plates).
     width, depth
-        Metres.
+        Size in metres.
     knobs
         Whether the hob has knobs at the front.
 
@@ -95,20 +95,20 @@ def oven_front(
     Parameters
     ----------
     rng
-        Random generator for the details.
+        Random number generator.
     style
         Style of the home.
     body
         Material of the front: steel, black or white.
     width, height
-        Metres.
+        Size in metres.
     knobs
         Number of knobs.
 
     Returns
     -------
     Mesh
-        An oven front with its back on y = 0, starting at z = 0.
+        An oven front with its back on y = 0 and its lower edge on z = 0.
     """
     controls = 0.11 if height > 0.5 else 0.09
     door = height - controls - 0.006

@@ -1,4 +1,4 @@
-"""The design that all cabinets of one kitchen share."""
+"""The design shared by all cabinets of a kitchen."""
 
 from dataclasses import dataclass
 
@@ -17,12 +17,12 @@ SHADOW = Material(colour=(0.06, 0.055, 0.05))
 
 @dataclass(frozen=True)
 class Design:
-    """The look of a kitchen.
+    """The design of a kitchen.
 
     Attributes
     ----------
     fronts, upper_fronts, side, worktop, splash, plinth, metal, appliance, shelf
-        Materials of doors and drawers, of those of the wall cabinets, of the cabinets' sides, and so on.
+        Materials of the base cabinet fronts, the wall cabinet fronts, the cabinet sides, and so on.
     door
         ``flat``, ``frame``, ``panel`` or ``boards``.
     handle
@@ -32,11 +32,11 @@ class Design:
     thickness
         Thickness of the worktop in metres.
     depth
-        Depth of the base cabinets in metres, without the worktop's overhang.
+        Depth of the base cabinets in metres, without the worktop overhang.
     overhead
         ``cabinets``, ``glass`` (doors), ``shelves`` or ``none``.
     bottom, top
-        Heights of the lower and upper edge of the wall cabinets in metres.
+        Heights of the lower and upper edges of the wall cabinets in metres.
     hood
         ``chimney``, ``slant``, ``box`` or ``flat``.
     hob
@@ -74,12 +74,12 @@ class Design:
 
     @classmethod
     def draw(cls, rng: np.random.Generator, style: Style) -> "Design":
-        """Draw a design that fits the style of a home.
+        """Choose a design that fits the style of a home.
 
         Parameters
         ----------
         rng
-            Source of randomness.
+            Random number generator.
         style
             Style of the home.
 

@@ -83,7 +83,7 @@ def door(
     upper: bool = False,
     glass: bool = False,
 ) -> Mesh:
-    """Draw a door whose handle is on the side away from the hinge (-1 or 1 along x)."""
+    """Draw a door with its handle opposite the hinge. `hinge` is the side along x (-1 or 1)."""
     leaf = front(design, width, height, design.upper_fronts if upper else design.fronts, glass=glass)
     length = min(0.16, height * 0.4)
     x = -hinge * (width / 2 - 0.045)

@@ -1,4 +1,4 @@
-"""Which cabinets stand side by side in a fitted kitchen."""
+"""The order of the cabinets in a fitted kitchen."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from placecat_homes.furniture.blocks import choose
 
 @dataclass(frozen=True)
 class Unit:
-    """One cabinet of a row.
+    """One cabinet in a row.
 
     Attributes
     ----------
@@ -19,7 +19,7 @@ class Unit:
     x
         Position of the middle in metres.
     width
-        Metres.
+        Width in metres.
     """
 
     kind: str
@@ -51,22 +51,22 @@ def row(
     Parameters
     ----------
     rng
-        Source of randomness.
+        Random number generator.
     length
-        Metres; x runs from -length / 2 to length / 2.
+        Length in metres; x runs from -length / 2 to length / 2.
     fixed
-        Kinds and widths of the required cabinets; if space is short, the last are left out first.
+        Kinds and widths of the required cabinets. If space is short, the last ones are left out first.
     sink_at
         Preferred position of the sink, for example in front of a window.
     corners
         Ends (-1 or 1) that are hidden in a corner behind another row.
     corner_width
-        Metres that are hidden there.
+        Width of the hidden part in metres.
 
     Returns
     -------
     tuple of Unit
-        The cabinets from small to large x, without gaps.
+        The cabinets in order of increasing x, with no gaps between them.
     """
     start, end = -length / 2, length / 2
     hidden = []
@@ -109,7 +109,7 @@ def row(
 def _worth(
     units: Sequence[Unit], start: float, end: float, sink_at: float | None, corners: Sequence[float]
 ) -> float:
-    """Rate an order: space beside hob and sink, the sink in its place, the dishwasher next to it."""
+    """Rate an order by the space beside the hob and sink and by where the sink and dishwasher are."""
     at = {unit.kind: unit for unit in units}
     worth = 0.0
     sink, cooker, washer = at.get("sink"), at.get("cooker"), at.get("dishwasher")
@@ -129,7 +129,7 @@ def _worth(
 
 
 def sink_width(rng: np.random.Generator, length: float) -> float:
-    """Draw the width in metres of the sink cabinet for a row of this length."""
+    """Choose the width of the sink cabinet in metres, given the length of the row."""
     if length < 1.7:
         return 0.5
     return float(rng.choice([0.6, 0.8, 0.9] if length > 2.4 else [0.5, 0.6]))

@@ -37,7 +37,7 @@ def overhead(
     Parameters
     ----------
     rng
-        Random generator for the details.
+        Random number generator.
     style
         Style of the home.
     design
@@ -52,7 +52,7 @@ def overhead(
     Returns
     -------
     Mesh
-        The upper half in the frame of the row of base cabinets, at its final height.
+        The upper half at its final height, in the coordinates of the base cabinets.
     """
     left, right = units[0].left, units[-1].right
     top = min(design.top, ceiling - 0.06)
@@ -164,7 +164,7 @@ def _flat_sided(rings: list[np.ndarray]) -> Mesh:
 
 
 def _stretch(rng: np.random.Generator, style: Style, design: Design, length: float, top: float) -> Mesh:
-    """Fill a free stretch of wall, centred in x."""
+    """Draw what hangs on a free part of the wall. It is centred in x."""
     kind = design.overhead
     if kind in ("cabinets", "glass") and chance(rng, 0.12):
         kind = "shelves"

@@ -13,7 +13,7 @@ from placecat_homes.style import Style
 
 
 def basin(width: float, depth: float, height: float, radius: float = 0.05) -> Mesh:
-    """Draw the inside of a basin that hangs below z = 0, centred on the axis."""
+    """Draw the inside of a basin below z = 0, centred on the z axis."""
     rings = [
         ring(rectangle(width, depth, radius), 0.0),
         ring(rectangle(width - 0.015, depth - 0.015, radius), -0.85 * height),
@@ -27,7 +27,7 @@ def basin(width: float, depth: float, height: float, radius: float = 0.05) -> Me
 
 
 def rim(width: float, depth: float, inner_width: float, inner_depth: float, radius: float = 0.05) -> Mesh:
-    """Draw a flat rim around a basin, its top 3 mm above z = 0, centred."""
+    """Draw a flat rim around a basin, centred on the z axis. Its top is 3 mm above z = 0."""
     outer = rectangle(width, depth, 0.02)
     inner = rectangle(inner_width, inner_depth, radius)
     top = loft([ring(outer, 0.003), ring(inner, 0.003)])
@@ -81,25 +81,25 @@ def tap(rng: np.random.Generator, metal: Material) -> Mesh:
 def sink(
     rng: np.random.Generator, kind: str, metal: Material, width: float, depth: float
 ) -> tuple[Mesh, tuple[float, float, float, float]]:
-    """Draw a sink whose rim lies on z = 0, with its back on y = 0.
+    """Draw a sink with its rim on z = 0 and its back on y = 0.
 
     Parameters
     ----------
     rng
-        Random generator for the details.
+        Random number generator.
     kind
         "steel" (with a draining board where there is space), "sunk" or "belfast".
     metal
         Material of the tap.
     width, depth
-        Width and depth of the space for it in metres; a Belfast sink sticks out at the front.
+        Width and depth of the space for the sink in metres. A Belfast sink sticks out at the front.
 
     Returns
     -------
     mesh : Mesh
         The sink with its tap.
     hole : tuple of float
-        Left, right, back and front of the hole that the worktop needs.
+        Left, right, back and front edges of the hole in the worktop.
     """
     if kind == "belfast":
         w, d, wall = min(width, 0.7), 0.46, 0.035
@@ -153,7 +153,7 @@ def sink(
 
 
 def _except_drain(mesh: Mesh, material: Material) -> Mesh:
-    """Give the material to all parts that still have the default material."""
+    """Set the material of all parts that still have the default material."""
     plain = Material()
     materials = tuple(material if each == plain else each for each in mesh.materials)
     return Mesh(mesh.vertices, mesh.normals, mesh.uv, mesh.triangles, mesh.material, materials, mesh.lamps)
