@@ -1,4 +1,4 @@
-"""Image files: list a folder's frames in order, and decode them.
+"""List and decode the image files in a folder.
 
 A frame is a JPEG or PNG file. Other kinds of pictures raise an error, because skipping them silently could
 lose frames.
@@ -70,9 +70,9 @@ def list_frames(folder: Path) -> list[str]:
             first = seen.setdefault(key, name)
             if first != name:
                 raise PlacecatError(
-                    f"{folder / name}: by its name, this is the same frame as {first}, perhaps as colour "
-                    "and depth, or from two cameras; keep one picture per frame, or number all pictures "
-                    "consecutively."
+                    f"{folder / name}: judging by its name, this is the same frame as {first}, perhaps "
+                    "as colour and depth, or from two cameras; keep one picture per frame, or number all "
+                    "pictures consecutively."
                 )
     return names
 
@@ -98,9 +98,9 @@ def read_image(path: Path) -> NDArray[np.uint8]:
 
     A grey picture is returned with three equal channels.
 
-    Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or cut
-    off, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (grey, 16 bits) and transparent,
-    animated or CMYK pictures also raise this error.
+    Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or
+    truncated, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (grey, 16 bits) and
+    transparent, animated or CMYK pictures also raise this error.
     """
     try:
         status = path.stat()
@@ -173,7 +173,7 @@ def _check_jpeg(path: Path | str, content: bytes) -> None:
         height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
         check_size(path, width, height)
         if colors in ("CMYK", "YCCK"):
-            raise PlacecatError(f"{path}: its colours are {colors}, for printing; convert it to RGB.")
+            raise PlacecatError(f"{path}: it has {colors} colours for printing; convert it to RGB.")
         # This decodes the file in grey at an eighth of its width and height, which takes a fifth of the time.
         simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
     except PlacecatError:
