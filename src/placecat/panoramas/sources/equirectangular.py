@@ -29,8 +29,8 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
     """Read the table in a source's folder; each row is a panorama.
 
     `settings` are those of conf/panoramas.yaml. `files` maps the value in the column `file` to the pictures
-    of the panorama, relative to `root`. Raises PlacecatError, naming the line, if the table is missing or not
-    a CSV, or if a row has invalid cells, a path that leaves `root`, or a room without a label.
+    of the panorama, relative to `root`. Raises PlacecatError if the table is missing or not a CSV, or if a
+    row has invalid cells, a path that leaves `root`, or a room without a label.
     """
     path = root / settings["table"]
     if not path.is_file():
