@@ -27,11 +27,11 @@ def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> Non
 
 
 def intensity_contrast(grey: FloatArray, radii: Sequence[int]) -> FloatArray:
-    """Return the responses of the intensity to bright spots and to dark spots (thesis 3.1.1.1).
+    """Return the centre-surround responses to bright spots and to dark spots (thesis 3.1.1.1).
 
     `grey` is (h, w) float32, from 0 to 255, and `radii` are the radii of the centre-surround neighbourhoods.
-    The result is (radii, 2, h, w) float32, from 0 to 255, and tells how far the centre is above and below the
-    surround. Values up to `GREY_ROUNDING` become 0.
+    Returns (radii, 2, h, w) float32, from 0 to 255: how far the centre lies above the surround, and how far
+    below. Values up to `GREY_ROUNDING` become 0.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)
     for (on, off), radius in zip(out, radii, strict=True):

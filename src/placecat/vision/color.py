@@ -1,7 +1,7 @@
-"""Compute a frame's intensity and its intensity-normalised opponent colours, reduced in one pass.
+"""Compute and reduce the intensity and the intensity-normalised opponent colours of a frame in one pass.
 
-After division by the intensity i = (r + g + b) / 3, the three colours sum to 3. So the thesis's channels R,
-G, B, Y follow from three planes, R, G and D = |R - G|::
+After division by the intensity i = (r + g + b) / 3, the three colours sum to 3. So the channels R, G, B, Y of
+the thesis follow from three planes, R, G and D = |R - G|::
 
     R = 1.5 (r/i - 1)        G = 1.5 (g/i - 1)        B = -(R + G)        Y = 2 (R + G) - 4/3 D
 

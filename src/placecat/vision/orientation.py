@@ -1,4 +1,4 @@
-"""The oriented pyramid, which holds Gabor magnitudes on the Laplacian pyramid (thesis 3.1.1.1)."""
+"""The oriented pyramid: Gabor magnitudes on the Laplacian pyramid (thesis 3.1.1.1)."""
 
 from functools import lru_cache
 
@@ -25,8 +25,9 @@ def orientation_maps(
 ) -> FloatArray:
     """Return the Gabor magnitude at 0, 45, 90 and 135 degrees (thesis 3.1.1.1).
 
-    The thesis does not specify the parameters. The defaults follow the steerable pyramid of Itti et al. It
-    uses a round envelope and a quarter of a cycle per pixel, where the Laplacian level has its energy.
+    The thesis does not specify the parameters. The defaults follow the steerable pyramid of Itti et al., with
+    a round envelope and a frequency of a quarter of a cycle per pixel, where a Laplacian level has its
+    energy.
 
     From the centre, x points right and y points down. With u = x cos(angle) + y sin(angle) and
     v = -x sin(angle) + y cos(angle), the kernel follows cv2.getGaborKernel, because the thesis mentions only
@@ -34,9 +35,9 @@ def orientation_maps(
 
         2 exp(-(u^2 + aspect^2 v^2) / (2 sigma^2)) cos(2 pi u / wavelength + phase) / sum of the exponentials
 
-    so the magnitude of a quadrature pair is the amplitude of a matching wave. The angle is the direction in
-    which the wave travels. A kernel at 0 responds to vertical edges, at 90 to horizontal edges, and at 45 to
-    edges that rise to the right.
+    With this scaling, the magnitude of a quadrature pair is the amplitude of a matching wave. The angle is
+    the direction in which the wave travels. A kernel at 0 responds to vertical edges, at 90 to horizontal
+    edges, and at 45 to edges that rise to the right.
 
     Parameters
     ----------
@@ -49,9 +50,9 @@ def orientation_maps(
     gabor_aspect
         Ratio of the extent of the envelope along the wave to its extent along the crests.
     gabor_phase
-        Phase in radians. A kernel with phase 0 is even and responds to lines, and one with pi / 2 is odd and
-        responds to edges. None combines these two responses. Otherwise the magnitude is the absolute value of
-        the response.
+        Phase in radians. A kernel with phase 0 is even and responds to lines. A kernel with phase pi / 2 is
+        odd and responds to edges. None combines these two responses. Otherwise, the magnitude is the absolute
+        value of the response.
 
     Returns
     -------

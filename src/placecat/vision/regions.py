@@ -13,7 +13,7 @@ BLOCK = 128
 
 
 def radius(scale: FloatArray | float, width: int) -> FloatArray:
-    """Return a region's radius in frame pixels, width / 128 * 2^s (thesis 3.1.1.3).
+    """Return the radius of a region in frame pixels, width / 128 * 2^s (thesis 3.1.1.3).
 
     `scale` is s. It may have any shape, and the float32 result has the same shape. `width` is the width of
     the frame in pixels.
@@ -73,8 +73,7 @@ def accept(
     Parameters
     ----------
     points
-        (n, 3) array with the columns x, y (in frame pixels) and scale, where the most salient point comes
-        first.
+        (n, 3) array with the columns x, y (in frame pixels) and scale, the most salient point first.
     width
         Width of the frame in pixels.
     max_regions
@@ -94,8 +93,7 @@ def accept(
         block = np.arange(start, min(start + BLOCK, least.size))
         if accepted:
             block = block[_far(place, least, accepted, block).all(axis=0)]
-        # Intersections are fast with one integer per point, which has a bit for each point that is far enough
-        # away.
+        # One integer per point makes intersections fast. It has a bit for each point that is far enough away.
         far = np.packbits(_far(place, least, block, block), axis=1, bitorder="little")
         open_ = (1 << block.size) - 1
         while open_ and len(accepted) < max_regions:
@@ -159,7 +157,7 @@ def select_regions(
 def _corners(
     rows: NDArray[np.intp], columns: NDArray[np.intp], sizes: NDArray[np.intp], ups: NDArray[np.intp]
 ) -> tuple[NDArray[np.intp], FloatArray]:
-    """Return (maps, 4, n) indices and weights, to interpolate maps at n pixels of a finer level.
+    """Return (maps, 4, n) indices and weights for interpolating maps at n pixels of a finer level.
 
     Interpolation is bilinear, and the last pixel of a map extends beyond its edge. `rows` and `columns` are
     the (n,) positions in the finer level. `sizes` is (maps, 2), the height and width of each map. `ups` is

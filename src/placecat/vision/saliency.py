@@ -15,7 +15,7 @@ CHANNELS = ("intensity", "color", "orientation", "residual")
 
 
 class Channel(NamedTuple):
-    """One channel of a frame's saliency, whose maps are all float32.
+    """One channel of a frame's saliency. All maps are float32.
 
     Attributes
     ----------
@@ -89,8 +89,8 @@ def saliency(
     use_residual
         Whether to use the spectral residual as a fourth channel (3.1.1.2).
     maximum_window
-        Side of the neighbourhood that a local maximum dominates, which must be odd. The thesis does not
-        specify this.
+        Side of the neighbourhood that a local maximum dominates. It must be odd. The thesis does not specify
+        this.
     intensity_unit, color_unit, orientation_unit, residual_unit
         Divisors of the conspicuity maps. They are needed because the largest local maximum of each channel
         has the units of the channel. The defaults correspond to black against white, pure red, and a wave
@@ -191,7 +191,7 @@ def weight(peaks: FloatArray) -> float:
     """
     if peaks.size == 0:
         return 0.0
-    ordered = np.sort(peaks)  # np.median takes 80 microseconds
+    ordered = np.sort(peaks)  # np.median would take 80 microseconds
     middle = peaks.size // 2
     median = ordered[middle] if peaks.size % 2 else (ordered[middle - 1] + ordered[middle]) / 2
     count = int(np.count_nonzero(peaks > median))
@@ -199,7 +199,7 @@ def weight(peaks: FloatArray) -> float:
 
 
 def stretch(plane: FloatArray, high: float) -> FloatArray:
-    """Map an (h, w) float32 plane linearly to [0, high], where a flat plane becomes 0.
+    """Map an (h, w) float32 plane linearly to [0, high]; a flat plane becomes 0.
 
     This normalises the conspicuity maps (thesis 3.1.1.1).
     """

@@ -16,7 +16,7 @@ RNG = np.random.default_rng(0)
 
 @pytest.fixture
 def network(monkeypatch):
-    """Stands in for a network: its output, and the images that it got."""
+    """Replace the network with a fake that returns a given output and stores the images it receives."""
 
     class Network:
         def __init__(self):
@@ -89,7 +89,7 @@ def test_impossible_settings_give_one_message(network, gives, settings, message)
     [
         (
             {"network": "resnet"},
-            r"embedding': the network 'resnet' is unknown: use efficientnet_lite0, .*, or an ONNX",
+            r"embedding': the network 'resnet' is unknown: use efficientnet_lite0, .*, or the path of an",
         ),
         (
             {"output": "features"},
@@ -121,7 +121,7 @@ def test_without_a_package_the_message_says_how_to_install_it(monkeypatch, name,
 
 @pytest.mark.parametrize(("name", "side"), [("lite0", 224), ("lite1", 240), ("lite2", 260)])
 def test_a_packaged_network_gets_the_input_of_its_training(network, name, side):
-    """(x - 127) / 128 of values to 255, in a square."""
+    """The network gets a square image with the values (x - 127) / 128, where x is at most 255."""
     picture = np.full((90, 160, 3), (0, 127, 255), np.uint8)
     embedding.describe(picture, maps(), network=f"efficientnet_{name}")
     (image,) = network.given

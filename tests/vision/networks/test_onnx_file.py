@@ -1,4 +1,4 @@
-"""ONNX files: with a stand-in for onnxruntime, and, where that is installed, for real."""
+"""Tests of ONNX files with a stand-in for onnxruntime, and with onnxruntime itself if it is installed."""
 
 import sys
 from pathlib import Path
@@ -19,7 +19,7 @@ TAKES = ("tensor(float)", ["batch", 3, "height", "width"])
 
 
 def stand_in(monkeypatch, *, inputs=(TAKES,), outputs=("vector", "places"), run=None, broken=False):
-    """Replace onnxruntime by a module; returns the list of its sessions."""
+    """Replace onnxruntime with a fake module, and return the list of its sessions."""
     sessions = []
 
     class Session:

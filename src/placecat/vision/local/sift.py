@@ -35,14 +35,14 @@ def describe(
     outside the region also count. The gradients are weighted by a Gaussian whose sigma is half the region's
     side. The pyramid level is not blurred again.
 
-    `orientation` is ``upright`` or ``dominant``, where the latter is relative to the strongest direction (see
-    `dominant_angles`). The thesis does not specify this.
+    `orientation` is ``upright`` or ``dominant``. With ``dominant``, angles are relative to the strongest
+    direction (see `dominant_angles`). The thesis does not specify this.
 
     Returns
     -------
-    (n, 128) float32 with whole numbers from 0 to 255. The cells are listed row by row. Each cell has 8 bins
-    over 360 degrees, counter-clockwise from the x axis or from the dominant angle. Values are clipped at 0.2
-    of the norm and then scaled to the norm 512. They are 0 for a patch without gradients.
+    (n, 128) float32, whole numbers from 0 to 255. The cells are listed row by row. Each cell has 8 bins over
+    360 degrees, counter-clockwise from the x axis or from the dominant angle. Values are clipped at 0.2 of
+    the norm and then scaled to the norm 512. They are 0 for a patch without gradients.
 
     References
     ----------

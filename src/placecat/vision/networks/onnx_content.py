@@ -22,7 +22,7 @@ _VALUES, _INDICES = 1, 2
 _EXTERNAL = 13
 _KEY, _VALUE = 1, 2
 
-# Maps each kind of message to the fields that hold nested messages, and to the kinds of these messages.
+# For each kind of message, maps the fields with nested messages to the kinds of these messages.
 _INSIDE = {
     "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
     "function": {_FUNCTION_NODE: "node"},
@@ -52,7 +52,7 @@ _DROPOUT, _TRAINING = "Dropout", 2
 
 
 def check(path: Path, sha256: str | None) -> None:
-    """Reject a network that is random, may never end, or is not the expected file.
+    """Reject a network that is random, may never end, or differs from the expected file.
 
     `sha256` is the expected :func:`fingerprint`, or None to accept any. Raises PlacecatError if the file
     cannot be read or is not an ONNX file, if it has an operator that is random or may loop forever, if its
@@ -80,8 +80,8 @@ def check(path: Path, sha256: str | None) -> None:
 def fingerprint(path: Path, weights: list[Path]) -> str:
     """Return a network's SHA-256 in hexadecimal, computed over all its files.
 
-    If there are several files, this is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...``, which
-    is run in their folder with the weight files sorted by name.
+    If there are several files, this is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...``, run in
+    their folder with the weight files sorted by name.
     """
     if not weights:
         return checksum(path)
@@ -159,7 +159,7 @@ def _fields(content: mmap.mmap, at: int, end: int) -> Iterator[tuple[int, int, i
             yield number, at, at + length
             at += length
         else:
-            raise ValueError(f"it has a field of the unknown kind {kind}")
+            raise ValueError(f"it has a field of unknown kind {kind}")
     if at > end:
         raise ValueError("it is cut off")
 
