@@ -51,7 +51,7 @@ class Picture:
     _name: str
 
     def image(self) -> NDArray[np.uint8]:
-        """Decode to (height, width, 3) uint8 BGR; raise the errors of `placecat.footage.image_messages`."""
+        """Decode to (height, width, 3) uint8 BGR; errors are those of `placecat.footage.image_messages`."""
         decode = compressed_image if hasattr(self._message, "format") else raw_image
         return decode(self._message, self._name)
 

@@ -57,7 +57,7 @@ ENCODINGS = tuple(_ENCODINGS)
 
 
 def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/Image to (height, width, 3) uint8 BGR; errors call the picture `name`.
+    """Decode a sensor_msgs/Image to (height, width, 3) uint8 BGR; errors refer to it as `name`.
 
     Raises PlacecatError if the encoding is not in `ENCODINGS` or the picture has more pixels than
     `placecat.footage.pictures.MOST_PIXELS`, and Damaged if the sizes and the length of the data are
@@ -92,7 +92,7 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
 
 
 def compressed_image(message: CompressedImage, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/CompressedImage to (H, W, 3) uint8 BGR; errors call the picture `name`.
+    """Decode a sensor_msgs/CompressedImage to (H, W, 3) uint8 BGR; errors refer to it as `name`.
 
     The content determines the format; the field ``format`` is ignored. Raises Damaged if the picture is
     truncated, damaged, or not a JPEG or PNG that :func:`placecat.footage.pictures.decode_image` accepts.

@@ -119,7 +119,7 @@ def read_image(path: Path) -> NDArray[np.uint8]:
 
 
 def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
-    """Decode the content of a JPEG or PNG file as :func:`read_image` does; messages call it `path`."""
+    """Decode the content of a JPEG or PNG file as :func:`read_image` does; errors refer to it as `path`."""
     if content.startswith(_PNG):
         _check_png(path, content)
     elif content.startswith(_JPEG):
