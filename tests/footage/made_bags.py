@@ -13,7 +13,7 @@ from rosbags.typesys import Stores, get_typestore
 STORES = {1: get_typestore(Stores.ROS1_NOETIC), 2: get_typestore(Stores.ROS2_HUMBLE)}
 IMAGE, COMPRESSED, STRING = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 CAMERA = "/camera/image_raw"
-# 2023-11-14 in nanoseconds since 1970, like the times of robots.
+# 2023-11-14 in nanoseconds since 1970, as on a robot's clock.
 START = 1_700_000_000_000_000_000
 KINDS = ("walk.bag", "walk_ros2", "walk_folder_mcap", "walk.mcap", "walk.db3")
 

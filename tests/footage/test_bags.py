@@ -196,7 +196,7 @@ def test_the_rest_of_a_bag_is_refused(tmp_path):
 
 
 def test_a_definition_in_a_bag_is_not_run(tmp_path, monkeypatch):
-    """By default, rosbags would turn the type definitions in a bag into Python code."""
+    """Type definitions in a bag are not used, because rosbags would turn them into Python code."""
     from rosbags.typesys.store import Typestore
 
     path = walk(tmp_path / "walk.mcap", count=3)

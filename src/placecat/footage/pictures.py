@@ -21,7 +21,8 @@ from placecat.footage.names import natural
 
 SUFFIXES = (".jpeg", ".jpg", ".png")
 """Suffixes of frame files, in upper or lower case."""
-# Pictures with these suffixes raise an error, since they lose quality, decode slowly, or need rare libraries.
+# Pictures with these suffixes raise an error, because they lose quality, decode slowly, or need rare
+# libraries.
 _OTHERS = (
     ".apng .arw .avif .bmp .cr2 .cr3 .dib .dng .exr .gif .hdr .heic .heif .jfif .jp2 .jpe .jxl .nef .pbm .pgm"
     " .pnm .ppm .tga .tif .tiff .webp"

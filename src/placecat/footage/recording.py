@@ -88,8 +88,8 @@ class Recording:
     def timing(self, fps: float | None = None, setting: str = "dataset.fps") -> timing.Timing:
         """Return the times of all frames: those in the file or, with `fps`, evenly spaced times.
 
-        Raises PlacecatError if the times in the file are missing or implausible. Its message names the
-        `setting` that gives `fps`.
+        Raises PlacecatError if the times in the file are missing or implausible. The message names the
+        `setting` for the frame rate.
         """
         if fps is not None:
             return timing.even(self.count, fps)

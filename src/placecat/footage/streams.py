@@ -44,8 +44,8 @@ def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
 def is_fresh(packet: av.Packet, stream: VideoStream) -> bool:
     """Return whether decoding can start at this packet and still yield the same bytes.
 
-    Not every key frame qualifies, since later frames may refer to frames before it. Returns False if this is
-    unknown.
+    Not every key frame qualifies, because later frames may refer to frames before it. Returns False if this
+    is unknown.
     """
     codec = stream.codec_context
     if not packet.is_keyframe or codec.name not in _UNITS:
