@@ -162,7 +162,7 @@ def test_results_do_not_depend_on_the_number_of_workers(folder, two_workers):
 
 def test_existing_files_are_never_replaced(folder):
     (folder / "homes").mkdir()
-    assert "homes already exists: give the name of a new folder" in refused()
+    assert "homes already exists: choose another name" in refused()
     assert names(folder / "homes") == []
 
 

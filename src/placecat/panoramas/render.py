@@ -70,8 +70,8 @@ def focal_length(fov: float, width: int) -> float:
 def view_rays(pan: float, tilt: float, fov: float, width: int, height: int) -> NDArray[np.float64]:
     """Return the unnormalised direction of each pixel centre, (height, width, 3) float64.
 
-    `pan`, positive to the right, and `tilt`, positive upwards, are in degrees; `fov` is as for
-    :func:`focal_length`. Pixels are square, and the optical axis passes through the view's centre.
+    `pan`, positive to the right, and `tilt`, positive upwards, are in degrees. `fov` is explained in
+    :func:`focal_length`. Pixels are square, and the optical axis passes through the centre of the view.
 
     Examples
     --------
