@@ -42,7 +42,7 @@ def compute_maps(
         Radii of the centre-surround neighbourhoods, in pixels of the level. The thesis uses 1 and 3 (3x3 and
         7x7 pixels).
     clip_color
-        Whether to set each pixel's negative colour values to 0, as Itti et al. do. The thesis does not
+        Whether to set negative colour values to 0 in each pixel, as Itti et al. do. The thesis does not
         specify this.
     use_residual
         Whether to compute the spectral residual. If false, `residual` is empty.
@@ -52,8 +52,7 @@ def compute_maps(
 
     Returns
     -------
-    The requested maps, which are float32 and finite. Black pixels have no colour, so their colour values are
-    0.
+    The requested maps, all float32 and finite. Black pixels have no colour, so their colour values are 0.
 
     Raises
     ------

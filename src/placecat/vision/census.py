@@ -77,9 +77,9 @@ def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]
     Cells consist of whole pixels. Cell k of n covers the pixels from floor(k length / n) up to, but
     excluding, floor((k + 1) length / n). The thesis does not specify this.
 
-    `codes` holds (h, w) uint8 codes from `census`, and `cells` is at most 16. Returns a (cells**2, 256)
-    float32 array with one row per cell, row by row from the top left of the grid. Each row sums to 1, or to 0
-    for a cell without pixels.
+    `codes` are (h, w) uint8 codes from `census`, and `cells` is at most 16. Returns a (cells**2, 256) float32
+    array with one row per cell, row by row from the top left of the grid. Each row sums to 1, or to 0 for a
+    cell without pixels.
     """
     number = cells * cells
     places, sizes = _places(*codes.shape, cells)

@@ -57,8 +57,8 @@ def reduced_planes(
     color
         If false, only the sum is computed.
     clip
-        If false, the planes are R, G, D. If true, each pixel's negative colour values become 0, as in Itti et
-        al., and the planes are R, G, B, Y. The thesis does not specify this.
+        If false, the planes are R, G, D. If true, negative colour values of each pixel become 0, as Itti et
+        al. do, and the planes are R, G, B, Y. The thesis does not specify this.
 
     Returns
     -------

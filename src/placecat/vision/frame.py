@@ -44,9 +44,9 @@ def describe_frame(
     frame_bgr
         (H, W, 3) uint8 BGR.
     settings
-        Optional sections that `check` accepts. ``attention``, ``regions`` and ``information`` hold the
+        Optional sections that `check` accepts. ``attention``, ``regions`` and ``information`` contain the
         settings of `compute_maps`, `find_regions` and `information`. ``local`` and ``holistic`` map each
-        descriptor to compute to its settings. A variant of a descriptor may have any name, and its setting
+        requested descriptor to its settings. A variant of a descriptor may have any name, and its setting
         ``descriptor`` names the original, as in ``{"centrist_full": {"descriptor": "centrist", "width":
         None}}``. ``variants`` maps names to variants of the regions. A variant has ``scales`` (some of the
         maps' scales, or None for all), ``regions`` (changed settings) and ``descriptors`` (names in

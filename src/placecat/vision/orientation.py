@@ -44,7 +44,7 @@ def orientation_maps(
     laplacian
         (h, w) float32, one level of the Laplacian pyramid, in grey levels.
     gabor_size
-        Side of the kernel in pixels, which must be odd.
+        Side of the kernel in pixels. It must be odd.
     gabor_sigma, gabor_wavelength
         Standard deviation of the envelope, and length of the wave, both in pixels.
     gabor_aspect
@@ -57,7 +57,7 @@ def orientation_maps(
     Returns
     -------
     (4, h, w) float32 amplitudes in grey levels, >= 0. Values within the rounding error of float32 become 0.
-    The border is mirrored (reflect-101), which the thesis does not specify.
+    The border is mirrored (reflect-101). The thesis does not specify this.
     """
     bank = _bank(gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect, gabor_phase)
     responses = [_respond(laplacian, parts) for parts in bank]

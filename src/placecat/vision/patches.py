@@ -32,12 +32,13 @@ def cut(
     """Cut a square around each region from the pyramid level at its scale.
 
     Position x in level 0 is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square with an odd
-    side is centred on the nearest pixel, and one with an even side on the nearest corner between pixels.
+    side is centred on the nearest pixel. A square with an even side is centred on the nearest corner between
+    pixels.
 
     Parameters
     ----------
     levels
-        A dict of `FrameMaps`, which maps each scale s to a (..., h_s, w_s) float32 array.
+        A dict from `FrameMaps` that maps each scale s to a (..., h_s, w_s) float32 array.
     regions
         (n, 4) float32 with the columns x, y (in pixels of level 0), scale (a key of `levels`) and strength.
     side

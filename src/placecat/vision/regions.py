@@ -26,12 +26,12 @@ def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> N
 
     At each point, the function first chooses the conspicuity map with the highest response, then the
     sub-channel, then the scale. It compares conspicuity maps and sub-channels after normalisation and
-    weighting, in the form in which they are summed. The response at a scale is its expanded feature map at
-    the stronger radius. This is our interpretation, because the thesis says only "highest response". Ties go
-    to the first of intensity, color, orientation and residual, and to the lower scale.
+    weighting, as they are summed. The response at a scale is its expanded feature map at the stronger radius.
+    This is our interpretation, because the thesis says only "highest response". Ties go to the first of
+    intensity, color, orientation and residual, and to the lower scale.
 
-    `fused` is the fusion of `maps`, and `points` are (n,) flat indices into the saliency map. Returns (n,)
-    scales from `maps.scales`.
+    `fused` is the `Saliency` of `maps`, and `points` are (n,) flat indices into the saliency map. Returns
+    (n,) scales from `maps.scales`.
     """
     channels = fused.channels.values()
     terms = [one.conspicuity.ravel()[points] * np.float32(one.weight) for one in channels]
@@ -130,8 +130,8 @@ def select_regions(
 ) -> FloatArray:
     """Find a frame's salient regions from its saliency map (thesis 3.1.1.3).
 
-    `fused` is the fusion of `maps`. `maximum_window` is explained in `placecat.vision.saliency.local_maxima`,
-    and the other settings are explained in `accept`.
+    `fused` is the `Saliency` of `maps`. `maximum_window` is explained in
+    `placecat.vision.saliency.local_maxima`, and the other settings are explained in `accept`.
 
     Returns an (n, 4) float32 array, where 0 <= n <= `max_regions`. Its columns are the x and y of the centre
     in frame pixels, the scale and the saliency. The rows are sorted by decreasing saliency, then by y, then

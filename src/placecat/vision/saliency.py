@@ -22,7 +22,7 @@ class Channel(NamedTuple):
     conspicuity
         (h, w), from 0 to the largest local maximum of `subchannels`, divided by the channel's unit.
     weight
-        Weight of the conspicuity map, 1 / sqrt(m).
+        Weight of the conspicuity map, 1 / sqrt(m) (see `saliency`).
     subchannels
         (k, h, w), the feature maps, added across scales and radii. They are I' (k = 2: bright, dark), C'
         (k = 4: R, G, B, Y), O' (k = 4: 0, 45, 90, 135 degrees) or the residual (k = 1).
@@ -143,7 +143,7 @@ def add_across_scales(
     """Expand maps of several scales to one level, and add them (thesis 3.1.1.1).
 
     Expansion is bilinear. As in the pyramid, pixel (x, y) of level s lies at (x, y) 2**(s - fusion_scale).
-    The last pixel of a map extends beyond its edge. Repeated doubling gives the same result as direct
+    The last pixel of a map extends beyond its edge. Repeated doubling yields the same result as direct
     expansion, so the sum of the coarser levels is expanded step by step.
 
     `levels` maps each scale to its (k, h_s, w_s) float32 maps. `width` and `height` are the size of the frame
@@ -162,7 +162,7 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     """Find a map's local maxima.
 
     A local maximum is above zero and not below any pixel in the window around it. Pixels outside the map
-    count as low. Adjacent pixels of equal value count only once, at the first of them in row order. They do
+    count as lower. Adjacent pixels of equal value count only once, at the first of them in row order. They do
     not count unless all of them are local maxima. So a flat area next to a higher pixel has no maximum, and
     neither does a constant map.
 

@@ -24,7 +24,7 @@ class RegionTracker:
        for new regions (strongest first). So a new region enters only where nothing is tracked. If two tracked
        regions come too close, the younger one is dropped.
     3. It keeps at most `max_regions` regions. A tracked region never makes room for a stronger new one,
-       because an object keeps its file (Kahneman and Treisman) as long as it is visible.
+       because an object file (Kahneman and Treisman) persists as long as its object is visible.
 
     A region keeps its initial scale and strength. Its appearance may change over time, because each frame is
     compared only with the previous one.

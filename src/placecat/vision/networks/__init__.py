@@ -51,7 +51,7 @@ def preparation(network: str) -> Preparation:
 def load(network: str, output: str | None = None, sha256: str | None = None) -> Network:
     """Load a network once per process.
 
-    `network` is one of `NAMED` or the path of an ONNX file. `output` and `sha256` are as for
+    `network` is one of `NAMED` or the path of an ONNX file. `output` and `sha256` are explained in
     `onnx_file.load`. Raises PlacecatError if the network is unknown, if its packages or its file are missing,
     or if the file cannot be used.
     """
