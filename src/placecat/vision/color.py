@@ -98,9 +98,9 @@ def reduced_planes(
 def channels(planes: Sequence[FloatArray]) -> FloatArray:
     """Compute R, G, B, Y from the planes of `reduced_planes`, or from linear functions of these planes.
 
-    `planes` are (h, w) float32 each. R, G, D are combined by the identities above, while R, G, B, Y are only
-    stacked. Returns (4, h, w) float32. In each pixel, R, G and B lie between -1.5 and 3, and Y lies between
-    -6 and 3.
+    `planes` are (h, w) float32 each. R, G, D are combined by the identities at the top of this module, while
+    R, G, B, Y are only stacked. Returns (4, h, w) float32. In each pixel, R, G and B lie between -1.5 and 3,
+    and Y lies between -6 and 3.
     """
     out = np.empty((4, *planes[0].shape), np.float32)
     out[0], out[1] = planes[:2]

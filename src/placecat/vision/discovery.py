@@ -33,7 +33,7 @@ def parts_of(
 
 
 def load(kind: str, name: str) -> ModuleType:
-    """Import a descriptor of the `kind` ``local`` or ``holistic``.
+    """Import the module of a descriptor; `kind` is ``local`` or ``holistic``.
 
     Raises a PlacecatError that lists the valid names if the descriptor is unknown.
     """

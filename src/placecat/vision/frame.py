@@ -23,7 +23,7 @@ def check(features: Mapping[str, Mapping[str, Any]]) -> None:
     `features` has the same form as the settings of `describe_frame`. Raises a PlacecatError that names the
     setting if anything is unknown or invalid. For an unknown setting, the error lists the valid ones.
     """
-    settings.refuse_unknown(features, list(SECTIONS), "the part of the settings for features")
+    settings.refuse_unknown(features, list(SECTIONS), "the features section")
     for section in ("attention", "regions", "information"):
         signatures.check_vision(section, features.get(section, {}), section)
     for kind in ("local", "holistic"):

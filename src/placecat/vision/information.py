@@ -36,7 +36,8 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
     if fine not in maps.grey or last not in maps.grey or last <= fine:
         known = ", ".join(map(str, maps.scales))
         raise PlacecatError(
-            f"the information measure needs two ascending levels of {known}, not {fine} and {last}"
+            f"the information measure needs two of the levels {known} in ascending order, not {fine} and "
+            f"{last}"
         )
     expanded = maps.grey[last]
     for level in range(last - 1, fine - 1, -1):

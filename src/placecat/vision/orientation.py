@@ -26,8 +26,8 @@ def orientation_maps(
     """Return the Gabor magnitude at 0, 45, 90 and 135 degrees (thesis 3.1.1.1).
 
     The thesis does not specify the parameters. The defaults follow the steerable pyramid of Itti et al., with
-    a round envelope and a frequency of a quarter of a cycle per pixel, where a Laplacian level has its
-    energy.
+    a round envelope and a frequency of a quarter of a cycle per pixel, where the energy of a Laplacian level
+    is concentrated.
 
     From the centre, x points right and y points down. With u = x cos(angle) + y sin(angle) and
     v = -x sin(angle) + y cos(angle), the kernel follows cv2.getGaborKernel, because the thesis mentions only

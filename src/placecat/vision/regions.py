@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from placecat.vision.maps import FloatArray, FrameMaps
 from placecat.vision.saliency import Saliency, feature_maps, local_maxima
 
-# Number of points per block.
+# Number of points that `accept` processes together.
 BLOCK = 128
 
 
@@ -26,7 +26,8 @@ def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> N
 
     At each point, the function first chooses the conspicuity map with the highest response, then the
     sub-channel, then the scale. It compares conspicuity maps and sub-channels after normalisation and
-    weighting, as they are summed. The response at a scale is its expanded feature map at the stronger radius.
+    weighting, just as they enter the sums. The response at a scale is that of its expanded feature map at the
+    stronger radius.
     This is our interpretation, because the thesis says only "highest response". Ties go to the first of
     intensity, color, orientation and residual, and to the lower scale.
 
@@ -79,7 +80,7 @@ def accept(
     max_regions
         Maximum number of points, at least 1.
     scale_distance, min_distance
-        1/256 and 1/40 in the thesis.
+        Factors in the inequality. The thesis uses 1/256 and 1/40.
 
     Returns
     -------
@@ -111,7 +112,7 @@ def _far(
     old: Sequence[int] | NDArray[np.intp],
     new: NDArray[np.intp],
 ) -> NDArray[np.bool_]:
-    """Mark the (old, new) pairs of points that are far enough apart. A point paired with itself is false."""
+    """Mark the (old, new) pairs of points that are far enough apart. A point is never far from itself."""
     apart = np.zeros((len(old), len(new)))
     for axis in place:
         difference = axis[old][:, None] - axis[new]

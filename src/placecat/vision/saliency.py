@@ -95,7 +95,7 @@ def saliency(
         Divisors of the conspicuity maps. They are needed because the largest local maximum of each channel
         has the units of the channel. The defaults correspond to black against white, pure red, and a wave
         from black to white. Unlike the others, the residual reaches 1 in every frame and at every scale. The
-        divisor 4 makes it comparable in photographs of homes. The thesis does not specify these.
+        divisor 4 makes it comparable to them in photographs of homes. The thesis does not specify these.
 
     Raises
     ------

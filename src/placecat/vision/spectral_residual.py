@@ -33,7 +33,7 @@ def spectral_residual(
     residual_sigma
         Standard deviation, in pixels, of the Gaussian that smooths the squared magnitude. 0 turns it off. The
         thesis does not specify this. The authors' code uses 2.5 for a single image 64 pixels wide. Several
-        scales need less.
+        scales need less smoothing.
     residual_width
         Width in pixels to which a wider image is reduced. The authors use 64. None keeps the size of every
         image, as the thesis does for pyramid levels.

@@ -68,12 +68,12 @@ def test_places_and_tokens_are_pooled(network, gives, pool, expected):
 @pytest.mark.parametrize(
     ("gives", "settings", "message"),
     [
-        (PLACES, {}, r"returns the shape \(5, 2, 3\) for a frame, not a vector: set pool to mean, or choose"),
+        (PLACES, {}, r"an array of shape \(5, 2, 3\) for a frame, not a vector: set pool to mean, or choose"),
         (PLACES, {"pool": "first"}, "not a vector: set pool to mean, or"),
         (TOKENS, {}, "not a vector: set pool to mean or first"),
         (np.ones((1, 0), np.float32), {}, "not a vector"),
         (np.ones((1,), np.float32), {}, "not a vector"),
-        (np.ones((2, 4), np.float32), {}, r"returns the shape \(2, 4\) for one image"),
+        (np.ones((2, 4), np.float32), {}, r"an array of shape \(2, 4\) for one image"),
         (np.full((1, 4), np.nan, np.float32), {}, "not finite: check mean and std"),
     ],
 )

@@ -136,13 +136,13 @@ def test_a_real_file_describes_a_frame(real):
 
 def test_mistakes_with_a_real_file_give_one_message(real, tmp_path):
     one_message(
-        r"gives \(3, 224, 224\) for a frame, not a vector: set pool to mean",
+        r"returns an array of shape \(3, 224, 224\) for a frame, not a vector: set pool to mean",
         lambda: embedding.describe(frame(), None, network=real, output="places"),
     )
     fixed = tmp_path / "fixed.onnx"
     fixed.write_bytes(onnx_bytes.mean_color(32, 48))
     one_message(
-        "image of 224x224, so set width and height",
+        "image of 224x224 pixels; set width and height",
         lambda: embedding.describe(frame(), None, network=str(fixed)),
     )
     fixed.write_bytes(b"no network")

@@ -89,7 +89,7 @@ def describe(
         raise PlacecatError(f"{_OWNER}: {error}") from None
     if features.ndim < 1 or len(features) != 1:
         raise PlacecatError(
-            f"{_OWNER}: {network} returns the shape {features.shape} for one image, not (1, ...)"
+            f"{_OWNER}: {network} returns an array of shape {features.shape} for one image, not (1, ...)"
         )
     return _vector(features[0], network, pool)
 
@@ -106,7 +106,7 @@ def _vector(features: NDArray[np.float32], network: str, pool: str | None) -> ND
             features.ndim, "use another network"
         )
         raise PlacecatError(
-            f"{_OWNER}: {network} returns the shape {features.shape} for a frame, not a vector: "
+            f"{_OWNER}: {network} returns an array of shape {features.shape} for a frame, not a vector: "
             f"{how}, or choose another output"
         )
     if not np.isfinite(features).all():

@@ -47,6 +47,6 @@ def describe(
 
 
 def _means(level: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return cell means as (radii, sub-channels, 4, 4). A missing axis gets the length 1."""
+    """Return cell means as (radii, sub-channels, 4, 4). A missing axis has length 1."""
     means = cell_means(level, CELLS)
     return means.reshape((1,) * (4 - means.ndim) + means.shape)

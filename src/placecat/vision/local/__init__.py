@@ -6,5 +6,6 @@ reads. Its ``SPREAD`` is the rounded total standard deviation over regions in in
 `placecat.cues.cue_input` divides by ``SPREAD`` when it joins descriptors.
 
 In every module, `maps` are the frame's maps, and `regions` is (n, 4) float32 with the columns x, y (in frame
-pixels), scale and strength. `border` is passed to `placecat.vision.patches.cut`, whose errors are not caught.
+pixels), scale and strength. `border` is passed to `placecat.vision.patches.cut`, which raises PlacecatError
+if the border is unknown.
 """

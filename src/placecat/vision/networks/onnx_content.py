@@ -22,7 +22,7 @@ _VALUES, _INDICES = 1, 2
 _EXTERNAL = 13
 _KEY, _VALUE = 1, 2
 
-# For each kind of message, maps the fields with nested messages to the kinds of these messages.
+# For each kind of message, lists the fields that contain other messages, and the kind of each of these.
 _INSIDE = {
     "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
     "function": {_FUNCTION_NODE: "node"},
@@ -97,7 +97,7 @@ def _weights(path: Path, name: str) -> Path:
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
         raise PlacecatError(f"{path} has weights in {name!r}, outside its folder: move them into its folder")
     if not file.is_file():
-        raise PlacecatError(f"the file {file} with weights of {path.name} is missing: put it there")
+        raise PlacecatError(f"the file {file} with weights of {path.name} is missing: add it")
     if not file.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
             f"{file} with weights of {path.name} is a link out of the folder: replace it with a copy"
@@ -155,20 +155,20 @@ def _fields(content: mmap.mmap, at: int, end: int) -> Iterator[tuple[int, int, i
         elif kind == 2:
             length, at = _varint(content, at, end)
             if length > end - at:
-                raise ValueError("it is cut off")
+                raise ValueError("it is truncated")
             yield number, at, at + length
             at += length
         else:
             raise ValueError(f"it has a field of unknown kind {kind}")
     if at > end:
-        raise ValueError("it is cut off")
+        raise ValueError("it is truncated")
 
 
 def _varint(content: mmap.mmap, at: int, end: int) -> tuple[int, int]:
     value = 0
     for shift in range(0, 70, 7):
         if at >= end:
-            raise ValueError("it is cut off")
+            raise ValueError("it is truncated")
         byte = content[at]
         at += 1
         value |= (byte & 127) << shift
