@@ -1,4 +1,4 @@
-"""Bags of every kind: their topics, their times, and damaged bags."""
+"""Tests of every kind of bag: topics, times, and damaged bags."""
 
 import sys
 

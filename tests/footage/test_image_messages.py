@@ -86,7 +86,7 @@ def test_each_pixel_has_its_place_and_may_be_written():
     ],
 )
 def test_sizes_are_checked_against_the_data(sizes):
-    with pytest.raises(Damaged, match=r"a\.bag: .* do not fit 144 bytes"):
+    with pytest.raises(Damaged, match=r"a\.bag: .* do not match 144 bytes"):
         decode(filled("bgr8"), "bgr8", **sizes)
 
 

@@ -148,7 +148,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
             "not a readable image",
         ),
         (png((b"tEXt", b""), header(5, 5), (b"IEND", b"")), "not a readable image"),
-        (encoded(".png", np.full((9, 9), 700, np.uint16)), "grey with 16 bits, like a depth picture"),
+        (encoded(".png", np.full((9, 9), 700, np.uint16)), "16-bit grey picture, like a depth picture"),
         (encoded(".png", np.full((9, 9, 4), 100, np.uint8)), "parts of it are transparent"),
         (
             png(

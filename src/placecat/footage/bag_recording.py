@@ -135,8 +135,8 @@ class BagRecording:
             number = int(behind.argmax()) + 1
             raise PlacecatError(
                 f"{self.path}: frame {number} of {self.topic} is {behind.max():.3g} s earlier than a "
-                "previous frame, so the clock was set back or stamps are damaged; cut the bag there, or set "
-                f"the frame rate with {setting}."
+                "previous frame, so the clock was set back or the stamps are damaged; cut the bag there, or "
+                f"set the frame rate with {setting}."
             )
         is_late = np.append(False, stamps[1:] <= before[:-1])
         if is_late.any():

@@ -76,7 +76,7 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
     rows, row = height * 3 // 2 if encoding == "nv21" else height, width * depth
     if not (width and height and row <= step and rows * step <= len(data)):
         raise Damaged(
-            f"{name}: {width}x{height} pixels in {encoding} with rows of {step} bytes do not fit "
+            f"{name}: {width}x{height} pixels in {encoding} with rows of {step} bytes do not match "
             f"{len(data)} bytes of data; record it again."
         )
     pixels = data[: rows * step].reshape(rows, step)[:, :row].copy()

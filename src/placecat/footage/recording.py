@@ -125,7 +125,7 @@ class Recording:
                 return
 
     def start_before(self, number: int) -> int:
-        """Return the last frame up to `number` from which decoding yields the same bytes."""
+        """Return the last frame, at most `number`, where decoding can start without changing any bytes."""
         after = bisect.bisect_right(self._fresh, number)
         return 1 if self._is_careful or after == 0 else self._fresh[after - 1]
 

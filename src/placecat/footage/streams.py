@@ -42,7 +42,7 @@ def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
 
 
 def is_fresh(packet: av.Packet, stream: VideoStream) -> bool:
-    """Return whether decoding can start at this packet and still yield the same bytes.
+    """Return whether decoding can start at this packet without changing any bytes.
 
     Not every key frame qualifies, because later frames may refer to frames before it. Returns False if this
     is unknown.
@@ -71,7 +71,7 @@ def run_forward(stamps: Sequence[int | None]) -> bool:
 def drain(stream: VideoStream) -> None:
     """Let the decoder threads finish.
 
-    A thread that reports an error while Python closes it would hang forever.
+    Otherwise, a thread that reports an error while Python closes the decoder would hang forever.
     """
     for _ in range(_PATIENCE):
         try:
