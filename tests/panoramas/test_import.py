@@ -79,7 +79,7 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
     settings = yaml.load(compose(shlex.split(command), ROOT / "conf"), Loader=Loader)["dataset"]
     assert settings["homes"] == ["Home1", "Home2", "Home3", "Home4"]
     assert settings["fps"] == 0.5
-    # This is what the stage sequences does.
+    # The stage `sequences` makes the same call.
     list_homes(settings, folder / "data/sequences", "dataset")
     wanted = ["kitchen", "bedroom", "bedroom", "living_room", "dining_room", "bathroom", "corridor"]
     for home in settings["homes"]:
@@ -171,7 +171,7 @@ def test_existing_files_are_never_replaced(folder):
     [
         (
             np.zeros((32, 60, 3), np.uint8),
-            "100.jpg: 60x32 is not a full sphere, which is twice as wide as high",
+            "100.jpg: the picture is 60x32, but a full sphere must be twice as wide as high",
         ),
         (None, "100.jpg: not a readable image"),
     ],

@@ -1,4 +1,4 @@
-"""Tests of stays, and of the path of the view."""
+"""Tests of walks: the stays, and the directions of the view."""
 
 from itertools import groupby, pairwise
 

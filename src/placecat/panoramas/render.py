@@ -37,8 +37,8 @@ def render(
         rows, columns = pictures[0].shape[:2]
         if columns != 2 * rows:
             raise PlacecatError(
-                f"{files[0]}: {columns}x{rows} is not a full sphere, which is twice as wide as high "
-                f"({origin}); export it as an equirectangular picture."
+                f"{files[0]}: the picture is {columns}x{rows}, but a full sphere must be twice as wide as "
+                f"high ({origin}); export it as an equirectangular picture."
             )
         prepared, look = sphere.prepare(pictures[0], focal), sphere.look
     else:

@@ -16,7 +16,7 @@ from placecat.sequences.labels import read_rows, shown
 
 _NEEDED, _OPTIONAL = ("home", "file", "room"), ("floor",)
 _ONLY_FLOOR = "1"
-# Label that a message uses as an example.
+# Label used as an example in a message.
 _EXAMPLE = "living_room"
 
 

@@ -1,8 +1,8 @@
 """The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular pictures that it lists.
 
-A home is named ``zind_HOME``, because YAML would read a name of only digits as a number. The data set divides
-homes into complete rooms, and a complete room may have parts with different labels. Each such part becomes a
-room: an open kitchen with a dining area is one complete room there, but two rooms here.
+A home is named ``zind_HOME``, because YAML would read a name that consists of digits as a number. The data
+set divides homes into complete rooms, and a complete room may have parts with different labels. Each such
+part becomes a room: an open kitchen with a dining area is one complete room there, but two rooms here.
 
 References
 ----------
@@ -21,7 +21,7 @@ from placecat.panoramas.panorama import FLOOR, Panorama, kind, labels_by_kind
 
 DATA = "zind_data.json"
 MOST_BYTES = 64 << 20
-"""Maximum size of a data file in bytes. This limit is our choice. The sample in the data set has 0.1 MB."""
+"""Maximum size of a data file in bytes. This limit is our choice. The sample of the data set is 0.1 MB."""
 _LEVELS = ("floor", "complete room", "partial room", "panorama")
 
 
