@@ -1,4 +1,7 @@
-"""Small videos like those of phones and browsers, with the number in each frame; and damage to them."""
+"""Small videos like those from phones and browsers, and functions that damage them.
+
+Each frame shows its own number.
+"""
 
 from fractions import Fraction
 from pathlib import Path
@@ -25,10 +28,10 @@ def write_clip(
     sound=False,
     color=None,
 ):
-    """Write one frame per time (in seconds).
+    """Write a video with one frame at each of the `times`, in seconds.
 
-    `rate` is the rate in the header, `shape` the shape of pixels, `turn` the turn of the phone in degrees;
-    `sound` adds a packet of sound every 5 ms.
+    `rate` is the frame rate in the header, `shape` is the pixel aspect ratio, and `turn` is the rotation of
+    the phone in degrees. `sound` adds an audio packet every 5 ms.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     with av.open(str(path), "w", options={"movflags": "faststart"}) as container:
@@ -66,13 +69,13 @@ def steady(count, fps=30):
 
 
 def packets(path):
-    """(position in the file, size) of the packets of the video, in the order of the file."""
+    """Return the (position, size) of each video packet in the file, in file order."""
     with av.open(str(path)) as container:
         return [(packet.pos, packet.size) for packet in container.demux(video=0) if packet.size]
 
 
 def zero(path, number, start=0):
-    """Overwrite a packet with zeros, starting at a byte; `number` from 1."""
+    """Overwrite a packet with zeros from the byte `start` on; `number` counts from 1."""
     content = bytearray(path.read_bytes())
     position, size = packets(path)[number - 1]
     content[position + start : position + size] = bytes(size - start)
@@ -80,7 +83,7 @@ def zero(path, number, start=0):
 
 
 def flip(path, number, seed=0, bits=4):
-    """Flip some bits in the middle of a packet; `number` from 1."""
+    """Flip some bits in the middle of a packet; `number` counts from 1."""
     content = bytearray(path.read_bytes())
     position, size = packets(path)[number - 1]
     rng = np.random.default_rng(seed)
@@ -90,7 +93,7 @@ def flip(path, number, seed=0, bits=4):
 
 
 def shown(recording):
-    """Number and content of every frame that is read."""
+    """Return the number and the content of every decoded frame."""
     return [(picture.number, decoded(picture.image())) for picture in recording.pictures()]
 
 
@@ -99,7 +102,7 @@ def intact(count):
 
 
 def copied(source, target, *, key, start, rate=30):
-    """Trim without loss: packets start at the frame `key`; frames before `start` are hidden."""
+    """Trim a video losslessly: its packets start at the frame `key`, but frames before `start` are hidden."""
     with av.open(str(source)) as old, av.open(str(target), "w") as new:
         stream = old.streams.video[0]
         copy = new.add_stream_from_template(stream)
@@ -118,7 +121,7 @@ def copied(source, target, *, key, start, rate=30):
 
 
 def turned_on_the_way(path):
-    """A recording of a browser: the phone is turned after five frames, which changes their size."""
+    """Write a browser recording. The phone is rotated after five frames, which changes the frame size."""
     parts = [path.with_name("wide.webm"), path.with_name("high.webm")]
     write_clip(parts[0], steady(5), codec="libvpx", tick=Fraction(1, 1000))
     write_clip(parts[1], steady(5), codec="libvpx", tick=Fraction(1, 1000), size=(HEIGHT, WIDTH))

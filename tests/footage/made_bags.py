@@ -1,4 +1,4 @@
-"""Small bags of ROS 1 and ROS 2, written by rosbags; pictures carry their number."""
+"""Small ROS 1 and ROS 2 bags, written by rosbags. Each picture shows its number."""
 
 import cv2
 import numpy as np
@@ -13,7 +13,7 @@ from rosbags.typesys import Stores, get_typestore
 STORES = {1: get_typestore(Stores.ROS1_NOETIC), 2: get_typestore(Stores.ROS2_HUMBLE)}
 IMAGE, COMPRESSED, STRING = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 CAMERA = "/camera/image_raw"
-# 2023-11-14, in nanoseconds: times of robots are since 1970.
+# 2023-11-14 in nanoseconds since 1970, as on a robot's clock.
 START = 1_700_000_000_000_000_000
 KINDS = ("walk.bag", "walk_ros2", "walk_folder_mcap", "walk.mcap", "walk.db3")
 
@@ -26,20 +26,20 @@ def header(version, stamp):
 
 
 def raw(version, stamp, data, encoding, *, width, height, step):
-    """A sensor_msgs/Image with any data."""
+    """Return a sensor_msgs/Image with the given data."""
     flat = np.frombuffer(np.ascontiguousarray(data).tobytes(), np.uint8)
     return STORES[version].types[IMAGE](header(version, stamp), height, width, encoding, 0, step, flat)
 
 
 def picture(version, stamp, image, encoding="bgr8", padding=0):
-    """A sensor_msgs/Image of pixels: (H, W) or (H, W, channels)."""
+    """Return a sensor_msgs/Image of (H, W) or (H, W, channels) pixels."""
     height, width = image.shape[:2]
     rows = np.pad(image.reshape(height, -1), ((0, 0), (0, padding)), constant_values=77)
     return raw(version, stamp, rows, encoding, width=width, height=height, step=rows.shape[1])
 
 
 def compressed(version, stamp, image, ending=".png", kind="bgr8; png compressed bgr8"):
-    """A sensor_msgs/CompressedImage of pixels, or of any bytes."""
+    """Return a sensor_msgs/CompressedImage of pixels or raw bytes."""
     content = image if isinstance(image, bytes) else cv2.imencode(ending, image)[1].tobytes()
     data = np.frombuffer(content, np.uint8)
     return STORES[version].types[COMPRESSED](header(version, stamp), kind, data)
@@ -50,7 +50,7 @@ def string(version, text):
 
 
 def write_bag(path, messages, **options):
-    """Write messages, (topic, nanoseconds of reception, message), into a bag; its name gives the kind."""
+    """Write (topic, reception time in nanoseconds, message) tuples to a bag whose name selects its format."""
     version = 1 if path.suffix == ".bag" else 2
     path.parent.mkdir(parents=True, exist_ok=True)
     store = STORES[version]
@@ -71,7 +71,7 @@ def write_bag(path, messages, **options):
             serialize = store.serialize_ros1 if version == 1 else store.serialize_cdr
             writer.write(connections[topic], received, serialize(message, message.__msgtype__))
     if version == 2 and path.suffix:
-        # A single file without its folder.
+        # Keep only the single file, without its folder.
         (folder / f"{folder.name}{path.suffix}").rename(path)
         for rest in folder.iterdir():
             rest.unlink()

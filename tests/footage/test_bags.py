@@ -1,4 +1,4 @@
-"""Bags of every kind, their topics, times and damage."""
+"""Tests of every kind of bag: topics, times, and damaged bags."""
 
 import sys
 
@@ -65,7 +65,7 @@ def test_times_are_the_stamps_or_else_the_times_of_reception(tmp_path, kind):
     zero = [(CAMERA, one, picture(version, 0, coded(number))) for number, one in enumerate(stamps)]
     recording = BagRecording(write_bag(tmp_path / "b" / kind, zero))
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3])
-    assert "some stamps are zero, so the times at which the bag received" in recording.note()
+    assert "some stamps are zero, so the reception times are used" in recording.note()
 
 
 def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
@@ -79,9 +79,9 @@ def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
     assert shown(recording) == [(1, 0), (2, 1), (3, 2), (4, 5), (5, 6)]
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3, 0.4, 0.5])
     assert recording.note() == (
-        f"{path}: 2 of 7 frames are left out, since they are not later than one before them."
+        f"{path}: 2 of 7 frames are left out because they are not later than a previous frame."
     )
-    # With a given rate, all count.
+    # With a given rate, all frames count.
     assert shown(BagRecording(path, fps=10)) == [(number + 1, number) for number in range(7)]
 
 
@@ -97,7 +97,7 @@ def test_a_clock_that_was_set_is_refused(tmp_path):
     refused(
         "hours after the previous one", walk(tmp_path / "gap.mcap", stamps=[START, START + 4 * 3600 * 10**9])
     )
-    refused(r"give no frame rate \(1 frame in 0 s\)", walk(tmp_path / "one.mcap", count=1))
+    refused(r"do not yield a frame rate \(1 frame in 0 s\)", walk(tmp_path / "one.mcap", count=1))
 
 
 def test_topics(tmp_path):
@@ -119,7 +119,7 @@ def test_topics(tmp_path):
         path,
         "/camera/image",
     )
-    refused("'/room' has messages of std_msgs/msg/String, not of sensor_msgs/msg/Image or", path, "/room")
+    refused("'/room' has messages of type std_msgs/msg/String, not sensor_msgs/msg/Image or", path, "/room")
     refused("the encoding '16UC1' is not supported", path, "/depth/image", 10)
     refused(
         r"no topic has pictures .*the bag has /room \(std_msgs/msg/String\)",
@@ -196,7 +196,7 @@ def test_the_rest_of_a_bag_is_refused(tmp_path):
 
 
 def test_a_definition_in_a_bag_is_not_run(tmp_path, monkeypatch):
-    """rosbags would turn the type definitions in a bag into Python code."""
+    """Type definitions in a bag are not used, because rosbags would turn them into Python code."""
     from rosbags.typesys.store import Typestore
 
     path = walk(tmp_path / "walk.mcap", count=3)

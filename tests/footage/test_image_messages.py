@@ -1,4 +1,4 @@
-"""Every encoding of sensor_msgs/Image against known colours."""
+"""Tests of every sensor_msgs/Image encoding with known colours."""
 
 from types import SimpleNamespace
 
@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 from placecat.footage.image_messages import ENCODINGS, Damaged, compressed_image, raw_image
 
 WIDTH, HEIGHT = 8, 6
-# Blue, green, red: all different, so a swapped channel shows.
+# Blue, green and red all differ, so that a swapped channel is noticed.
 COLOR = (40, 200, 90)
 GRAY = 123
 BAYER = {"bayer_rggb8": "RGGB", "bayer_bggr8": "BGGR", "bayer_gbrg8": "GBRG", "bayer_grbg8": "GRBG"}
@@ -23,7 +23,7 @@ def decode(data, encoding, step, width=WIDTH, height=HEIGHT):
 
 
 def luma_and_chroma():
-    """ITU-R BT.601, black to white from 16 to 235."""
+    """Convert the colour by ITU-R BT.601, with luma from 16 (black) to 235 (white)."""
     blue, green, red = np.array(COLOR) / 255
     y = 16 + 65.481 * red + 128.553 * green + 24.966 * blue
     u = 128 - 37.797 * red - 74.203 * green + 112 * blue
@@ -32,7 +32,7 @@ def luma_and_chroma():
 
 
 def filled(encoding):
-    """Rows of a picture of one colour, as from a camera with that encoding."""
+    """Return the rows of a single-colour picture, as a camera with that encoding would send them."""
     blue, green, red = COLOR
     pixels = {
         **dict.fromkeys(("bgr8", "8UC3"), COLOR),
@@ -86,7 +86,7 @@ def test_each_pixel_has_its_place_and_may_be_written():
     ],
 )
 def test_sizes_are_checked_against_the_data(sizes):
-    with pytest.raises(Damaged, match=r"a\.bag: .* do not fit 144 bytes"):
+    with pytest.raises(Damaged, match=r"a\.bag: .* do not match 144 bytes"):
         decode(filled("bgr8"), "bgr8", **sizes)
 
 

@@ -1,4 +1,4 @@
-"""Files that are frames, and pictures that are damaged, huge, or of another kind."""
+"""Tests of frame files, and of pictures that are damaged, huge, or of another kind."""
 
 import random
 import re
@@ -35,7 +35,7 @@ def header(width: int, height: int, depth: int = 8, color: int = 2) -> tuple[byt
 
 
 def huge_jpeg() -> bytes:
-    """A small picture whose header declares 60000x60000."""
+    """Return a small picture whose header declares a size of 60000x60000."""
     content = bytearray(encoded(".jpg"))
     at = content.index(b"\xff\xc0") + 5
     content[at : at + 4] = struct.pack(">HH", 60000, 60000)
@@ -67,7 +67,7 @@ def refused(message: str, function, *arguments) -> None:
         ["1699999999.0.png", "1699999999.123456.png", "1699999999.5.png", "1700000000.25.png"],
         ["t0.125.jpg", "t0.25.jpg", "t0.5.jpg", "t12.0.jpg"],
         ["1156.000001_x1.jpeg", "1156.999999_x1.jpeg", "1157.000001_x0.jpeg"],
-        # Two counters, not a decimal number.
+        # These are two counters, not a decimal number.
         ["seq1.9.png", "seq1.10.png", "seq1.11.png", "seq2.1.png"],
         ["1.2.9.png", "1.2.10.png"],
     ],
@@ -82,11 +82,11 @@ def test_numbers_in_names_are_numbers(ordered, tmp_path):
 @pytest.mark.parametrize(
     ("names", "message"),
     [
-        (["1.jpg", "1.png"], r"1\.png: by its name, this is the same frame as 1\.jpg"),
+        (["1.jpg", "1.png"], r"1\.png: judging by its name, this is the same frame as 1\.jpg"),
         (["1.jpg", "1.JPEG"], "the same frame"),
         (
             ["rgb_1.jpg", "rgb_2.jpg", "depth_1.png", "depth_2.png"],
-            r"rgb_1\.jpg: by its name, this is the same frame as depth_1\.png",
+            r"rgb_1\.jpg: judging by its name, this is the same frame as depth_1\.png",
         ),
         (["0001.jpg", "0002.jpg", "0001_depth.png", "0002_depth.png"], "the same frame"),
         (["frame-1.color.png", "frame-2.color.png", "frame-1.depth.png"], "the same frame"),
@@ -104,7 +104,7 @@ def test_possible_frames_are_never_skipped_silently(names, message, tmp_path):
 def test_other_files_and_hidden_ones_are_no_frames(tmp_path):
     filled(tmp_path, "1.JPG", "2.jpg", "._1.jpg", ".2.webp", "labels.csv", "notes.txt", "poses.json")
     assert list_frames(tmp_path) == ["1.JPG", "2.jpg"]
-    # Words alone are no number, and neither is a number that all names share.
+    # Names without numbers are different frames, sorted alphabetically.
     assert list_frames(filled(tmp_path, "bath.jpg", "hall.jpg")) == ["1.JPG", "2.jpg", "bath.jpg", "hall.jpg"]
 
 
@@ -134,7 +134,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
     ):
         file.write_bytes(damaged)
         refused(re.escape(f"{file}: not a readable image ({len(damaged)} bytes; "), read_image, file)
-    # One message: the decoders print nothing.
+    # The decoders themselves print nothing.
     assert capfd.readouterr() == ("", "")
 
 
@@ -148,7 +148,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
             "not a readable image",
         ),
         (png((b"tEXt", b""), header(5, 5), (b"IEND", b"")), "not a readable image"),
-        (encoded(".png", np.full((9, 9), 700, np.uint16)), "grey with 16 bits, like a depth picture"),
+        (encoded(".png", np.full((9, 9), 700, np.uint16)), "16-bit grey picture, like a depth picture"),
         (encoded(".png", np.full((9, 9, 4), 100, np.uint8)), "parts of it are transparent"),
         (
             png(
@@ -159,7 +159,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
             ),
             "the picture is animated",
         ),
-        (simplejpeg.encode_jpeg(np.zeros((9, 9, 4), np.uint8), colorspace="CMYK"), "its colours are"),
+        (simplejpeg.encode_jpeg(np.zeros((9, 9, 4), np.uint8), colorspace="CMYK"), "colours for printing"),
         (encoded(".webp"), "neither JPEG nor PNG"),
         (encoded(".bmp"), "neither JPEG nor PNG"),
         (b"GIF89a" + bytes(50), "neither JPEG nor PNG"),
@@ -184,7 +184,7 @@ def test_gray_deep_and_opaque_pictures_are_right(tmp_path):
 
 
 def test_a_picture_is_turned_as_the_camera_was(tmp_path):
-    # 6: the camera was turned, so the picture must be turned by 90 degrees clockwise.
+    # Orientation 6 means that the picture must be rotated clockwise by 90 degrees.
     (tmp_path / "1.jpg").write_bytes(with_exif(encoded(".jpg", coded(5)), 6))
     image = read_image(tmp_path / "1.jpg")
     assert image.shape == (64, 48, 3)

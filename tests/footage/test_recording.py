@@ -12,7 +12,7 @@ from placecat.errors import PlacecatError
 from placecat.footage.recording import Recording
 
 MILLI = Fraction(1, 1000)
-# One key frame, and frames that refer to the one before.
+# One key frame, followed by frames that each refer to the previous one.
 CHAIN = {"g": "1000", "bf": "0", "preset": "ultrafast"}
 
 
@@ -53,7 +53,8 @@ def test_frames_of_one_damaged_picture_are_the_same_every_time(tmp_path):
     [
         ("libx264", "mp4", {"g": "12", "bf": "3"}, True),
         ("libx264", "mkv", {"g": "12", "bf": "3"}, True),
-        # Frames after a later key frame may refer to frames before it, or any packet may have parameters.
+        # In these files, frames after a key frame may refer to frames before it, or any packet may contain
+        # parameters.
         ("libx264", "mp4", {"g": "12", "bf": "3", "x264-params": "open-gop=1:scenecut=0"}, False),
         ("libx264", "mp4", {"g": "12", "x264-params": "intra-refresh=1:scenecut=0"}, False),
         ("libx264", "ts", {"g": "12"}, False),
@@ -148,7 +149,7 @@ def test_a_rate_that_cannot_be_is_measured_or_asked_for(tmp_path):
     path = write_clip(tmp_path / "b.webm", np.arange(6) / 1000, codec="libvpx", rate=1000, tick=MILLI)
     with pytest.raises(
         PlacecatError,
-        match=r"b\.webm: the video has no plausible times .*1000\); give the frame rate with --fps",
+        match=r"b\.webm: the video has no plausible times .*1000\); set the frame rate with --fps",
     ):
         Recording(path).timing(None, "--fps")
     assert Recording(path).timing(30.0).fps == 30.0

@@ -28,7 +28,7 @@ def test_a_pause_leaves_the_rate():
     found = measured(times, MILLI, rates=[30])
     assert (found.fps, found.is_even) == (30.0, False)
     assert np.allclose(found.seconds, times, atol=1e-9)
-    # No frame has the average rate of the header.
+    # The average rate in the header is not the rate of any frame.
     assert measured(times, MILLI, rates=[Fraction(90, 101), 30]).fps == 30.0
 
 
@@ -39,7 +39,7 @@ def test_uneven_times_are_kept_and_the_last_frame_lasts_as_the_file_says():
     assert found.fps == pytest.approx(30.0, rel=1e-3)
     assert not found.is_even
     assert found.end == pytest.approx(times[-1] + 1 / 30, abs=1e-4)
-    # An impossible duration is ignored.
+    # An implausible duration is ignored.
     assert measured(times, last=0.001).end == pytest.approx(times[-1] + 1 / 30, abs=1e-4)
 
 

@@ -1,5 +1,5 @@
 import sys
 from pathlib import Path
 
-# For worlds.
+# This makes worlds.py importable.
 sys.path.insert(0, str(Path(__file__).parent))

@@ -1,4 +1,4 @@
-"""`placecat import panoramas`, from pictures to the input of the stage `sequences`."""
+"""Tests of `placecat import panoramas`, from pictures to the input of the stage `sequences`."""
 
 import json
 import os
@@ -33,7 +33,10 @@ SMALL = ["width=32", "height=18", "fps=0.5"]
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """The project's settings, and a source of four homes; each picture has a different grey."""
+    """Create a folder with the project settings and a source of four homes.
+
+    Each picture of a home has a different shade of grey.
+    """
     (tmp_path / "conf/dataset").mkdir(parents=True)
     for name in ("panoramas.yaml", "dataset/my_homes.yaml"):
         shutil.copy(ROOT / "conf" / name, tmp_path / "conf" / name)
@@ -76,7 +79,7 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
     settings = yaml.load(compose(shlex.split(command), ROOT / "conf"), Loader=Loader)["dataset"]
     assert settings["homes"] == ["Home1", "Home2", "Home3", "Home4"]
     assert settings["fps"] == 0.5
-    # Like the stage sequences.
+    # The stage `sequences` makes the same call.
     list_homes(settings, folder / "data/sequences", "dataset")
     wanted = ["kitchen", "bedroom", "bedroom", "living_room", "dining_room", "bathroom", "corridor"]
     for home in settings["homes"]:
@@ -88,14 +91,14 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
         assert [wanted[number % 7] for number in numbers] == labels.tolist()
         assert (numbers // 7 + 1 == frames["sequence"]).all()
         assert set(labels) == set(wanted)
-        # The panorama, from the table beside the frames.
+        # The table beside the frames names the panorama of each frame.
         looks = pd.read_csv(folder / f"homes/{home}/looks.csv")
         shown = np.repeat(looks["panorama"], looks["end"] - looks["start"] + 1)
         assert [f"{home}/{20 + 16 * number}.jpg" for number in numbers] == shown.tolist()
     card = (folder / "homes/README.md").read_text()
     total = len(list((folder / "homes").rglob("*.jpg")))
     assert f"4 homes, {total} frames of 32x18 pixels, 0.5 frames/s" in card
-    assert "from 56 panoramas of the folder `source`" in card
+    assert "from 56 panoramas in the folder `source`" in card
     kitchen = sum(path.read_text().count("kitchen") for path in (folder / "homes").glob("*/label.txt"))
     columns = [line.split(" | ") for line in card.splitlines() if line.startswith("| ")]
     place = columns[0].index("kitchen")
@@ -104,7 +107,7 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
 
 
 def zind_data(image_path, **pano):
-    """Data of a home of the Zillow Indoor Dataset with one panorama."""
+    """Return the data of a Zillow Indoor Dataset home with one panorama."""
     partial_room = {"pano_1": {"image_path": image_path, **pano}}
     return {"merger": {"1": {"complete_room_01": {"partial_room_01": partial_room}}}}
 
@@ -140,7 +143,7 @@ def test_frames_are_the_planned_views(folder, source, home):
     for number, (pan, tilt, fov) in enumerate(path, start=1):
         frame = cv2.imread(str(folder / f"homes/{home}/1/{number:08d}.jpg")).astype(float)
         wanted = colour(*np.moveaxis(view_rays(pan, tilt, fov, 32, 18), -1, 0))
-        # JPEG halves the resolution of colours.
+        # JPEG halves the colour resolution.
         assert np.abs(frame - wanted).max() < 12
         assert np.abs(frame - wanted).mean() < 1.5
 
@@ -159,7 +162,7 @@ def test_results_do_not_depend_on_the_number_of_workers(folder, two_workers):
 
 def test_existing_files_are_never_replaced(folder):
     (folder / "homes").mkdir()
-    assert "homes already exists: give the name of a new folder" in refused()
+    assert "homes already exists: choose another name" in refused()
     assert names(folder / "homes") == []
 
 
@@ -168,7 +171,7 @@ def test_existing_files_are_never_replaced(folder):
     [
         (
             np.zeros((32, 60, 3), np.uint8),
-            "100.jpg: 60x32 is not a whole sphere, which is twice as wide as high",
+            "100.jpg: the picture is 60x32, but a full sphere must be twice as wide as high",
         ),
         (None, "100.jpg: not a readable image"),
     ],
@@ -244,11 +247,11 @@ def test_panoramas_in_no_frame_are_reported(folder, capsys):
     shown = set(pd.read_csv(folder / "homes/Home1/looks.csv")["panorama"])
     assert shown == {"Home1/20.jpg", "Home1/36.jpg"}
     missing = [f"Home1/{grey}.jpg" for _, grey in rooms[2:]]
-    assert f"7 of 9 panoramas are in no frame: {', '.join(missing[:5])}, ...\n" in said
+    assert f"7 of 9 panoramas appear in no frame: {', '.join(missing[:5])}, ...\n" in said
     card = (folder / "homes/README.md").read_text()
     assert "\n1 home, " in card
     lines = "".join(f"- `{one}`\n" for one in missing)
-    assert f"\n7 of 9 panoramas are in no frame:\n\n{lines}\n## What it is not\n" in card
+    assert f"\n7 of 9 panoramas appear in no frame:\n\n{lines}\n## What it is not\n" in card
     shutil.rmtree(folder / "homes")
     run("visits=[4,4]", "longest_look=1", "fps=5.0")
     assert "in no frame" not in capsys.readouterr().out

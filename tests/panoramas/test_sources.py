@@ -1,4 +1,4 @@
-"""The panoramas of a source, and mistakes in it."""
+"""Tests of the panoramas in a source, and of mistakes in its files."""
 
 import json
 import re
@@ -18,7 +18,7 @@ TABLE = "home,floor,file,room\nflat,1,a.jpg,Living Room\nflat,2,b/c.jpg,bedroom 
 
 @pytest.fixture
 def table(tmp_path):
-    """A source with a table, and a function that changes its text and reads it."""
+    """Create a source with a table, and return a function that rewrites the table and reads the source."""
     for name in ("a.jpg", "b/c.jpg", "d.jpg", "e.jpg"):
         write(tmp_path / name, PICTURE)
 
@@ -88,7 +88,7 @@ def test_the_override_that_a_refused_room_names_adds_it(table, room, changes):
 
 
 def test_a_source_without_its_folder_or_table_is_refused(table, tmp_path):
-    with pytest.raises(PlacecatError, match="nowhere does not exist; give the folder of the panoramas"):
+    with pytest.raises(PlacecatError, match="nowhere does not exist; specify the folder with the panoramas"):
         sources.read(tmp_path / "nowhere", settings())
     with pytest.raises(PlacecatError, match=r"rooms\.csv: the table of rooms is missing"):
         sources.read(tmp_path, settings())
@@ -153,7 +153,7 @@ ZIND = {
 
 @pytest.fixture
 def zind(tmp_path):
-    """A home in the format of the Zillow Indoor Dataset, and a function that changes and reads it."""
+    """Create a home in the Zillow Indoor Dataset format, and return a function that rewrites and reads it."""
     for number in range(1, 7):
         write(tmp_path / f"007/panos/{number}.jpg", PICTURE)
     (tmp_path / "notes").mkdir()

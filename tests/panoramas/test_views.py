@@ -1,4 +1,4 @@
-"""Views of drawn panoramas against the colour of the direction of each pixel."""
+"""Tests that each pixel of a view has the colour of its direction."""
 
 import math
 
@@ -11,7 +11,8 @@ from placecat.panoramas import sphere as equirectangular
 from placecat.panoramas.render import view_rays
 
 WIDTH, HEIGHT, FOV = 64, 36, 60.0
-# Ahead, the seam behind, poles, edges and corners of the cube, and a tilted view across two of them.
+# Straight ahead, the seam at the back, both poles, edges and corners of the cube, and a tilted view across
+# two faces.
 DIRECTIONS = [
     (0, 0),
     (180, 0),
@@ -27,7 +28,7 @@ DIRECTIONS = [
 
 
 def direct(pan, tilt):
-    """The view pixel by pixel: two angles from the axis, then rotations by matrices."""
+    """Compute the view pixel by pixel, with rotation matrices."""
     pan, tilt = math.radians(pan), math.radians(tilt)
     about_x = np.array([[1, 0, 0], [0, math.cos(tilt), -math.sin(tilt)], [0, math.sin(tilt), math.cos(tilt)]])
     about_y = np.array([[math.cos(pan), 0, math.sin(pan)], [0, 1, 0], [-math.sin(pan), 0, math.cos(pan)]])
@@ -47,14 +48,15 @@ def test_a_view_shows_the_colour_of_every_direction(pan, tilt):
     for prepared, look in (
         (equirectangular.prepare(sphere(24), 1000.0), equirectangular.look),
         (cube.prepare(faces(16), 1000.0), cube.look),
-        # Scaled down before.
+        # These two panoramas are scaled down first.
         (equirectangular.prepare(sphere(96), 7.6), equirectangular.look),
         (cube.prepare(faces(64), 8.0), cube.look),
     ):
         seen = look(prepared, rays)
         assert seen.shape == wanted.shape
-        # Half a step of the panorama's colours, half one of the view's, and what is not straight within a
-        # pixel, which is up to 15 steps: a seam, a pole or an edge without its neighbour shows 2.7 and more.
+        # The limit covers the rounding of the panorama and of the view, half a grey level each, and the
+        # curvature of the colours within a pixel, which spans up to 15 levels. A seam, pole or edge without
+        # its neighbour deviates by at least 2.7.
         assert np.abs(seen - wanted).max() < 1.6
 
 

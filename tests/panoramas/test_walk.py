@@ -1,4 +1,4 @@
-"""Stays, and the path of the view."""
+"""Tests of walks: the stays, and the directions of the view."""
 
 from itertools import groupby, pairwise
 
@@ -35,7 +35,7 @@ def walked(number, rooms=ROOMS, **settings):
 
 
 def stays(parts):
-    """Rooms in the order of stays, each with its parts."""
+    """Return the room and the parts of each stay, in order."""
     return [(own[0].room, own) for own in (list(one) for _, one in groupby(parts, lambda part: part.stay))]
 
 
@@ -48,14 +48,14 @@ def test_a_way_lies_between_any_two_rooms_and_no_room_follows_itself(number):
     assert all(one != other for one, other in pairwise(rooms))
     assert len(rooms) == len(ways) + 1
     assert max(rooms.count(room) for room in rooms) <= 3
-    # In turn.
+    # The two ways alternate.
     assert abs(ways.count(1) - ways.count(4)) <= 1
 
 
 def test_rooms_are_visited_as_often_as_asked_for():
     assert all(len(stays(walked(number, visits=[1, 1]))) == 5 for number in range(5))
     counts = [len(stays(walked(number, ways=[]))) for number in range(200)]
-    # Five rooms, two visits on average; the last one is hardly ever left out.
+    # There are five rooms with two visits on average. The last visit is hardly ever dropped.
     assert 9.5 < np.mean(counts) <= 10.2
 
 
@@ -112,7 +112,7 @@ def test_the_view_turns_smoothly_within_its_limits():
         speed = np.diff(pan) * 25
         # The top speed of the minimum-jerk movement is 15/8 of its mean speed.
         assert 20 < np.abs(speed).max() <= 40 * 15 / 8
-        # It starts and stops gently; a sudden start at 40 degrees/s would be a jump of 40.
+        # The turn starts and stops gently. A sudden start at 40 degrees/s would be a jump of 40.
         assert np.abs(np.diff(speed)).max() < 12
         assert np.ptp(pan) > 10
 
@@ -140,5 +140,5 @@ def test_a_plan_is_seeded_by_names_and_the_number_of_the_walk():
         np.testing.assert_array_equal(first[floor][-1].path, again[floor][-1].path)
     assert not np.array_equal(first["2"][0].path[0], first["10"][0].path[0])
     assert not np.array_equal(plan(panoramas, settings("walk=1"))["2"][0].path[0], first["2"][0].path[0])
-    # Pinned: otherwise the same pictures would give other frames.
+    # This value is fixed, because another seed would yield different frames from the same pictures.
     assert seed("flat", "2", 0) == 3870571430

@@ -1,4 +1,4 @@
-"""A drawn world: a colour for every direction, and panoramas of it."""
+"""A synthetic world with a colour for every direction, and panoramas of it."""
 
 import cv2
 import numpy as np
@@ -8,14 +8,17 @@ from project import ROOT
 
 
 def colour(x, y, z):
-    """Smooth on the whole sphere, different in every direction; any shape, three channels from 0 to 255."""
+    """Return a smooth colour that differs in every direction, for x, y and z of any equal shape.
+
+    The three channels range from 0 to 255.
+    """
     length = np.sqrt(x * x + y * y + z * z)
     x, y, z = x / length, y / length, z / length
     return 127.5 + 100 * np.stack([x + 0.2 * y * z, y - 0.2 * x * z, z + 0.2 * x * y], axis=-1)
 
 
 def sphere(height):
-    """An equirectangular panorama, pixel by pixel from longitude and latitude."""
+    """Draw an equirectangular panorama from the longitude and latitude of each pixel."""
     longitude = ((np.arange(2 * height) + 0.5) / (2 * height) * 360 - 180)[None] * np.pi / 180
     latitude = (90 - (np.arange(height) + 0.5) / height * 180)[:, None] * np.pi / 180
     x, y, z = np.cos(latitude) * np.sin(longitude), -np.sin(latitude), np.cos(latitude) * np.cos(longitude)
@@ -23,7 +26,7 @@ def sphere(height):
 
 
 def faces(side):
-    """Front, right, back, left, up and down, each from the definition of what it shows."""
+    """Draw the six cube faces (front, right, back, left, up, down) from their definitions."""
     s = np.broadcast_to((np.arange(side) + 0.5) / side * 2 - 1, (side, side))
     t, one = s.T, np.ones((side, side))
     seen = [(s, t, one), (one, t, -s), (-s, t, -one), (-one, t, s), (s, -one, t), (s, one, -t)]
@@ -36,5 +39,5 @@ def write(path, picture):
 
 
 def settings(*changes):
-    """The project's settings, with changes."""
+    """Return the project settings with the given changes."""
     return read_settings(changes, ROOT / "conf/panoramas.yaml")

@@ -212,7 +212,7 @@ def test_a_cut_off_video_is_noted(folder, capsys):
     whole = (folder / "walk.avi").read_bytes()
     (folder / "cut.avi").write_bytes(whole[: len(whole) // 2])
     predict("cut.avi")
-    assert "of the 30 frames that the file announces can be read" in capsys.readouterr().err
+    assert "of the 30 frames listed in the file can be read" in capsys.readouterr().err
     assert 3 < len(pd.read_csv(folder / "predictions/cut/frames.csv")) < 25
 
 

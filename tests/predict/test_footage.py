@@ -86,7 +86,7 @@ def test_seconds_come_from_the_file(system, tmp_path, seconds, frames):
 def test_a_rate_is_asked_for_where_the_file_has_none(system, tmp_path):
     write_clip(tmp_path / "walk.webm", np.arange(9) / 1000, codec="libvpx", rate=1000, tick=Fraction(1, 1000))
     with pytest.raises(
-        SystemExit, match=r"has no plausible times for its frames .* give the frame rate with --fps"
+        SystemExit, match=r"has no plausible times for its frames .* set the frame rate with --fps"
     ):
         predicted("walk.webm")
     assert predicted("walk.webm", "--fps", 30)[1]["seconds"] == 0.3

@@ -82,7 +82,9 @@ def test_labels_may_come_on_a_topic(tmp_path):
     (tmp_path / "a/floor.csv").write_text("start,end,label\n1,40,kitchen\n")
     with pytest.raises(PlacecatError, match=r"a/floor\.csv and dataset\.labels_topic label the same frames"):
         open_home("bags", tmp_path, "a", labels_topic=TOPIC)
-    with pytest.raises(PlacecatError, match=r"messages of sensor_msgs/msg/Image, not of std_msgs/msg/String"):
+    with pytest.raises(
+        PlacecatError, match=r"messages of type sensor_msgs/msg/Image, not std_msgs/msg/String"
+    ):
         (tmp_path / "a/floor.csv").unlink()
         open_home("bags", tmp_path, "a", labels_topic=CAMERA)
 

@@ -1,4 +1,4 @@
-"""Small made-up frame maps and regions."""
+"""Small synthetic frame maps and regions."""
 
 import importlib.util
 from types import ModuleType
@@ -15,7 +15,7 @@ SCALES = (2, 3, 4, 5)
 
 
 def smooth(rng: np.random.Generator, height: int, width: int) -> np.ndarray:
-    """Random blobs from 0 to 255, float32."""
+    """Return a float32 image of random blobs, from 0 to 255."""
     image = cv2.GaussianBlur(rng.random((height, width), np.float32), (0, 0), 1.5)
     low, high = image.min(), image.max()
     return (image - low) / max(float(high - low), 1e-6) * np.float32(255)
@@ -42,7 +42,7 @@ def maps(width: int = 320, height: int = 240, seed: int = 0) -> FrameMaps:
 
 
 def regions(width: int = 320, height: int = 240, count: int = 25, seed: int = 1) -> np.ndarray:
-    """Random regions of all scales; the first four lie in the corners of the image."""
+    """Return random regions of all scales. The first four lie in the corners of the image."""
     rng = np.random.default_rng(seed)
     rows = np.stack(
         [
@@ -65,23 +65,23 @@ def frame(width: int = 320, height: int = 240, seed: int = 2) -> np.ndarray:
 
 
 def missing(module: ModuleType) -> str:
-    """The first missing package of a descriptor (its ``PACKAGES``), or ""."""
+    """Return the first package in the ``PACKAGES`` of a descriptor that is not installed, or ""."""
     needed = getattr(module, "PACKAGES", ())
     return next((name for name in needed if importlib.util.find_spec(name) is None), "")
 
 
 def names(kind: str) -> list[str]:
-    """The holistic or local descriptors."""
+    """Return the names of the holistic or local descriptors."""
     return lookup.names(f"placecat.vision.{kind}", "describe")
 
 
 def installed(kind: str) -> list[str]:
-    """The holistic or local descriptors whose packages are installed."""
+    """Return the names of the holistic or local descriptors whose packages are installed."""
     return [name for name in names(kind) if not missing(load(kind, name))]
 
 
 def every(kind: str) -> list:
-    """Every descriptor as a parameter of a test, which skips those whose packages are not installed."""
+    """Return every descriptor as a test parameter, skipped if its packages are not installed."""
     return [
         pytest.param(name, marks=pytest.mark.skipif(bool(lacks), reason=f"{name} needs {lacks}"))
         for name in names(kind)

@@ -1,4 +1,4 @@
-"""Slow transcription of thesis 3.1.1 in float64, used as the oracle of the fast one."""
+"""A slow float64 implementation of thesis 3.1.1, used as a reference for the fast one."""
 
 import math
 
@@ -9,7 +9,7 @@ KERNEL = np.array([1, 4, 6, 4, 1]) / 16
 
 
 def frame(seed, height, width, black=True):
-    """A soft colourful frame with a hard-edged patch and, if wanted, black pixels."""
+    """Return a soft colourful frame with a hard-edged patch and, optionally, black pixels."""
     rng = np.random.default_rng(seed)
     noise = ndimage.gaussian_filter(rng.normal(size=(height, width, 3)), (4, 4, 0))
     image = np.clip(110 + 90 * noise / noise.std(), 0, 255).astype(np.uint8)
@@ -21,7 +21,7 @@ def frame(seed, height, width, black=True):
 
 
 def opponent(image):
-    """R, G, B, Y of every pixel, by the formulas of the thesis; a black pixel gives 0."""
+    """Return R, G, B, Y of every pixel by the formulas of the thesis, with 0 for a black pixel."""
     out = np.zeros((4, *image.shape[:2]))
     for y in range(image.shape[0]):
         for x in range(image.shape[1]):
@@ -51,7 +51,7 @@ def level(plane, number):
 
 
 def expand(plane, height, width):
-    """Zeros between the pixels, then the kernel; mirrored at the left and top, else repeated."""
+    """Insert zeros and apply the kernel. The left and top borders are mirrored, the others repeated."""
     out = plane
     for axis, size in enumerate((height, width)):
         out = np.moveaxis(out, axis, 0)
@@ -107,7 +107,7 @@ def spectral_residual(plane, box=3, sigma=1.0, floor=0.1):
 
 
 def local_maxima(plane, window=3):
-    """Flood every plateau; keep its first pixel if nothing in the window of any of its pixels is higher."""
+    """Flood every plateau, and keep its first pixel if no pixel in any of its windows is higher."""
     height, width = plane.shape
     reach = window // 2
     seen = np.zeros(plane.shape, bool)
@@ -148,7 +148,7 @@ def positive(plane, rounding):
 
 
 def feature_maps(image, scales=(2, 3, 4, 5), radii=(1, 3)):
-    """{channel: {(subchannel, scale): [map per radius]}}."""
+    """Return ``{channel: {(subchannel, scale): [map per radius]}}``."""
     b, g, r = np.moveaxis(image.astype(float), 2, 0)
     grey = (r + g + b) / 3
     colors = opponent(image)

@@ -37,7 +37,7 @@ def test_everything_equals_the_slow_transcription(seed, height, width):
             np.testing.assert_allclose(maps.color[s][c], reference.level(plane, s), atol=5e-6)
     units = {"intensity": 255, "color": 3, "orientation": 127.5, "residual": 4}
     total, _, _ = reference.fuse(features, maps.grey[2].shape, units)
-    # If rounding makes or breaks a tie, one map's weight changes a little.
+    # If rounding makes or breaks a tie, the weight of one map changes slightly.
     np.testing.assert_allclose(saliency(maps).saliency, total, atol=0.05 * total.max())
 
 
@@ -137,7 +137,7 @@ def test_same_frame_same_bytes_for_any_number_of_threads():
         for threads in (1, 2, 1, 4, 1):
             cv2.setNumThreads(threads)
             maps = compute_maps(image)
-            # Arrays that stay alive force the next ones to other addresses.
+            # Arrays that stay alive force later arrays to other addresses.
             kept += [maps, np.empty(1000 + 4 * len(kept), np.uint8)]
             results.add(b"".join(a.tobytes() for a in [*flatten(maps), find_regions(maps)]))
     finally:

@@ -40,7 +40,7 @@ def test_brightness_does_not_count() -> None:
 
 
 def test_refusals() -> None:
-    with pytest.raises(PlacecatError, match="two ascending levels of 2, 3, 4, 5, not 1 and 5"):
+    with pytest.raises(PlacecatError, match="two of the levels 2, 3, 4, 5 in ascending order, not 1 and 5"):
         information(maps(), fine=1)
     with pytest.raises(PlacecatError, match="not 4 and 3"):
         information(maps(), fine=4, coarse=3)

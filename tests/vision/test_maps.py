@@ -15,5 +15,5 @@ def test_a_result_is_computed_once_for_each_key() -> None:
     assert made.remembered(("a", 1), partial(note, 2)) is first
     assert made.remembered(("a", 2), partial(note, 3)) == [3]
     assert calls == [1, 3]
-    # Changed maps have other results.
+    # A copy of the maps has its own results.
     assert dataclasses.replace(made).remembered(("a", 1), partial(note, 4)) == [4]

@@ -27,7 +27,7 @@ def test_single_phase_is_the_kernel_of_opencv(phase):
     total = cv2.getGaborKernel((9, 9), 2.0, 0, 1e9, 1.0, 0).sum()
     for plane_of_angle, degrees in zip(got, orientation.ANGLES, strict=True):
         kernel = cv2.getGaborKernel((9, 9), 2.0, np.deg2rad(degrees), 4.0, 1.0, phase) * 2 / total
-        # OpenCV's kernel is turned by half a circle, since filter2D correlates.
+        # OpenCV's kernel is rotated by 180 degrees, because filter2D computes a correlation.
         expected = cv2.filter2D(
             plane.astype(float), cv2.CV_64F, kernel[::-1, ::-1], borderType=cv2.BORDER_REFLECT_101
         )

@@ -29,7 +29,7 @@ def test_blocks_do_not_change_the_accepted_points(points, most, block):
 
 
 def test_acceptance_is_strict_and_uses_the_scale_of_the_new_point():
-    # width 640: the minimum distance is 16 pixels per scale, and one scale apart counts as 2.5 pixels.
+    # At width 640, the minimum distance is 16 pixels per scale, and one scale apart counts as 2.5 pixels.
     def both(first, second):
         return module.accept(np.array([first, second], np.float32), 640).tolist() == [0, 1]
 

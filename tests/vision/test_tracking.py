@@ -21,7 +21,7 @@ NOTHING = np.zeros((0, 4), np.float32)
 
 
 def scenery(seed=0, width=1400, height=900):
-    """A wide picture; a frame shows part of it."""
+    """Draw a wide picture; each frame shows part of it."""
     rng = np.random.default_rng(seed)
     coarse = np.stack([smooth(rng, height // 6, width // 6) for _ in range(3)], axis=2)
     return cv2.resize(coarse, (width, height), interpolation=cv2.INTER_CUBIC).clip(0, 255).astype(np.uint8)
@@ -35,7 +35,7 @@ def view(x, y, width=WIDTH, height=HEIGHT):
 
 
 def rows(*points):
-    """Regions at points, with scale 2 and falling strength."""
+    """Return regions at the given points, with scale 2 and decreasing strength."""
     return np.array([(x, y, 2, 1 / (1 + k)) for k, (x, y) in enumerate(points)], np.float32)
 
 
@@ -52,7 +52,7 @@ def test_regions_move_with_their_content(shift):
     for frame in range(1, 5):
         got = tracker.step(view(400 - frame * dx, 300 - frame * dy), NOTHING)
         if len(got) < 3:
-            # The last positions of the largest shift are outside the frame.
+            # With the largest shift, the last positions are outside the frame.
             assert frame * abs(dx) >= 120
             break
         np.testing.assert_allclose(got[:, :2], found[:, :2] + np.array(shift) * frame, atol=0.5)
@@ -87,7 +87,7 @@ def test_a_region_is_lost_where_nothing_like_it_is():
     assert len(tracker.step(np.full((HEIGHT, WIDTH, 3), 128, np.uint8), NOTHING)) == 0
     tracker = RegionTracker()
     tracker.step(view(0, 0), SPREAD_OUT)
-    # Another picture: tracking back leads elsewhere, except for a lucky few.
+    # In another picture, tracking back leads elsewhere, except for a lucky few.
     assert len(tracker.step(scenery(1)[:HEIGHT, :WIDTH], NOTHING)) <= 2
 
 
@@ -104,14 +104,15 @@ def test_the_longest_followed_come_first_and_new_ones_fill_free_places():
     tracker = RegionTracker(max_regions=4)
     first = rows((100, 100), (500, 100))
     tracker.step(view(400, 300), first)
-    # Stronger, but later; the first is on a tracked region, and there is no room for the last.
+    # These regions are stronger, but come later. The first is on a tracked region, and there is no room for
+    # the last.
     second = rows((104, 100), (100, 250), (500, 250), (300, 180)) * np.float32([1, 1, 1, 10])
     got = tracker.step(view(400, 300), second)
     np.testing.assert_allclose(got, [*first, second[1], second[2]], atol=0.05)
     assert tracker.ages.tolist() == [1, 1, 0, 0]
     for x in range(385, 235, -15):
         got = tracker.step(view(x, 300), NOTHING)
-    # The scene moved to the right by 150 pixels: one region of each age left the image.
+    # The scene moved to the right by 150 pixels, so one region of each age left the image.
     np.testing.assert_allclose(got[:, :2], [(250, 100), (250, 250)], atol=1)
     assert tracker.ages.tolist() == [11, 10]
     got = tracker.step(view(250, 300), rows((400, 180), (400, 40), (400, 300)))
@@ -120,7 +121,7 @@ def test_the_longest_followed_come_first_and_new_ones_fill_free_places():
 
 
 def test_of_two_that_come_too_close_the_younger_is_given_up():
-    """The camera moves away: everything shrinks towards the centre."""
+    """The camera moves away, so everything shrinks towards the centre."""
     tracker = RegionTracker()
     old, young = rows((300, 180)), rows((342, 180))
     tracker.step(view(400, 300), old)

@@ -1,4 +1,4 @@
-"""Variants of the salient regions equal the regions that attention finds with these settings."""
+"""Tests that variants of salient regions equal the regions that attention finds with the same settings."""
 
 import functools
 
@@ -100,7 +100,7 @@ def test_equal_parts_are_computed_once(monkeypatch):
     hog = load("local", "hog")
     monkeypatch.setattr(hog, "describe", noted(hog.describe, described, 1))
     describe_frame(PICTURE, {**SETTINGS, "variants": VARIANTS})
-    # With all scales, without the residual, and with two scales.
+    # Regions are found with all scales, without the residual, and with two scales.
     assert len(found) == 3
     assert sorted(fused) == sorted(2 * ["intensity", "color", "orientation", "residual"])
     assert sorted(map(len, described)) == [38, 38, 38]

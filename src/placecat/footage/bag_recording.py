@@ -15,14 +15,14 @@ from placecat.footage.image_messages import Damaged
 from placecat.footage.recording import Size, are, named
 
 MOST_LATE = 1.0
-"""Largest step back in time between frames, in seconds. A larger step means that the clock was set. Our
-choice."""
+"""Largest backward step in time between frames, in seconds. A larger step means that the clock was set back.
+This limit is our choice."""
 _NANOSECOND = Fraction(1, 10**9)
 
 
 @dataclass(frozen=True, eq=False)
 class BagFrame:
-    """A frame of a bag that is not decoded yet. Frame numbers start at 1."""
+    """A frame in a bag, not yet decoded. Frame numbers start at 1."""
 
     number: int
     _picture: Picture
@@ -44,32 +44,32 @@ class BagFrame:
 
 
 class BagRecording:
-    """A bag's frames: the pictures of one topic, ordered by their stamps.
+    """The frames of a bag: the pictures of one topic, ordered by their stamps.
 
-    Opening reads the topic once. A frame must be later than all previous frames. Otherwise, it came late or
-    twice, so it is skipped and has no number. Raises PlacecatError if the bag cannot be read, the topic has
-    no pictures, or its times are implausible.
+    Opening reads the topic once. A frame that is not later than all previous frames arrived late or twice. It
+    is skipped and gets no number. Raises PlacecatError if the bag cannot be read, if the topic has no
+    pictures, or if its times are implausible.
 
     Parameters
     ----------
     topic
         The topic; None uses the only topic with pictures.
     fps
-        Frames per second, as a replacement for wrong stamps. In this case, no frame is skipped, and frames
-        are evenly spaced. None uses the stamps or, if any stamp is zero, the times of reception.
+        Frames per second, to replace wrong stamps. With this setting, no frame is skipped, and the frames are
+        evenly spaced. None uses the stamps or, if any stamp is zero, the reception times.
     settings
         Prefix of the settings ``topic`` and ``fps`` in messages.
 
     Attributes
     ----------
     count, lost
-        `count` is the number of frames, including lost ones. `lost` has the numbers of the frames that could
-        not be decoded, counted from 1.
+        `count` is the number of frames, including lost ones. `lost` lists the frames that could not be
+        decoded, numbered from 1.
     positions, received
-        For each frame, `placecat.footage.bags.Picture.number` minus 1, and the time of reception in
-        nanoseconds. Both are (count,) int64.
+        `placecat.footage.bags.Picture.number` minus 1 and the reception time in nanoseconds, for each frame.
+        Both are (count,) int64.
     start
-        The first frame's stamp in nanoseconds since 1970.
+        The stamp of the first frame, in nanoseconds since 1970.
     """
 
     # A picture is either decoded without errors, or lost.
@@ -90,9 +90,7 @@ class BagRecording:
         self.positions, self.received, stamps = np.array(found, np.int64).T
         if (stamps == 0).any():
             stamps = self.received
-            self._remarks.append(
-                "some stamps are zero, so the times at which the bag received the messages are used"
-            )
+            self._remarks.append("some stamps are zero, so the reception times are used instead")
         if fps is None:
             stamps = self._without_late(stamps, f"{settings}fps")
         self.count, self.start = len(self.positions), int(stamps[0])
@@ -113,7 +111,7 @@ class BagRecording:
         self._why = self._why or why
 
     def size(self) -> Size:
-        """Return the (width, height) of the first readable frame in pixels.
+        """Return the (width, height) of the first readable frame, in pixels.
 
         Raises PlacecatError if no frame is readable.
         """
@@ -123,7 +121,7 @@ class BagRecording:
         raise PlacecatError(f"{self.path}: no picture on {self.topic} can be decoded: {self._why}")
 
     def note(self) -> str:
-        """Describe the problems found on opening and in the last pass; return "" if there were none."""
+        """Describe the problems found while opening the bag and in the last pass, or return ""."""
         parts = self._remarks
         if self.lost:
             lost = f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost"
@@ -136,15 +134,15 @@ class BagRecording:
         if behind.max() > MOST_LATE:
             number = int(behind.argmax()) + 1
             raise PlacecatError(
-                f"{self.path}: frame {number} of {self.topic} is {behind.max():.3g} s earlier than one "
-                "before it, so the clock was set or stamps are damaged; cut the bag there, or give the frame "
-                f"rate with {setting}."
+                f"{self.path}: frame {number} of {self.topic} is {behind.max():.3g} s earlier than a "
+                "previous frame, so the clock was set back or the stamps are damaged; cut the bag there, or "
+                f"set the frame rate with {setting}."
             )
         is_late = np.append(False, stamps[1:] <= before[:-1])
         if is_late.any():
             self._remarks.append(
-                f"{is_late.sum()} of {len(stamps)} frames are left out, since they are not later than one "
-                "before them"
+                f"{is_late.sum()} of {len(stamps)} frames are left out because they are not later than a "
+                "previous frame"
             )
         self.positions, self.received = self.positions[~is_late], self.received[~is_late]
         return stamps[~is_late]
@@ -155,8 +153,8 @@ class BagRecording:
         found = timing.measure(stamps, _NANOSECOND, 0, [])
         if found is None:
             raise PlacecatError(
-                f"{self.path}: the stamps of {self.topic} give no frame rate ({self.count} "
-                f"frame{'s' if self.count > 1 else ''} in {(stamps[-1] - stamps[0]) / 1e9:.3g} s); give the "
+                f"{self.path}: the stamps of {self.topic} do not yield a frame rate ({self.count} "
+                f"frame{'s' if self.count > 1 else ''} in {(stamps[-1] - stamps[0]) / 1e9:.3g} s); set the "
                 f"frame rate with {setting}."
             )
         timing.check_gaps(found, str(self.path), setting)

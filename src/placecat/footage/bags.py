@@ -1,7 +1,7 @@
 """Read topics, pictures and strings from a ROS 1 or ROS 2 bag.
 
-The library rosbags reads the bag and decodes messages with its built-in definitions. Definitions in the bag
-are untrusted, and rosbags would turn them into Python code.
+The rosbags library reads the bag and decodes messages with its built-in definitions. The definitions in the
+bag are not used, because they are untrusted and rosbags would turn them into Python code.
 """
 
 from collections.abc import Collection, Generator, Iterator
@@ -30,7 +30,7 @@ _MENDING = {
 
 
 def is_bag(path: Path) -> bool:
-    """Return whether a path is a bag: a file with a bag's suffix, or a folder with parts of a ROS 2 bag."""
+    """Return whether a path is a bag: a file with a bag suffix, or a folder with parts of a ROS 2 bag."""
     if path.is_dir():
         return any(one.name == "metadata.yaml" or one.suffix in SINGLE for one in path.iterdir())
     return path.suffix.lower() in (ROS_1, *SINGLE) and path.is_file()
@@ -40,8 +40,8 @@ def is_bag(path: Path) -> bool:
 class Picture:
     """A message with a picture.
 
-    `number` is its number among the picture messages of all topics, counted from 1 in the order received.
-    `received` is the time of reception and `stamp` the time in the header, both in nanoseconds.
+    `number` counts the picture messages of all topics from 1, in the order received. `received` is the
+    reception time, and `stamp` is the time in the header, both in nanoseconds.
     """
 
     number: int
@@ -51,7 +51,7 @@ class Picture:
     _name: str
 
     def image(self) -> NDArray[np.uint8]:
-        """Decode to (height, width, 3) uint8 BGR; raise the errors of `placecat.footage.image_messages`."""
+        """Decode to (height, width, 3) uint8 BGR; errors are those of `placecat.footage.image_messages`."""
         decode = compressed_image if hasattr(self._message, "format") else raw_image
         return decode(self._message, self._name)
 
@@ -59,9 +59,9 @@ class Picture:
 class Bag:
     """A ROS 1 ``.bag``, a ROS 2 folder, or a single ROS 2 ``.mcap`` or ``.db3``.
 
-    `topics` maps each topic to its message type and its number of messages; the topics are sorted. `count` is
-    the number of messages with pictures. Each pass over the messages opens the bag again. Raises
-    PlacecatError if rosbags is not installed, or cannot read the bag.
+    `topics` maps each topic, in sorted order, to its message type and number of messages. `count` is the
+    number of messages with pictures. Each pass over the messages reopens the bag. Raises PlacecatError if
+    rosbags is not installed or cannot read the bag.
     """
 
     def __init__(self, path: Path) -> None:
@@ -104,7 +104,7 @@ class Bag:
         kind, count = self.topics[topic]
         if kind not in kinds:
             raise PlacecatError(
-                f"{self.path}: the topic {topic!r} has messages of {kind}, not of {' or '.join(kinds)}; "
+                f"{self.path}: the topic {topic!r} has messages of type {kind}, not {' or '.join(kinds)}; "
                 f"correct {setting}."
             )
         if not count:
@@ -169,12 +169,12 @@ class Bag:
 
     @contextmanager
     def _explained(self) -> Iterator[None]:
-        """Turn any error into a PlacecatError: rosbags can fail anywhere on a damaged bag."""
+        """Turn any error into a PlacecatError, because rosbags may raise anything on a damaged bag."""
         try:
             yield
         except PermissionError as error:
             raise PlacecatError(
-                f"{self.path}: the bag cannot be read ({error.strerror}); make it readable."
+                f"{self.path}: the bag cannot be read ({error.strerror}); correct its permissions."
             ) from None
         except Exception as error:
             said = " ".join(str(error).split())[:300].rstrip(".") or type(error).__name__
@@ -186,7 +186,7 @@ class Bag:
 
 @cache
 def _store(is_ros1: bool) -> Any:
-    """Return the message definitions of ROS 1 or ROS 2; all versions define pictures and strings equally."""
+    """Return the message definitions of ROS 1 or ROS 2. Pictures and strings are the same in all versions."""
     from rosbags.typesys import Stores, get_typestore
 
     return get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.ROS2_HUMBLE)

@@ -1,4 +1,4 @@
-"""Decode a home's frames."""
+"""Decode the frames of a home."""
 
 from collections.abc import Generator, Iterator
 from contextlib import ExitStack, closing
@@ -21,15 +21,15 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    In a video, decoding starts as late as possible, but not after the first row. A bag is read from its
-    start. If a row has an earlier position than the previous row, reading starts again, so rows in ascending
-    order need at most one pass. The code never seeks in a file, because containers may silently return a
-    nearby frame.
+    In a video, decoding starts at the latest frame from which the first row can be decoded. A bag is read
+    from its start. If a row comes before the previous row in the file, reading starts again, so rows in
+    ascending order need at most one pass. The code never seeks in a file, because containers may silently
+    return a nearby frame.
 
     `home_root` is `Home.root`, and `frames` are any rows of `Home.frames`, in any order. `size` is the
     (width, height) in pixels that every frame must have after rotation; None takes it from the first row.
     Yields (H, W, 3) uint8 BGR. Each frame is rotated by the angle in the column ``turn`` if there is one.
-    Raises PlacecatError, which names the file, if a frame is missing, unreadable, or of another size.
+    Raises a PlacecatError that names the file if a frame is missing, unreadable, or of another size.
     """
     root = Path(home_root)
     turns = frames["turn"] if "turn" in frames else [0] * len(frames)
@@ -51,7 +51,7 @@ def read_frames(
                 where = str(path) if position < 0 else f"{path} frame {position + 1}"
                 raise PlacecatError(
                     f"{where}: the frame is {width}x{height}, but the other frames of this home are "
-                    f"{size[0]}x{size[1]}; a home needs one frame size: convert or remove the frame."
+                    f"{size[0]}x{size[1]}; all must have the same size: convert or remove the frame."
                 )
             yield image
 
@@ -95,7 +95,7 @@ class _Video:
         return image
 
     def _is_elsewhere(self, number: int) -> bool:
-        """Return whether to restart, because the frame is behind or so far ahead that a jump saves time."""
+        """Return whether the frame is behind, or so far ahead that restarting saves time."""
         if self._last is None or number < self._last.number:
             return True
         if isinstance(self._recording, Bag):

@@ -31,8 +31,8 @@ class CompressedImage(Protocol):
     data: Any
 
 
-# The encodings of sensor_msgs/image_encodings that have 8 bits per channel. Each has the number of bytes per
-# pixel within a row, and OpenCV's conversion to BGR. ROS calls UYVY yuv422.
+# The encodings in sensor_msgs/image_encodings with 8 bits per channel. Each maps to its number of bytes per
+# pixel in a row, and to OpenCV's conversion to BGR. ROS calls UYVY yuv422.
 _ENCODINGS: dict[str, tuple[int, int | None]] = {
     "bgr8": (3, None),
     "8UC3": (3, None),
@@ -57,11 +57,11 @@ ENCODINGS = tuple(_ENCODINGS)
 
 
 def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/Image to (height, width, 3) uint8 BGR; errors call the picture `name`.
+    """Decode a sensor_msgs/Image to (height, width, 3) uint8 BGR; errors refer to it as `name`.
 
     Raises PlacecatError if the encoding is not in `ENCODINGS` or the picture has more pixels than
-    `placecat.footage.pictures.MOST_PIXELS`, and Damaged if the sizes do not fit each other or the length of
-    the data.
+    `placecat.footage.pictures.MOST_PIXELS`, and Damaged if the sizes and the length of the data are
+    inconsistent.
     """
     width, height, step, encoding = message.width, message.height, message.step, message.encoding
     data = np.frombuffer(message.data, np.uint8)
@@ -72,11 +72,11 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
         )
     check_size(name, width, height)
     depth, conversion = _ENCODINGS[encoding]
-    # In nv21, rows with colours follow the rows with luminance.
+    # In nv21, the colour rows follow the luminance rows.
     rows, row = height * 3 // 2 if encoding == "nv21" else height, width * depth
     if not (width and height and row <= step and rows * step <= len(data)):
         raise Damaged(
-            f"{name}: {width}x{height} pixels in {encoding} with rows of {step} bytes do not fit "
+            f"{name}: {width}x{height} pixels in {encoding} with rows of {step} bytes do not match "
             f"{len(data)} bytes of data; record it again."
         )
     pixels = data[: rows * step].reshape(rows, step)[:, :row].copy()
@@ -92,10 +92,10 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
 
 
 def compressed_image(message: CompressedImage, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/CompressedImage to (H, W, 3) uint8 BGR; errors call the picture `name`.
+    """Decode a sensor_msgs/CompressedImage to (H, W, 3) uint8 BGR; errors refer to it as `name`.
 
-    The content determines the format; the field ``format`` is ignored. Raises Damaged if the picture is cut
-    off, damaged, or not a JPEG or PNG that :func:`placecat.footage.pictures.decode_image` accepts.
+    The content determines the format; the field ``format`` is ignored. Raises Damaged if the picture is
+    truncated, damaged, or not a JPEG or PNG that :func:`placecat.footage.pictures.decode_image` accepts.
     """
     content = memoryview(message.data)
     if content.nbytes > MOST_BYTES:

@@ -1,4 +1,4 @@
-"""Sort the names of files and folders naturally, and check names."""
+"""Sort file and folder names in natural order, and check relative paths."""
 
 import re
 from pathlib import PurePosixPath

@@ -1,4 +1,4 @@
-"""Image files: list a folder's frames in order, and decode them.
+"""List and decode the image files in a folder.
 
 A frame is a JPEG or PNG file. Other kinds of pictures raise an error, because skipping them silently could
 lose frames.
@@ -21,7 +21,8 @@ from placecat.footage.names import natural
 
 SUFFIXES = (".jpeg", ".jpg", ".png")
 """Suffixes of frame files, in upper or lower case."""
-# Pictures with these suffixes raise an error, since they lose quality, decode slowly, or need rare libraries.
+# Pictures with these suffixes raise an error, because they lose quality, decode slowly, or need rare
+# libraries.
 _OTHERS = (
     ".apng .arw .avif .bmp .cr2 .cr3 .dib .dng .exr .gif .hdr .heic .heif .jfif .jp2 .jpe .jxl .nef .pbm .pgm"
     " .pnm .ppm .tga .tif .tiff .webp"
@@ -70,9 +71,9 @@ def list_frames(folder: Path) -> list[str]:
             first = seen.setdefault(key, name)
             if first != name:
                 raise PlacecatError(
-                    f"{folder / name}: by its name, this is the same frame as {first}, perhaps as colour "
-                    "and depth, or from two cameras; keep one picture per frame, or number all pictures "
-                    "consecutively."
+                    f"{folder / name}: judging by its name, this is the same frame as {first}, perhaps "
+                    "as colour and depth, or from two cameras; keep one picture per frame, or number all "
+                    "pictures consecutively."
                 )
     return names
 
@@ -98,9 +99,9 @@ def read_image(path: Path) -> NDArray[np.uint8]:
 
     A grey picture is returned with three equal channels.
 
-    Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or cut
-    off, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (grey, 16 bits) and transparent,
-    animated or CMYK pictures also raise this error.
+    Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or
+    truncated, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (grey, 16 bits) and
+    transparent, animated or CMYK pictures also raise this error.
     """
     try:
         status = path.stat()
@@ -119,7 +120,7 @@ def read_image(path: Path) -> NDArray[np.uint8]:
 
 
 def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
-    """Decode the content of a JPEG or PNG file as :func:`read_image` does; messages call it `path`."""
+    """Decode the content of a JPEG or PNG file as :func:`read_image` does; errors refer to it as `path`."""
     if content.startswith(_PNG):
         _check_png(path, content)
     elif content.startswith(_JPEG):
@@ -173,7 +174,7 @@ def _check_jpeg(path: Path | str, content: bytes) -> None:
         height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
         check_size(path, width, height)
         if colors in ("CMYK", "YCCK"):
-            raise PlacecatError(f"{path}: its colours are {colors}, for printing; convert it to RGB.")
+            raise PlacecatError(f"{path}: it has {colors} colours for printing; convert it to RGB.")
         # This decodes the file in grey at an eighth of its width and height, which takes a fifth of the time.
         simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
     except PlacecatError:
@@ -199,7 +200,7 @@ def _check_png(path: Path | str, content: bytes) -> None:
     check_size(path, width, height)
     if depth == 16 and color in (0, 4):
         raise PlacecatError(
-            f"{path}: the picture is grey with 16 bits, like a depth picture; remove it from the "
+            f"{path}: it is a 16-bit grey picture, like a depth picture; remove it from the "
             "folder, or convert it."
         )
     if b"acTL" in kinds:

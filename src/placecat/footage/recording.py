@@ -1,4 +1,4 @@
-"""Read a video file's frames, with their numbers and times, and find its lost and damaged frames."""
+"""Read the frames of a video file with their numbers and times, and find lost and damaged frames."""
 
 import bisect
 from collections.abc import Generator, Iterator
@@ -29,7 +29,7 @@ _FLATTEST = 4.0
 # Playlist formats are excluded: FFmpeg would open the files and addresses that they list.
 _FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
 _OPENING = {"format_whitelist": _FORMATS, "protocol_whitelist": "file"}
-# Colours in BT.2020, as in HDR video from phones, are converted to BT.709 if swscale supports their curve.
+# BT.2020 colours, common in HDR video from phones, are converted to BT.709 if swscale supports their curve.
 _WIDE, _CURVES, _USUAL = 9, (14, 15, 16, 18), 1
 
 
@@ -41,8 +41,8 @@ class _Damaged(Exception):
 class Picture:
     """A decoded frame.
 
-    `number` is its number in the file, counted from 1; lost frames count too. `size` is its (width, height)
-    as shown, which means upright and with square pixels.
+    `number` counts the frames of the file from 1, including lost ones. `size` is its (width, height) as
+    displayed: upright, with square pixels.
     """
 
     number: int
@@ -60,7 +60,7 @@ class Recording:
 
     Opening reads all packets without decoding them. Every packet of the video is a frame with a time. A frame
     that cannot be decoded is lost, but later frames keep their numbers and times. `count` is the number of
-    frames, including lost ones. `positions`, (count,) int64, is 0, 1, and so on. Raises PlacecatError if the
+    frames, including lost ones. `positions`, (count,) int64, counts up from 0. Raises PlacecatError if the
     file is missing or not a video.
     """
 
@@ -76,7 +76,7 @@ class Recording:
             self._rates = (stream.average_rate, stream.guessed_rate)
 
     def size(self) -> Size:
-        """Return the (width, height) of the first frame as shown, in pixels.
+        """Return the (width, height) of the first frame as displayed, in pixels.
 
         Raises PlacecatError if no frame is readable.
         """
@@ -86,10 +86,10 @@ class Recording:
         return first.size
 
     def timing(self, fps: float | None = None, setting: str = "dataset.fps") -> timing.Timing:
-        """Return the times of all frames: those in the file or, if `fps` is given, those at `fps` frames/s.
+        """Return the times of all frames: those in the file or, with `fps`, evenly spaced times.
 
-        Raises PlacecatError if the times in the file are missing or implausible. Its message names the
-        `setting` that gives `fps`.
+        Raises PlacecatError if the times in the file are missing or implausible. The message names the
+        `setting` for the frame rate.
         """
         if fps is not None:
             return timing.even(self.count, fps)
@@ -101,13 +101,13 @@ class Recording:
             texts = ", ".join(sorted({f"{float(rate):g}" for rate in self._rates if rate})) or "none"
             raise PlacecatError(
                 f"{self.path}: the video has no plausible times for its frames (its frame rate: {texts}); "
-                f"give the frame rate with {setting}."
+                f"set the frame rate with {setting}."
             )
         timing.check_gaps(found, str(self.path), setting)
         return found
 
     def pictures(self, first: int = 1) -> Generator[Picture, None, None]:
-        """Decode the frames from `first` on in display order; lost frames are skipped.
+        """Decode frames in display order, starting at `first` and skipping lost frames.
 
         Decoding starts at the frame that `start_before` returns, so a late `first` costs little. FFmpeg
         decodes several frames at once and does not report which of them has an error. After the first error,
@@ -125,7 +125,7 @@ class Recording:
                 return
 
     def start_before(self, number: int) -> int:
-        """Return the last frame, at most `number`, from which decoding yields the same bytes."""
+        """Return the last frame, at most `number`, where decoding can start without changing any bytes."""
         after = bisect.bisect_right(self._fresh, number)
         return 1 if self._is_careful or after == 0 else self._fresh[after - 1]
 
@@ -215,7 +215,7 @@ class Recording:
         if not videos:
             if container.streams.video:
                 raise PlacecatError(
-                    f"{self.path}: the file holds a cover picture, but no video; give a video."
+                    f"{self.path}: the file contains a cover picture but no video; use a video file."
                 )
             raise self._unreadable()
         stream = videos[0]
@@ -229,8 +229,8 @@ class Recording:
                 "high, which is implausible; convert the video to square pixels."
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
-        # Processes of `placecat.compute.parallel` have one thread. With threads, FFmpeg would need a fifth
-        # more CPU time.
+        # Worker processes of `placecat.compute.parallel` have one thread. With threads, FFmpeg would need a
+        # fifth more CPU time.
         if self._is_careful or cv2.getNumThreads() == 1:
             stream.codec_context.thread_count = 1
             stream.thread_type = "NONE"
@@ -277,7 +277,7 @@ class Recording:
         self._unread: list[str] = []
         if announced > packets:
             self._unread.append(
-                f"only {packets} of the {announced} frames that the file announces can be read: it may be "
+                f"only {packets} of the {announced} frames listed in the file can be read: it may be "
                 "cut off or damaged"
             )
         elif "mov" not in name and streams.errors() > before:
@@ -334,7 +334,7 @@ def are(numbers: list[int]) -> str:
 
 
 def named(numbers: list[int], most: int = 5) -> str:
-    """Name frames by their numbers, such as "frames 3, 7 to 9"."""
+    """Return a phrase such as "frames 3, 7 to 9"."""
     breaks = np.flatnonzero(np.diff(numbers) > 1) + 1
     runs = [part.tolist() for part in np.split(np.array(numbers), breaks)]
     texts = [f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs[:most]]

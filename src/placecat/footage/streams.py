@@ -1,4 +1,4 @@
-"""Read a file's packets and count its decoder's errors, with PyAV."""
+"""Read packets and count decoder errors with PyAV."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -10,9 +10,9 @@ from av.video.stream import VideoStream
 _PATIENCE = 100
 # Codecs whose key frames are independent: no frame after a key frame refers to a frame before it.
 _FRESH = ("ffv1", "mjpeg", "png", "vp8", "vp9")
-# These two codecs store the size of each unit. For each codec: the position of this size in the header, the
-# shift and mask that extract the type of a unit, and the types of IDR pictures (ITU-T H.264, 7.4.1; H.265,
-# 7.4.2.2).
+# In these two codecs, a size field precedes each unit. Each codec maps to the header position that stores the
+# length of this field, the shift and mask that extract the type of a unit, and the types of IDR pictures
+# (ITU-T H.264, 7.4.1; H.265, 7.4.2.2).
 _UNITS = {"h264": (4, 0, 0x1F, (5,)), "hevc": (21, 1, 0x3F, (19, 20))}
 
 
@@ -33,19 +33,19 @@ def packets(container: av.container.InputContainer, stream: VideoStream | None =
 
 
 def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
-    """Return whether a packet is a frame that is shown.
+    """Return whether a packet is a frame that is displayed.
 
-    Edit lists cut off some frames, and other frames only serve as references.
+    Some frames are cut off by edit lists, and others only serve as references.
     """
     is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
     return not packet.is_discard and not is_hidden
 
 
 def is_fresh(packet: av.Packet, stream: VideoStream) -> bool:
-    """Return whether decoding can start at this packet and still yield the same bytes.
+    """Return whether decoding can start at this packet without changing any bytes.
 
-    Not every key frame qualifies, since later frames may refer to frames before it. Returns False if this is
-    unknown.
+    Not every key frame qualifies, because later frames may refer to frames before it. Returns False if this
+    is unknown.
     """
     codec = stream.codec_context
     if not packet.is_keyframe or codec.name not in _UNITS:
@@ -71,7 +71,7 @@ def run_forward(stamps: Sequence[int | None]) -> bool:
 def drain(stream: VideoStream) -> None:
     """Let the decoder threads finish.
 
-    A thread that reports an error while Python closes it would hang forever.
+    Otherwise, a thread that reports an error while Python closes the decoder would hang forever.
     """
     for _ in range(_PATIENCE):
         try:

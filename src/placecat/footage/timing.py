@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 MOST_RATE = 500.0
-"""Highest plausible number of frames per second. Slow motion has 240. A value of 1,000 or more in a header is
-the unit of a clock."""
+"""Highest plausible number of frames per second. Slow-motion video has 240. A value of 1,000 or more in a
+header is a clock rate."""
 LONGEST = 3600.0
-"""Longest gap between two frames in seconds; timestamps with a longer gap are damaged."""
+"""Longest plausible gap between two frames, in seconds. A longer gap means damaged timestamps."""
 
-# Rounding error, in seconds, of a file that was converted from one with times in milliseconds.
+# Rounding error, in seconds, of a file converted from one with times in milliseconds.
 _ROUNDING = 0.001
 
 
@@ -24,8 +24,8 @@ class Timing:
     """Times of n frames, in seconds.
 
     `seconds`, (n,) float64, are the times since the first frame, and `end` is the time at which the last
-    frame ends. `fps` is the frame rate in the file or, if the times do not fit it, the rate without long
-    gaps. If `is_even` is true, frame i, counted from 0, is shown at the time i / `fps`.
+    frame ends. `fps` is the frame rate in the file or, if the times do not match it, the rate without long
+    gaps. If `is_even` is true, frame i, counted from 0, is displayed at the time i / `fps`.
     """
 
     seconds: NDArray[np.float64]
@@ -53,7 +53,7 @@ def usual(count: int, rates: Sequence[Fraction | None]) -> Timing | None:
 def measure(
     ticks: NDArray[np.int64], tick: Fraction, last: int, rates: Sequence[Fraction | None]
 ) -> Timing | None:
-    """Find the times of the frames and their rate.
+    """Determine the frame times and the frame rate.
 
     Containers round times, some of them to milliseconds. If every time could be a rounded multiple of one
     frame period, the times are replaced by the exact multiples. Returns None if no rate is plausible.
@@ -65,7 +65,8 @@ def measure(
     tick
         Length of a tick in seconds.
     last
-        The last frame's duration in ticks; used only if it is plausible compared with other frames.
+        The duration of the last frame in ticks. It is used only if it is plausible compared with other
+        frames.
     rates
         Frame rates stored in the file, the most reliable first.
     """
@@ -98,7 +99,7 @@ def check_gaps(found: Timing, title: str, setting: str) -> None:
     if len(steps) and steps.max() > LONGEST:
         raise PlacecatError(
             f"{title}: frame {int(steps.argmax()) + 2} comes {steps.max() / 3600:.3g} hours after the "
-            f"previous one, so the times are damaged; give the frame rate with {setting}."
+            f"previous one, so the times are damaged; set the frame rate with {setting}."
         )
 
 

@@ -19,9 +19,9 @@ from placecat.settings import read_yaml
 
 SETTINGS = paths.CONF / "panoramas.yaml"
 LOOKS = "looks.csv"
-# Name of the data set in conf/dataset that reads the homes.
+# The data set in conf/dataset that reads these homes.
 DATASET = "my_homes"
-# The terminal lists at most this many unused panoramas. The card lists all of them.
+# The terminal lists at most this many unused panoramas. The data card lists all of them.
 _NAMED = 5
 
 
@@ -38,8 +38,8 @@ def read_settings(changes: Sequence[str] = (), path: Path = SETTINGS) -> dict[st
 def import_command(source: Path, destination: Path, changes: Sequence[str]) -> int:
     """Turn the panoramas in a folder into homes, and print the next command.
 
-    `destination` is a new folder, which appears only when it is complete. `changes` are as for
-    :func:`read_settings`. Returns 0. User errors raise PlacecatError and leave nothing behind.
+    `destination` is a new folder, which appears only when it is complete. `changes` are Hydra overrides.
+    Returns 0. User errors raise PlacecatError and leave nothing behind.
     """
     settings = read_settings(changes)
     classes = read_yaml(paths.CONF / "dataset" / f"{DATASET}.yaml")["classes"]
@@ -64,11 +64,11 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
 def _refuse_existing(destination: Path) -> None:
     files.check_target(destination)
     if destination.exists() or destination.is_symlink():
-        raise PlacecatError(f"{destination} already exists: give the name of a new folder, or move it away")
+        raise PlacecatError(f"{destination} already exists: choose another name, or move it away")
 
 
 def _write_frames(folder: Path, source: Path, plans: Plans, settings: Mapping[str, Any]) -> None:
-    """Write the frames of all homes, look by look."""
+    """Write the frames of all homes."""
     looks = [
         (folder / home / floor, look)
         for home, floors in plans.items()
@@ -107,11 +107,11 @@ def _print(
         print(f"{one_line(home)} lacks {', '.join(absent)}.")
     if absent := [one_line(one.files[0]) for one in unseen(panoramas, plans)]:
         some = ", ".join(absent[:_NAMED]) + (", ..." if len(absent) > _NAMED else "")
-        verb = "is" if len(absent) == 1 else "are"
+        verb = "appears" if len(absent) == 1 else "appear"
         print(f"{len(absent)} of {_number(len(panoramas), 'panorama')} {verb} in no frame: {some}")
         print("To show more of them, raise visits or lower longest_look.")
     print(f"{one_line(destination)}/{texts.CARD} describes how the frames were made.")
-    # One home is tested, one is left out, and at least two are training homes.
+    # One home is for testing, one is left out, and at least two are for training.
     if len(plans) < 4:
         print("Training and testing need at least four homes: add more.")
     else:

@@ -33,10 +33,10 @@ _IN_ROW = 3
 def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint8]:
     """Prepare the faces of a cube for `look`.
 
-    `faces` are six (N, N, 3) uint8 pictures in the order of `FACES`. `focal` is as for
-    :func:`placecat.panoramas.sphere.prepare`; faces are scaled down to (N', N', 3) if they are finer. Returns
-    one picture of all faces, (2 (N' + 2), 3 (N' + 2), 3) uint8. Each face has a border of pixels from its
-    neighbours.
+    `faces` are six (N, N, 3) uint8 pictures in the order of `FACES`. `focal` is explained in
+    :func:`placecat.panoramas.sphere.prepare`. Faces with a finer resolution are scaled down to (N', N', 3).
+    Returns one picture of all faces, (2 (N' + 2), 3 (N' + 2), 3) uint8. Each face has a border of pixels from
+    its neighbours.
     """
     side = min(len(faces[0]), int(np.ceil(2 * focal)))
     if side < len(faces[0]):

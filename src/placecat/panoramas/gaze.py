@@ -1,4 +1,4 @@
-"""Turn the view in a panorama from one direction to the next, as smoothly as a hand would.
+"""Turn the view in a panorama smoothly from one direction to the next.
 
 References
 ----------
@@ -23,14 +23,14 @@ def gaze(
     rest: Sequence[float],
     rng: np.random.Generator,
 ) -> NDArray[np.float64]:
-    """Turn the view for one or more frames.
+    """Generate the view direction of each frame.
 
     Returns (frames, 3) float64: pan, tilt and field of view in degrees. The pan may exceed 360.
 
     Parameters
     ----------
     fps
-        Frames per second. This does not affect the turns, but only the times at which they are sampled.
+        Frames per second. This does not affect the turns, only the times at which they are sampled.
     fov, tilt
         Ranges of the horizontal field of view, which stays constant, and of the tilt, in degrees.
     turn, speed
@@ -66,9 +66,9 @@ def gaze(
 
 
 def least_jerk(done: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return how much of its way a movement has covered after a share of its time.
+    """Return the fraction of a movement that is complete after a fraction of its duration.
 
-    Both are shares from 0 to 1. The movement starts and ends at rest (Flash and Hogan 1985).
+    Both fractions are from 0 to 1. The movement starts and ends at rest (Flash and Hogan 1985).
 
     Examples
     --------

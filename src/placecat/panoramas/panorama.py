@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 FLOOR = re.compile(r"[A-Za-z0-9_-]{1,50}")
-"""Pattern of the floor names that label files allow."""
+"""Pattern of valid floor names in label files."""
 _NUMBER = re.compile(r"[\s_-]*[0-9]+$")
 
 
@@ -13,10 +13,10 @@ _NUMBER = re.compile(r"[\s_-]*[0-9]+$")
 class Panorama:
     """The view in all directions from one point.
 
-    The names `home` and `floor` are used as folder names; `room` is unique on its floor, and `label` is its
-    place category. `files` are the paths of one equirectangular picture, or of the six faces of a cube in the
-    order of `placecat.panoramas.cube.FACES`. They are POSIX paths relative to the folder of the source.
-    `origin` is used in messages: it names the file that lists the panorama, and the place in that file.
+    `home` and `floor` are also folder names. `room` is unique on its floor, and `label` is its place
+    category. `files` are the paths of one equirectangular picture, or of the six faces of a cube in the order
+    of `placecat.panoramas.cube.FACES`. They are POSIX paths relative to the folder of the source. `origin`
+    appears in messages. It names the file that lists the panorama, and the position in that file.
     """
 
     home: str

@@ -1,4 +1,4 @@
-"""Plan a walk through a home, floor by floor, and the direction in which each frame looks."""
+"""Plan a walk through a home, floor by floor, and the view direction of each frame."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -21,9 +21,9 @@ _OF_GAZE = ("fps", "fov", "tilt", "turn", "speed", "rest")
 class Look:
     """Consecutive frames that show one panorama.
 
-    `stay` is the number of the stay, counted from 0 on each floor. `first` is the number of the look's first
-    frame, counted from 1 on each floor. `path` is (frames, 3) float64: pan, tilt and horizontal field of view
-    in degrees.
+    `stay` is the number of the stay, counted from 0 on each floor. `first` is the number of the first frame,
+    counted from 1 on each floor. `path` is (frames, 3) float64: pan, tilt and horizontal field of view in
+    degrees.
     """
 
     panorama: Panorama
@@ -33,7 +33,7 @@ class Look:
 
     @property
     def last(self) -> int:
-        """The number of the look's last frame, counted from 1 on each floor."""
+        """The number of the last frame, counted from 1 on each floor."""
         return self.first + len(self.path) - 1
 
 
@@ -44,8 +44,8 @@ Plans = Mapping[str, Mapping[str, Sequence[Look]]]
 def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str, list[Look]]:
     """Plan the walk through a home from its panoramas and the settings of conf/panoramas.yaml.
 
-    Returns the looks of each floor in order. The floors are in natural order. Seeds depend on the names of
-    the home and the floor, and on the setting `walk`.
+    Returns the looks of each floor in order, with the floors in natural order. Seeds depend on the home name,
+    the floor name and the setting `walk`.
     """
     of_walk = {name: settings[name] for name in _OF_WALK}
     of_gaze = {name: settings[name] for name in _OF_GAZE}
@@ -72,5 +72,5 @@ def unseen(panoramas: Sequence[Panorama], plans: Plans) -> list[Panorama]:
 
 
 def seed(home: str, floor: str, number: int) -> int:
-    """Derive a walk's seed from the home's name, the floor's name and the walk's number."""
+    """Derive the seed of a walk from the home name, the floor name and the walk number."""
     return derive("panoramas", home, floor, number)

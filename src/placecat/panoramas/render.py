@@ -1,4 +1,4 @@
-"""Render the frames of a walk that show one panorama, with a pinhole camera that turns on the spot.
+"""Render the frames that show one panorama, with a pinhole camera that turns on the spot.
 
 Directions are (x, y, z): x to the right, y down, z ahead, as seen from a camera at zero pan and tilt.
 """
@@ -25,7 +25,7 @@ def render(
     Parameters
     ----------
     files, origin
-        As in `placecat.panoramas.panorama.Panorama`, but with complete paths.
+        Fields of `placecat.panoramas.panorama.Panorama`, but with complete paths.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     width, height, quality
@@ -37,8 +37,8 @@ def render(
         rows, columns = pictures[0].shape[:2]
         if columns != 2 * rows:
             raise PlacecatError(
-                f"{files[0]}: {columns}x{rows} is not a whole sphere, which is twice as wide as high "
-                f"({origin}); export it as an equirectangular picture."
+                f"{files[0]}: the picture is {columns}x{rows}, but a full sphere must be twice as wide as "
+                f"high ({origin}); export it as an equirectangular picture."
             )
         prepared, look = sphere.prepare(pictures[0], focal), sphere.look
     else:
@@ -68,10 +68,10 @@ def focal_length(fov: float, width: int) -> float:
 
 
 def view_rays(pan: float, tilt: float, fov: float, width: int, height: int) -> NDArray[np.float64]:
-    """Return the direction of each pixel's centre, (height, width, 3) float64, without normalizing it.
+    """Return the unnormalised direction of each pixel centre, (height, width, 3) float64.
 
-    `pan`, positive to the right, and `tilt`, positive upwards, are in degrees; `fov` is as for
-    :func:`focal_length`. Pixels are square, and the optical axis passes through the view's centre.
+    `pan`, positive to the right, and `tilt`, positive upwards, are in degrees. `fov` is explained in
+    :func:`focal_length`. Pixels are square, and the optical axis passes through the centre of the view.
 
     Examples
     --------

@@ -46,7 +46,7 @@ def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
 def card(plans: Plans, panoramas: Sequence[Panorama], settings: Mapping[str, Any], folder: str) -> str:
     """Render the data card.
 
-    `panoramas` are all panoramas of the source, including those that no frame shows. `settings` come from
+    `panoramas` are all panoramas of the source, including unused ones. `settings` come from
     conf/panoramas.yaml. `folder` is the name of the source folder.
     """
     by_home = {_plain(home): counts(floors) for home, floors in plans.items()}
@@ -67,7 +67,7 @@ def card(plans: Plans, panoramas: Sequence[Panorama], settings: Mapping[str, Any
 
 
 def counts(floors: Mapping[str, Sequence[Look]]) -> dict[str, tuple[int, int]]:
-    """Map each label in a home to its numbers of frames and stays."""
+    """Map each label in a home to its frame count and its stay count."""
     found: dict[str, tuple[int, int]] = {}
     for looks in floors.values():
         for first, last, label in _stays(looks):

@@ -1,4 +1,4 @@
-"""Plan a walk through a floor's rooms: the order of rooms and panoramas, and the time spent in each."""
+"""Plan a walk through the rooms of a floor: the order of rooms and panoramas, and the time spent in each."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import cycle
@@ -15,9 +15,9 @@ class Room(NamedTuple):
 
 
 class Part(NamedTuple):
-    """Part of a stay, with a number of frames.
+    """Consecutive frames of a stay that show one panorama.
 
-    The stay, the room and the panorama are given by their numbers, which are counted from 0.
+    `stay`, `room` and `panorama` are numbers counted from 0, and `frames` is the number of frames.
     """
 
     stay: int
@@ -38,7 +38,7 @@ def walk(
     longest_look: float,
     rng: np.random.Generator,
 ) -> list[Part]:
-    """Walk through a floor's rooms.
+    """Plan a walk through the rooms of a floor.
 
     The first round enters every room, and later rounds enter the rooms that have visits left. No room is
     entered twice in a row. Rooms with a label in `ways` are only passed through: the walk passes one of them
@@ -48,7 +48,7 @@ def walk(
     Parameters
     ----------
     rooms
-        The floor's rooms: at least one, each with at least one panorama.
+        The rooms of the floor: at least one, each with at least one panorama.
     fps
         Frames per second.
     visits
@@ -56,7 +56,7 @@ def walk(
     ways
         Labels of rooms that people only pass through.
     stays, other_stays
-        Mean and standard deviation of the duration of a stay, in seconds. `stays` has them for some labels,
+        Mean and standard deviation of the duration of a stay, in seconds. `stays` sets them for some labels,
         and `other_stays` for all other labels. Durations have a gamma distribution.
     shortest_stay, longest_look
         Limits in seconds. A stay longer than `longest_look` is split among the room's panoramas.
@@ -83,7 +83,7 @@ def walk(
 
 
 def _order(entered: Sequence[int], visits: Sequence[int], rng: np.random.Generator) -> list[int]:
-    """Return the rooms' numbers in the order of visits."""
+    """Return the room numbers in the order of visits."""
     times = {number: int(rng.integers(visits[0], visits[1], endpoint=True)) for number in entered}
     order: list[int] = []
     for visit in range(1, visits[1] + 1):
@@ -91,7 +91,7 @@ def _order(entered: Sequence[int], visits: Sequence[int], rng: np.random.Generat
         now = [left[place] for place in rng.permutation(len(left))]
         if order and now and now[0] == order[-1]:
             now.append(now.pop(0))
-        # Only the same room is left.
+        # Only the current room is left.
         if order and now and now[0] == order[-1]:
             break
         order += now

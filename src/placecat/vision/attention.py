@@ -1,4 +1,4 @@
-"""Compute a frame's maps and salient regions, as a model of visual attention (thesis 3.1.1)."""
+"""Compute the maps and salient regions of a frame with a model of visual attention (thesis 3.1.1)."""
 
 from collections.abc import Collection, Sequence
 from typing import Any
@@ -39,10 +39,10 @@ def compute_maps(
     scales
         Pyramid levels to use, each at least 1, in ascending order. The thesis uses (2, 3, 4, 5).
     radii
-        Radii of the centre-surround neighbourhoods, in pixels of the level. The thesis uses 1 and 3, which
-        means 3x3 and 7x7 pixels.
+        Radii of the centre-surround neighbourhoods, in pixels of the level. The thesis uses 1 and 3 (3x3 and
+        7x7 pixels).
     clip_color
-        Whether to set each pixel's negative colour values to 0, as Itti et al. do. The thesis does not
+        Whether to set negative colour values to 0 in each pixel, as Itti et al. do. The thesis does not
         specify this.
     use_residual
         Whether to compute the spectral residual. If false, `residual` is empty.
@@ -52,8 +52,7 @@ def compute_maps(
 
     Returns
     -------
-    The requested maps, which are float32 and finite. Black pixels have no colour, so their colour values are
-    0.
+    The requested maps, all float32 and finite. Black pixels have no colour, so their colour values are 0.
 
     Raises
     ------
@@ -70,8 +69,8 @@ def compute_maps(
     check_scales(levels, width, height)
     in_color = "color" in fields or "color_contrast" in fields
     total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
-    # The sum of the colours is a whole number, so a flat frame stays exactly flat. Divide it by 3 only at the
-    # end.
+    # The sum of the colours is a whole number, so a flat frame stays exactly flat if the division by 3 comes
+    # last.
     totals = gaussian_pyramid(total, 1, levels[-1] + 1)
     grey = {s: totals[s] / np.float32(3) for s in sorted({*levels, *(s + 1 for s in levels)})}
     pyramids = [gaussian_pyramid(plane, 1, levels[-1]) for plane in planes]

@@ -16,7 +16,7 @@ CODES = 256
 # per cell.
 _FEW = 10_000
 
-# Neighbours run from left to right and from top to bottom, and the first one sets the highest bit.
+# Neighbours are ordered from left to right and from top to bottom. The first one sets the highest bit.
 _NEIGHBOURS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1))
 
 LAPLACIANS = {
@@ -27,11 +27,11 @@ LAPLACIANS = {
 
 
 def census(images: NDArray[Any]) -> NDArray[np.uint8]:
-    """Compute the census transform, which has one bit for each of a pixel's eight neighbours.
+    """Compute the census transform: one bit for each of the eight neighbours of a pixel.
 
-    A bit is set if the centre is at least as bright as the neighbour. Neighbours run from left to right and
-    from top to bottom. The top left neighbour sets the highest bit (128), and the bottom right one the lowest
-    (1). Border pixels have no code.
+    A bit is set if the centre is at least as bright as the neighbour. Neighbours are ordered from left to
+    right and from top to bottom. The top left neighbour sets the highest bit (128), and the bottom right one
+    sets the lowest (1). Border pixels have no code.
 
     `images` is (..., h, w) of any real dtype. Raises PlacecatError if h or w is below 3. Returns
     (..., h - 2, w - 2) uint8.
@@ -77,9 +77,9 @@ def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]
     Cells consist of whole pixels. Cell k of n covers the pixels from floor(k length / n) up to, but
     excluding, floor((k + 1) length / n). The thesis does not specify this.
 
-    `codes` holds (h, w) uint8 codes from `census`, and `cells` is at most 16. Returns a (cells**2, 256)
-    float32 array with a row for each cell, row by row from the top left of the grid. Each row sums to 1, or
-    to 0 for a cell without pixels.
+    `codes` are (h, w) uint8 codes from `census`, and `cells` is at most 16. Returns a (cells**2, 256) float32
+    array with one row per cell, row by row from the top left of the grid. Each row sums to 1, or to 0 for a
+    cell without pixels.
     """
     number = cells * cells
     places, sizes = _places(*codes.shape, cells)
@@ -111,7 +111,7 @@ def _places(height: int, width: int, cells: int) -> tuple[NDArray[np.uint8], NDA
 
 
 def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
-    """Convolve an image with a 3x3 Laplacian, where the border is mirrored about the outermost pixels.
+    """Convolve an image with a 3x3 Laplacian, mirroring the border about the outermost pixels.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
 
     Returns
     -------
-    (h, w) array, which is int16 for a uint8 image and float32 for a float32 image.
+    (h, w) array: int16 for a uint8 image, float32 for a float32 image.
     """
     depth = cv2.CV_16S if image.dtype == np.uint8 else cv2.CV_32F
     return cv2.filter2D(image, depth, LAPLACIANS[kernel], borderType=cv2.BORDER_REFLECT_101)

@@ -16,9 +16,9 @@ COLOR_ROUNDING = 1e-5
 def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> None:
     """Subtract from each pixel the mean of the other pixels in its k x k neighbourhood.
 
-    The side k is 2 radius + 1. With the mean m of all k^2 pixels, the difference is (centre - m)
-    k^2 / (k^2 - 1), so a box blur suffices. The border is mirrored without repeating the edge pixel
-    (reflect-101), which the thesis does not specify.
+    The side k is 2 radius + 1. With the mean m of all k^2 pixels, the difference is k^2 / (k^2 - 1) times
+    (centre - m), so a box blur suffices. The border is mirrored without repeating the edge pixel
+    (reflect-101). The thesis does not specify this.
     """
     size = 2 * radius + 1
     cv2.blur(plane, (size, size), dst=out, borderType=cv2.BORDER_REFLECT_101)
@@ -27,11 +27,11 @@ def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> Non
 
 
 def intensity_contrast(grey: FloatArray, radii: Sequence[int]) -> FloatArray:
-    """Return the responses of the intensity to bright spots and to dark spots (thesis 3.1.1.1).
+    """Return the centre-surround responses to bright spots and to dark spots (thesis 3.1.1.1).
 
     `grey` is (h, w) float32, from 0 to 255, and `radii` are the radii of the centre-surround neighbourhoods.
-    The result is (radii, 2, h, w) float32, from 0 to 255, and tells how far the centre is above and below the
-    surround. Values up to `GREY_ROUNDING` become 0.
+    Returns (radii, 2, h, w) float32, from 0 to 255: how far the centre lies above the surround, and how far
+    below. Values up to `GREY_ROUNDING` become 0.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)
     for (on, off), radius in zip(out, radii, strict=True):

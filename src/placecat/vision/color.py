@@ -1,7 +1,7 @@
-"""Compute a frame's intensity and its intensity-normalised opponent colours, reduced in one pass.
+"""Compute and reduce the intensity and the intensity-normalised opponent colours of a frame in one pass.
 
-After division by the intensity i = (r + g + b) / 3, the three colours sum to 3. So the thesis's channels R,
-G, B, Y follow from three planes, R, G and D = |R - G|::
+After division by the intensity i = (r + g + b) / 3, the three colours sum to 3. So the channels R, G, B, Y of
+the thesis follow from three planes, R, G and D = |R - G|::
 
     R = 1.5 (r/i - 1)        G = 1.5 (g/i - 1)        B = -(R + G)        Y = 2 (R + G) - 4/3 D
 
@@ -57,8 +57,8 @@ def reduced_planes(
     color
         If false, only the sum is computed.
     clip
-        If false, the planes are R, G, D. If true, each pixel's negative colour values become 0, as in Itti et
-        al., and the planes are R, G, B, Y. The thesis does not specify this.
+        If false, the planes are R, G, D. If true, negative colour values of each pixel become 0, as Itti et
+        al. do, and the planes are R, G, B, Y. The thesis does not specify this.
 
     Returns
     -------
@@ -98,9 +98,9 @@ def reduced_planes(
 def channels(planes: Sequence[FloatArray]) -> FloatArray:
     """Compute R, G, B, Y from the planes of `reduced_planes`, or from linear functions of these planes.
 
-    `planes` are (h, w) float32 each. R, G, D are combined by the identities above, while R, G, B, Y are only
-    stacked. Returns (4, h, w) float32. In each pixel, R, G and B lie between -1.5 and 3, and Y lies between
-    -6 and 3.
+    `planes` are (h, w) float32 each. R, G, D are combined by the identities at the top of this module, while
+    R, G, B, Y are only stacked. Returns (4, h, w) float32. In each pixel, R, G and B lie between -1.5 and 3,
+    and Y lies between -6 and 3.
     """
     out = np.empty((4, *planes[0].shape), np.float32)
     out[0], out[1] = planes[:2]

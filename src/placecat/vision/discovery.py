@@ -1,4 +1,4 @@
-"""Find the modules of descriptors and the settings of functions."""
+"""Find descriptor modules and function settings."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -33,9 +33,9 @@ def parts_of(
 
 
 def load(kind: str, name: str) -> ModuleType:
-    """Import a descriptor, whose `kind` is ``local`` or ``holistic``.
+    """Import the module of a descriptor; `kind` is ``local`` or ``holistic``.
 
-    If the descriptor is unknown, this raises PlacecatError, which lists the valid names.
+    Raises a PlacecatError that lists the valid names if the descriptor is unknown.
     """
     return lookup.module(f"placecat.vision.{kind}", name, f"{kind} descriptor", "describe")
 
@@ -43,8 +43,8 @@ def load(kind: str, name: str) -> ModuleType:
 def entry(kind: str, name: str, settings: Mapping[str, Any]) -> tuple[ModuleType, dict[str, Any]]:
     """Return the module and the settings of ``describe`` for an entry ``name: settings``.
 
-    The entry has the name of the module. A variant may have any name. Then ``descriptor`` names the module,
-    as in ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
+    The name is usually that of the module. A variant may have any name, and its setting ``descriptor`` names
+    the module, as in ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
     """
     own = dict(settings)
     return load(kind, own.pop("descriptor", name)), own

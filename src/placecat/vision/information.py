@@ -1,4 +1,4 @@
-"""Measure the information in a view with a band-pass filter, for use in the information filter."""
+"""Measure the information in a view with a band-pass filter."""
 
 import cv2
 
@@ -10,8 +10,8 @@ from placecat.vision.pyramid import expand, level_size
 def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, unit: float = 256 / 3) -> float:
     """Measure a frame's energy at intermediate frequencies (thesis 4.6).
 
-    The measure is the mean absolute difference between two levels of the intensity pyramid, the level
-    ``fine`` and the expanded level ``coarse``. The thesis gives no unit. Its thresholds 0.09766 and 0.13021
+    The measure is the mean absolute difference between two levels of the intensity pyramid: the level
+    ``fine`` and the expanded level ``coarse``. The thesis states no unit. Its thresholds 0.09766 and 0.13021
     are 25 / 256 and 25 / 192. With intensities from 0 to 1, the threshold 0.09766 would reject nearly every
     indoor view. By default, 256 levels of the sum r + g + b count as 1. Then 0.09766 rejects a quarter of the
     views, and 0.13021 rejects two fifths.
@@ -23,7 +23,7 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
     coarse
         The coarser level, above ``fine``. None selects the last level.
     unit
-        How many grey levels of the intensity (r + g + b) / 3 count as 1. It must be above 0. Use 256 for
+        Number of grey levels of the intensity (r + g + b) / 3 that count as 1, above 0. Use 256 for
         intensities from 0 to 1.
 
     Returns
@@ -36,7 +36,8 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
     if fine not in maps.grey or last not in maps.grey or last <= fine:
         known = ", ".join(map(str, maps.scales))
         raise PlacecatError(
-            f"the information measure needs two ascending levels of {known}, not {fine} and {last}"
+            f"the information measure needs two of the levels {known} in ascending order, not {fine} and "
+            f"{last}"
         )
     expanded = maps.grey[last]
     for level in range(last - 1, fine - 1, -1):

@@ -1,4 +1,4 @@
-"""The maps of a frame, which are computed once and shared by all descriptors."""
+"""The maps of a frame, computed once and shared by all descriptors."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from placecat.errors import PlacecatError
 FloatArray = NDArray[np.float32]
 
 FIELDS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation", "residual")
-"""The fields of `FrameMaps` that hold maps."""
+"""The fields of `FrameMaps` that contain maps."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The oriented pyramid, which holds Gabor magnitudes on the Laplacian pyramid (thesis 3.1.1.1)."""
+"""The oriented pyramid: Gabor magnitudes on the Laplacian pyramid (thesis 3.1.1.1)."""
 
 from functools import lru_cache
 
@@ -25,8 +25,9 @@ def orientation_maps(
 ) -> FloatArray:
     """Return the Gabor magnitude at 0, 45, 90 and 135 degrees (thesis 3.1.1.1).
 
-    The thesis does not specify the parameters. The defaults follow the steerable pyramid of Itti et al. It
-    uses a round envelope and a quarter of a cycle per pixel, where the Laplacian level has its energy.
+    The thesis does not specify the parameters. The defaults follow the steerable pyramid of Itti et al., with
+    a round envelope and a frequency of a quarter of a cycle per pixel, where the energy of a Laplacian level
+    is concentrated.
 
     From the centre, x points right and y points down. With u = x cos(angle) + y sin(angle) and
     v = -x sin(angle) + y cos(angle), the kernel follows cv2.getGaborKernel, because the thesis mentions only
@@ -34,29 +35,29 @@ def orientation_maps(
 
         2 exp(-(u^2 + aspect^2 v^2) / (2 sigma^2)) cos(2 pi u / wavelength + phase) / sum of the exponentials
 
-    so the magnitude of a quadrature pair is the amplitude of a matching wave. The angle is the direction in
-    which the wave travels. A kernel at 0 responds to vertical edges, at 90 to horizontal edges, and at 45 to
-    edges that rise to the right.
+    With this scaling, the magnitude of a quadrature pair is the amplitude of a matching wave. The angle is
+    the direction in which the wave travels. A kernel at 0 responds to vertical edges, at 90 to horizontal
+    edges, and at 45 to edges that rise to the right.
 
     Parameters
     ----------
     laplacian
         (h, w) float32, one level of the Laplacian pyramid, in grey levels.
     gabor_size
-        Side of the kernel in pixels, which must be odd.
+        Side of the kernel in pixels. It must be odd.
     gabor_sigma, gabor_wavelength
         Standard deviation of the envelope, and length of the wave, both in pixels.
     gabor_aspect
         Ratio of the extent of the envelope along the wave to its extent along the crests.
     gabor_phase
-        Phase in radians. A kernel with phase 0 is even and responds to lines, and one with pi / 2 is odd and
-        responds to edges. None combines these two responses. Otherwise the magnitude is the absolute value of
-        the response.
+        Phase in radians. A kernel with phase 0 is even and responds to lines. A kernel with phase pi / 2 is
+        odd and responds to edges. None combines these two responses. Otherwise, the magnitude is the absolute
+        value of the response.
 
     Returns
     -------
     (4, h, w) float32 amplitudes in grey levels, >= 0. Values within the rounding error of float32 become 0.
-    The border is mirrored (reflect-101), which the thesis does not specify.
+    The border is mirrored (reflect-101). The thesis does not specify this.
     """
     bank = _bank(gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect, gabor_phase)
     responses = [_respond(laplacian, parts) for parts in bank]

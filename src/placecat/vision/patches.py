@@ -13,7 +13,7 @@ BORDERS = ("replicate", "reflect")
 
 
 def region_side(width: int) -> int:
-    """Return the side of a region's patch, which is the region's diameter, 2 width / 128 (thesis 3.1.1.3).
+    """Return the side of a patch: the diameter of the region, 2 width / 128 (thesis 3.1.1.3).
 
     `width` is the width of the frame in pixels (level 0). The side is in pixels of the region's level,
     rounded to a whole number, and at least 4. It is the same at every scale, because the radius doubles with
@@ -32,12 +32,13 @@ def cut(
     """Cut a square around each region from the pyramid level at its scale.
 
     Position x in level 0 is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square with an odd
-    side is centred on the nearest pixel, and one with an even side on the nearest corner between pixels.
+    side is centred on the nearest pixel. A square with an even side is centred on the nearest corner between
+    pixels.
 
     Parameters
     ----------
     levels
-        A dict of `FrameMaps`, which maps each scale s to a (..., h_s, w_s) float32 array.
+        A dict from `FrameMaps` that maps each scale s to a (..., h_s, w_s) float32 array.
     regions
         (n, 4) float32 with the columns x, y (in pixels of level 0), scale (a key of `levels`) and strength.
     side
@@ -51,7 +52,7 @@ def cut(
     (n, ..., side, side) float32. Raises PlacecatError if the border is unknown.
     """
     if border not in BORDERS:
-        raise PlacecatError(f"border={border} of the region patches is unknown: use {' or '.join(BORDERS)}")
+        raise PlacecatError(f"border={border} is unknown for region patches: use {' or '.join(BORDERS)}")
     regions = np.asarray(regions, np.float32)
     channels = next(iter(levels.values())).shape[:-2]
     patches = np.empty((len(regions), *channels, side, side), np.float32)
@@ -62,14 +63,14 @@ def cut(
     return patches
 
 
-# Cache the places, because most descriptors cut the same squares from a frame.
+# Cache the positions, because most descriptors cut the same squares from a frame.
 @lru_cache(maxsize=4)
 def _places(
     shapes: tuple[tuple[int, int, int], ...], regions: bytes, side: int, border: str
 ) -> list[tuple[int, NDArray[np.intp], NDArray[np.intp]]]:
     """Find the regions on each level, and their pixels.
 
-    `shapes` holds the scale, height and width of each level, and `regions` holds the bytes of an (n, 4)
+    `shapes` lists the scale, height and width of each level, and `regions` contains the bytes of an (n, 4)
     float32 array. Returns the scale, the (m,) indices of the regions, and the (m, side, side) flat indices of
     the pixels for each level that has regions.
     """

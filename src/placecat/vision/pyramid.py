@@ -8,7 +8,7 @@ from placecat.vision.maps import FloatArray
 
 
 def level_size(width: int, height: int, level: int) -> tuple[int, int]:
-    """Return the (width, height) of a pyramid level in pixels, each of which is ceil(n / 2**level)."""
+    """Return the (width, height) of a pyramid level in pixels, each ceil(n / 2**level)."""
     return -(-width >> level), -(-height >> level)
 
 
@@ -53,8 +53,8 @@ def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, Floa
 def laplacian(gaussian: dict[int, FloatArray], level: int) -> FloatArray:
     """Return one level of the approximate Laplacian pyramid (thesis 3.1.1.1).
 
-    The signed (h, w) float32 result is the Gaussian pyramid's `level` minus its expanded next level, in the
-    units of the pyramid.
+    The signed (h, w) float32 result is the given Gaussian level minus the expanded next level, in the units
+    of the pyramid.
     """
     plane = gaussian[level]
     height, width = plane.shape

@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from placecat.vision.maps import FloatArray, FrameMaps
 from placecat.vision.saliency import Saliency, feature_maps, local_maxima
 
-# Number of points per block.
+# Number of points that `accept` processes together.
 BLOCK = 128
 
 
 def radius(scale: FloatArray | float, width: int) -> FloatArray:
-    """Return a region's radius in frame pixels, width / 128 * 2^s (thesis 3.1.1.3).
+    """Return the radius of a region in frame pixels, width / 128 * 2^s (thesis 3.1.1.3).
 
     `scale` is s. It may have any shape, and the float32 result has the same shape. `width` is the width of
     the frame in pixels.
@@ -26,12 +26,13 @@ def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> N
 
     At each point, the function first chooses the conspicuity map with the highest response, then the
     sub-channel, then the scale. It compares conspicuity maps and sub-channels after normalisation and
-    weighting, in the form in which they are summed. The response at a scale is its expanded feature map at
-    the stronger radius. This is our interpretation, because the thesis says only "highest response". Ties go
-    to the first of intensity, color, orientation and residual, and to the lower scale.
+    weighting, just as they enter the sums. The response at a scale is that of its expanded feature map at the
+    stronger radius.
+    This is our interpretation, because the thesis says only "highest response". Ties go to the first of
+    intensity, color, orientation and residual, and to the lower scale.
 
-    `fused` is the fusion of `maps`, and `points` are (n,) flat indices into the saliency map. Returns (n,)
-    scales from `maps.scales`.
+    `fused` is the `Saliency` of `maps`, and `points` are (n,) flat indices into the saliency map. Returns
+    (n,) scales from `maps.scales`.
     """
     channels = fused.channels.values()
     terms = [one.conspicuity.ravel()[points] * np.float32(one.weight) for one in channels]
@@ -73,14 +74,13 @@ def accept(
     Parameters
     ----------
     points
-        (n, 3) array with the columns x, y (in frame pixels) and scale, where the most salient point comes
-        first.
+        (n, 3) array with the columns x, y (in frame pixels) and scale, the most salient point first.
     width
         Width of the frame in pixels.
     max_regions
         Maximum number of points, at least 1.
     scale_distance, min_distance
-        1/256 and 1/40 in the thesis.
+        Factors in the inequality. The thesis uses 1/256 and 1/40.
 
     Returns
     -------
@@ -94,8 +94,7 @@ def accept(
         block = np.arange(start, min(start + BLOCK, least.size))
         if accepted:
             block = block[_far(place, least, accepted, block).all(axis=0)]
-        # Intersections are fast with one integer per point, which has a bit for each point that is far enough
-        # away.
+        # One integer per point makes intersections fast. It has a bit for each point that is far enough away.
         far = np.packbits(_far(place, least, block, block), axis=1, bitorder="little")
         open_ = (1 << block.size) - 1
         while open_ and len(accepted) < max_regions:
@@ -113,7 +112,7 @@ def _far(
     old: Sequence[int] | NDArray[np.intp],
     new: NDArray[np.intp],
 ) -> NDArray[np.bool_]:
-    """Mark the (old, new) pairs of points that are far enough apart. A point paired with itself is false."""
+    """Mark the (old, new) pairs of points that are far enough apart. A point is never far from itself."""
     apart = np.zeros((len(old), len(new)))
     for axis in place:
         difference = axis[old][:, None] - axis[new]
@@ -132,8 +131,8 @@ def select_regions(
 ) -> FloatArray:
     """Find a frame's salient regions from its saliency map (thesis 3.1.1.3).
 
-    `fused` is the fusion of `maps`. `maximum_window` is explained in `placecat.vision.saliency.local_maxima`,
-    and the other settings are explained in `accept`.
+    `fused` is the `Saliency` of `maps`. `maximum_window` is explained in
+    `placecat.vision.saliency.local_maxima`, and the other settings are explained in `accept`.
 
     Returns an (n, 4) float32 array, where 0 <= n <= `max_regions`. Its columns are the x and y of the centre
     in frame pixels, the scale and the saliency. The rows are sorted by decreasing saliency, then by y, then
@@ -159,7 +158,7 @@ def select_regions(
 def _corners(
     rows: NDArray[np.intp], columns: NDArray[np.intp], sizes: NDArray[np.intp], ups: NDArray[np.intp]
 ) -> tuple[NDArray[np.intp], FloatArray]:
-    """Return (maps, 4, n) indices and weights, to interpolate maps at n pixels of a finer level.
+    """Return (maps, 4, n) indices and weights for interpolating maps at n pixels of a finer level.
 
     Interpolation is bilinear, and the last pixel of a map extends beyond its edge. `rows` and `columns` are
     the (n,) positions in the finer level. `sizes` is (maps, 2), the height and width of each map. `ups` is

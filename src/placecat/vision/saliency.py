@@ -15,14 +15,14 @@ CHANNELS = ("intensity", "color", "orientation", "residual")
 
 
 class Channel(NamedTuple):
-    """One channel of a frame's saliency, whose maps are all float32.
+    """One channel of a frame's saliency. All maps are float32.
 
     Attributes
     ----------
     conspicuity
         (h, w), from 0 to the largest local maximum of `subchannels`, divided by the channel's unit.
     weight
-        Weight of the conspicuity map, 1 / sqrt(m).
+        Weight of the conspicuity map, 1 / sqrt(m) (see `saliency`).
     subchannels
         (k, h, w), the feature maps, added across scales and radii. They are I' (k = 2: bright, dark), C'
         (k = 4: R, G, B, Y), O' (k = 4: 0, 45, 90, 135 degrees) or the residual (k = 1).
@@ -89,13 +89,13 @@ def saliency(
     use_residual
         Whether to use the spectral residual as a fourth channel (3.1.1.2).
     maximum_window
-        Side of the neighbourhood that a local maximum dominates, which must be odd. The thesis does not
-        specify this.
+        Side of the neighbourhood that a local maximum dominates. It must be odd. The thesis does not specify
+        this.
     intensity_unit, color_unit, orientation_unit, residual_unit
         Divisors of the conspicuity maps. They are needed because the largest local maximum of each channel
         has the units of the channel. The defaults correspond to black against white, pure red, and a wave
         from black to white. Unlike the others, the residual reaches 1 in every frame and at every scale. The
-        divisor 4 makes it comparable in photographs of homes. The thesis does not specify these.
+        divisor 4 makes it comparable to them in photographs of homes. The thesis does not specify these.
 
     Raises
     ------
@@ -143,7 +143,7 @@ def add_across_scales(
     """Expand maps of several scales to one level, and add them (thesis 3.1.1.1).
 
     Expansion is bilinear. As in the pyramid, pixel (x, y) of level s lies at (x, y) 2**(s - fusion_scale).
-    The last pixel of a map extends beyond its edge. Repeated doubling gives the same result as direct
+    The last pixel of a map extends beyond its edge. Repeated doubling yields the same result as direct
     expansion, so the sum of the coarser levels is expanded step by step.
 
     `levels` maps each scale to its (k, h_s, w_s) float32 maps. `width` and `height` are the size of the frame
@@ -162,7 +162,7 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     """Find a map's local maxima.
 
     A local maximum is above zero and not below any pixel in the window around it. Pixels outside the map
-    count as low. Adjacent pixels of equal value count only once, at the first of them in row order. They do
+    count as lower. Adjacent pixels of equal value count only once, at the first of them in row order. They do
     not count unless all of them are local maxima. So a flat area next to a higher pixel has no maximum, and
     neither does a constant map.
 
@@ -191,7 +191,7 @@ def weight(peaks: FloatArray) -> float:
     """
     if peaks.size == 0:
         return 0.0
-    ordered = np.sort(peaks)  # np.median takes 80 microseconds
+    ordered = np.sort(peaks)  # np.median would take 80 microseconds
     middle = peaks.size // 2
     median = ordered[middle] if peaks.size % 2 else (ordered[middle - 1] + ordered[middle]) / 2
     count = int(np.count_nonzero(peaks > median))
@@ -199,7 +199,7 @@ def weight(peaks: FloatArray) -> float:
 
 
 def stretch(plane: FloatArray, high: float) -> FloatArray:
-    """Map an (h, w) float32 plane linearly to [0, high], where a flat plane becomes 0.
+    """Map an (h, w) float32 plane linearly to [0, high]; a flat plane becomes 0.
 
     This normalises the conspicuity maps (thesis 3.1.1.1).
     """

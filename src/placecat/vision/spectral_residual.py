@@ -28,15 +28,15 @@ def spectral_residual(
     grey
         (h, w) float32, from 0 to 255, with at least 2x2 pixels.
     residual_box
-        Side of the box filter over the log amplitude, which must be odd. Hou and Zhang use 3. The thesis does
+        Side of the box filter over the log amplitude. It must be odd. Hou and Zhang use 3. The thesis does
         not specify this.
     residual_sigma
         Standard deviation, in pixels, of the Gaussian that smooths the squared magnitude. 0 turns it off. The
         thesis does not specify this. The authors' code uses 2.5 for a single image 64 pixels wide. Several
-        scales need less.
+        scales need less smoothing.
     residual_width
-        Width in pixels to which a wider image is reduced. The authors use 64. With None, images are not
-        reduced, which is how the thesis treats pyramid levels.
+        Width in pixels to which a wider image is reduced. The authors use 64. None keeps the size of every
+        image, as the thesis does for pyramid levels.
     residual_floor
         Lower limit f of the amplitude, in grey levels. The logarithm is taken of sqrt(amplitude^2 + f^2).
         Smaller amplitudes are float32 rounding errors, which the method would amplify. The thesis does not
@@ -44,7 +44,7 @@ def spectral_residual(
 
     Returns
     -------
-    (h, w) float32, from 0 to 1, with only zeros for a flat image.
+    (h, w) float32, from 0 to 1, and 0 everywhere for a flat image.
 
     References
     ----------
@@ -80,7 +80,7 @@ def spectral_residual(
 
 
 def _periodic_mean(half: FloatArray, width: int, box: int) -> FloatArray:
-    """Compute the box mean of an even periodic map, of which only the columns 0 to width // 2 are stored."""
+    """Compute the box mean of an even periodic map, stored as its columns 0 to width // 2."""
     height, stored = half.shape
     reach = box // 2
     padded = np.empty((height + 2 * reach, stored + 2 * reach), np.float32)

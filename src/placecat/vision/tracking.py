@@ -23,8 +23,8 @@ class RegionTracker:
     2. It tests the acceptance inequality of 3.1.1.3, first for tracked regions (longest tracked first), then
        for new regions (strongest first). So a new region enters only where nothing is tracked. If two tracked
        regions come too close, the younger one is dropped.
-    3. It keeps at most `max_regions` regions. A tracked region never makes room for a stronger new one, since
-       an object keeps its file (Kahneman and Treisman) as long as it is visible.
+    3. It keeps at most `max_regions` regions. A tracked region never makes room for a stronger new one,
+       because an object file (Kahneman and Treisman) persists as long as its object is visible.
 
     A region keeps its initial scale and strength. Its appearance may change over time, because each frame is
     compared only with the previous one.
@@ -34,12 +34,12 @@ class RegionTracker:
     max_regions
         Maximum number of regions. The thesis uses 25.
     width
-        Width in pixels to which a wider frame is reduced, while its aspect ratio is preserved.
+        Width in pixels to which a wider frame is reduced, preserving its aspect ratio.
     window
-        Side of the window to compare, in pixels of the reduced frame. It must be odd and at least 3. At a
-        width of 320, 21 is about the size of the smallest regions.
+        Side of the compared window, in pixels of the reduced frame. It must be odd and at least 3. At a width
+        of 320, 21 is about the size of the smallest regions.
     levels
-        How many times the reduced frame is halved, so that large motions are found. It is halved fewer times
+        Number of times the reduced frame is halved, so that large motions are found. It is halved fewer times
         if a level would be smaller than the window.
     iterations, epsilon
         The search on each level ends after `iterations` steps, or after a step that is shorter than `epsilon`
@@ -97,14 +97,14 @@ class RegionTracker:
         self.ages = np.zeros(0, np.int64)
 
     def step(self, frame: NDArray[np.uint8], found: FloatArray) -> FloatArray:
-        """Track the regions into the next frame, and fill free places with new regions.
+        """Track the regions into the next frame, and fill free slots with new regions.
 
-        `frame` is (H, W, 3) uint8 BGR, and its size must be the same throughout a sequence. `found` is (n, 4)
-        float32 and holds the salient regions of the frame, sorted by decreasing strength. Its columns are x,
+        `frame` is (H, W, 3) uint8 BGR, and its size must be the same throughout a sequence. `found`, (n, 4)
+        float32, contains the salient regions of the frame, sorted by decreasing strength. Its columns are x,
         y (in frame pixels), scale and strength.
 
         Returns an (m, 4) float32 array with the same columns, where m <= `max_regions`. Tracked regions come
-        first, those tracked longest at the beginning. New regions follow, with the strongest first.
+        first, the longest tracked at the top. New regions follow, the strongest first.
         """
         image = reduced_grey(frame, self.width)
         size = np.array(frame.shape[1::-1])

@@ -14,7 +14,7 @@ from placecat.vision.regions import select_regions
 
 
 class Request(NamedTuple):
-    """Requested regions: their scales (None for all), settings for `find_regions`, local descriptors."""
+    """Requested regions: their scales (None for all), settings for `find_regions`, and local descriptors."""
 
     scales: Sequence[int] | None
     regions: Mapping[str, Any]
@@ -40,15 +40,14 @@ def most_regions(regions: Mapping[str, Any]) -> int:
 def describe_requested(
     maps: FrameMaps, requests: Mapping[str, Request], local: Mapping[str, Mapping[str, Any]]
 ) -> dict[str, dict[str, NDArray[Any]]]:
-    """Find and describe the regions of each request; return their `region_arrays` by the request's name.
+    """Find and describe the regions of each request; return their `region_arrays` by request name.
 
-    With the same settings, a smaller set of regions is always the beginning of a larger one. The reason is
-    that weaker points do not affect stronger ones (see `placecat.vision.regions.accept`), and that the
-    descriptor of a region does not depend on other regions. So regions are found and described once, for the
-    largest number that is requested.
+    With the same settings, a smaller set of regions is always the beginning of a larger one, because weaker
+    points do not affect stronger ones (see `placecat.vision.regions.accept`). The descriptor of a region does
+    not depend on other regions. So regions are found and described once, for the largest requested number.
 
-    `maps` has all fields, and `local` maps each local descriptor to its settings. A scale without maps raises
-    PlacecatError.
+    `maps` must have all fields, and `local` maps each local descriptor to its settings. A scale without maps
+    raises PlacecatError.
     """
     groups: dict[Hashable, list[Request]] = {}
     for request in requests.values():

@@ -16,7 +16,7 @@ RNG = np.random.default_rng(0)
 
 @pytest.fixture
 def network(monkeypatch):
-    """Stands in for a network: its output, and the images that it got."""
+    """Replace the network with a fake that returns a given output and stores the images it receives."""
 
     class Network:
         def __init__(self):
@@ -68,12 +68,12 @@ def test_places_and_tokens_are_pooled(network, gives, pool, expected):
 @pytest.mark.parametrize(
     ("gives", "settings", "message"),
     [
-        (PLACES, {}, r"returns the shape \(5, 2, 3\) for a frame, not a vector: set pool to mean, or choose"),
+        (PLACES, {}, r"an array of shape \(5, 2, 3\) for a frame, not a vector: set pool to mean, or choose"),
         (PLACES, {"pool": "first"}, "not a vector: set pool to mean, or"),
         (TOKENS, {}, "not a vector: set pool to mean or first"),
         (np.ones((1, 0), np.float32), {}, "not a vector"),
         (np.ones((1,), np.float32), {}, "not a vector"),
-        (np.ones((2, 4), np.float32), {}, r"returns the shape \(2, 4\) for one image"),
+        (np.ones((2, 4), np.float32), {}, r"an array of shape \(2, 4\) for one image"),
         (np.full((1, 4), np.nan, np.float32), {}, "not finite: check mean and std"),
     ],
 )
@@ -89,7 +89,7 @@ def test_impossible_settings_give_one_message(network, gives, settings, message)
     [
         (
             {"network": "resnet"},
-            r"embedding': the network 'resnet' is unknown: use efficientnet_lite0, .*, or an ONNX",
+            r"embedding': the network 'resnet' is unknown: use efficientnet_lite0, .*, or the path of an",
         ),
         (
             {"output": "features"},
@@ -121,7 +121,7 @@ def test_without_a_package_the_message_says_how_to_install_it(monkeypatch, name,
 
 @pytest.mark.parametrize(("name", "side"), [("lite0", 224), ("lite1", 240), ("lite2", 260)])
 def test_a_packaged_network_gets_the_input_of_its_training(network, name, side):
-    """(x - 127) / 128 of values to 255, in a square."""
+    """The network gets a square image with the values (x - 127) / 128, where x is at most 255."""
     picture = np.full((90, 160, 3), (0, 127, 255), np.uint8)
     embedding.describe(picture, maps(), network=f"efficientnet_{name}")
     (image,) = network.given

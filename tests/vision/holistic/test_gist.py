@@ -6,7 +6,7 @@ from placecat.vision.holistic.gist import describe
 
 
 def cell_mean(image: np.ndarray, row: int, column: int) -> float:
-    """Mean over a cell whose borders cut pixels: enlarge by 4, so they do not."""
+    """Average a cell whose borders cut pixels, after enlarging the image by 4 so that they do not."""
     big = np.repeat(np.repeat(image.astype(float), 4, axis=0), 4, axis=1)
     height, width = image.shape
     return float(big[row * height : (row + 1) * height, column * width : (column + 1) * width].mean())

@@ -1,4 +1,4 @@
-"""Tests of every holistic descriptor; a new descriptor needs no new test."""
+"""Tests of every holistic descriptor. A new descriptor needs no new test."""
 
 import dataclasses
 import itertools

@@ -1,4 +1,4 @@
-"""Tests of every local descriptor; a new descriptor needs no new test."""
+"""Tests of every local descriptor. A new descriptor needs no new test."""
 
 import dataclasses
 
@@ -92,7 +92,7 @@ def test_border_is_a_setting(name: str) -> None:
     assert np.isfinite(module.describe(made, chosen, border="reflect")).all()
     with pytest.raises(PlacecatError, match="border=wrap"):
         check({"local": {name: {"border": "wrap"}}})
-        # A descriptor without a range for this setting refuses it later.
+        # A descriptor whose setting has no fixed choices rejects it only here.
         module.describe(made, chosen, border="wrap")
 
 

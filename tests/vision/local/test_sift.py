@@ -11,13 +11,13 @@ from placecat.vision.patches import cut, to_bytes
 
 
 def whole_levels(width: int, height: int) -> FrameMaps:
-    """Maps with whole grey levels, so OpenCV gets the same image."""
+    """Return maps with whole grey levels, so that OpenCV gets the same image."""
     made = maps(width, height)
     return dataclasses.replace(made, grey={s: to_bytes(g).astype(np.float32) for s, g in made.grey.items()})
 
 
 def inner_regions(width: int, height: int) -> np.ndarray:
-    """Regions whose support lies inside the image: OpenCV has no gradients outside."""
+    """Return regions whose support lies inside the image, because OpenCV has no gradients outside."""
     chosen = regions(width, height, 60)
     reach = (1.8 * width / 128 * 2 ** chosen[:, 2:3] + 2 * 2 ** chosen[:, 2:3])[:, 0]
     inside = (chosen[:, 0] > reach) & (chosen[:, 0] < width - reach)
@@ -26,7 +26,7 @@ def inner_regions(width: int, height: int) -> np.ndarray:
 
 
 def opencv(made: FrameMaps, chosen: np.ndarray, side: int, angles: np.ndarray) -> np.ndarray:
-    """OpenCV's descriptors on the levels, with almost no blur (sigma) and cells of side / 4."""
+    """Return OpenCV's descriptors on the pyramid levels, with little blur (sigma) and cells of side / 4."""
     sift = cv2.SIFT_create(sigma=0.5)
     rows = []
     for (x, y, scale, _), angle in zip(chosen.tolist(), angles, strict=True):
@@ -50,7 +50,8 @@ def test_close_to_opencv(width: int, side: int, orientation: str) -> None:
         assert np.ptp(angles) > 1
     found = describe(made, chosen, orientation=orientation)
     expected = opencv(made, chosen, side, angles)
-    # OpenCV blurs a little (at least sigma 0.1) and rounds exponentials: a few units of 512.
+    # OpenCV blurs slightly (sigma is at least 0.1) and rounds exponentials, so values differ by a few units
+    # of 512.
     similarity = (found * expected).sum(1) / np.linalg.norm(found, axis=1) / np.linalg.norm(expected, axis=1)
     assert similarity.min() > 0.9995
     assert np.abs(found - expected).max() <= 6
@@ -85,7 +86,7 @@ def test_upright_equals_a_naive_loop() -> None:
     found = describe(made, chosen)
     for row, (x, y, scale, _) in zip(found, chosen.astype(int).tolist(), strict=True):
         expected = naive_upright(made.grey[scale].astype(float), y >> scale, x >> scale, 10)
-        # OpenCV's angles are right to 0.3 degrees.
+        # OpenCV's angles are accurate to 0.3 degrees.
         np.testing.assert_allclose(row, expected, atol=1.5)
 
 
@@ -108,7 +109,8 @@ def test_dominant_angle_between_two_bins() -> None:
     angle, magnitude = np.zeros((2, 1, 9, 9), np.float32)
     angle[0, 4, 3], magnitude[0, 4, 3] = np.radians(50), 1
     angle[0, 4, 5], magnitude[0, 4, 5] = np.radians(60), 0.6
-    # Smoothed with 1 4 6 4 1: 0.2875, 0.525, 0.475 at 40, 50, 60 degrees; the top is 0.326 bins on.
+    # Smoothing with 1 4 6 4 1 yields 0.2875, 0.525 and 0.475 at 40, 50 and 60 degrees, so the peak lies 0.326
+    # bins after 50 degrees.
     np.testing.assert_allclose(np.degrees(dominant_angles(magnitude, angle, 1.0)), 53.2609, atol=1e-3)
 
 

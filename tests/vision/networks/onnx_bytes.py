@@ -1,8 +1,8 @@
-"""A small ONNX file written by hand, since the package onnx is not needed otherwise."""
+"""Small ONNX files written by hand, because nothing else needs the package onnx."""
 
 from collections.abc import Sequence
 
-# Protocol buffers: kinds of fields.
+# Wire types of protocol buffers.
 VARINT, BYTES = 0, 2
 FLOAT = 1
 
@@ -28,12 +28,12 @@ def node(kind: str, inputs: Sequence[str], output: str, *attributes: bytes) -> b
 
 
 def subgraph(name: str, *nodes: bytes) -> bytes:
-    """An attribute that is a graph."""
+    """Return an attribute that contains a graph."""
     return field(1, name) + field(6, b"".join(field(1, one) for one in nodes)) + field(20, 5)
 
 
 def stored_elsewhere(name: str, length: int, location: str) -> bytes:
-    """A tensor of numbers in another file."""
+    """Return a tensor whose numbers are stored in another file."""
     entries = [field(1, "location") + field(2, location), field(1, "length") + field(2, str(4 * length))]
     return (
         field(1, length)
@@ -45,7 +45,7 @@ def stored_elsewhere(name: str, length: int, location: str) -> bytes:
 
 
 def value(name: str, shape: Sequence[int | str], kind: int = FLOAT) -> bytes:
-    """A named tensor; open dimensions of its shape have names."""
+    """Return a named tensor description. Dimensions of variable size have names instead of numbers."""
     sides = b"".join(field(1, field(1 if isinstance(side, int) else 2, side)) for side in shape)
     return field(1, name) + field(2, field(1, field(1, kind) + field(2, sides)))
 
@@ -60,7 +60,7 @@ def model(
 
 
 def mean_color(height: int | str = "height", width: int | str = "width") -> bytes:
-    """Outputs: ``vector``, (1, 3) the means of the channels; ``places``, (1, 3, height, width) the image."""
+    """Return a model with two outputs: ``vector``, the (1, 3) channel means, and ``places``, the image."""
     return model(
         [
             node("Identity", ["image"], "places"),
@@ -73,7 +73,7 @@ def mean_color(height: int | str = "height", width: int | str = "width") -> byte
 
 
 def scaled_mean_color(location: str, *nodes: bytes) -> bytes:
-    """Output ``vector``: (1, 3) the means of the channels times three weights in another file."""
+    """Return a model that multiplies the (1, 3) channel means by three weights in another file."""
     return model(
         [
             node("GlobalAveragePool", ["image"], "pooled"),

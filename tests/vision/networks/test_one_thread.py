@@ -4,7 +4,7 @@ from placecat.vision.networks.efficientnet_lite import _one_thread
 
 
 def test_one_thread_is_set_where_pytorch_says_so_already():
-    # Its MKL may use more, since it counts separately.
+    # MKL has its own thread count, so it may use more threads.
     calls: list[int] = []
     with _one_thread(SimpleNamespace(get_num_threads=lambda: 1, set_num_threads=calls.append)):
         assert calls == [1]

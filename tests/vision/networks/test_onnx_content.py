@@ -1,4 +1,4 @@
-"""Content of ONNX files that is refused before they run, and the scope of the checksum."""
+"""Tests of ONNX files that are rejected before they run, and of the checksum."""
 
 import hashlib
 import shutil
@@ -41,12 +41,12 @@ def graph(*nodes):
         ),
         (graph(node("Dropout", ["image", "ratio", "yes"], "noise")), "operator Dropout, which is random"),
         (graph(LOOP), "operator Loop, which may never end"),
-        # Within a branch, within a branch.
+        # The loop is inside a branch of a branch.
         (
             graph(node("If", ["yes"], "out", subgraph("a", node("If", ["no"], "out", subgraph("b", LOOP))))),
             "Loop",
         ),
-        # Within a function of the file.
+        # The operator is inside a function that the file defines.
         (mean_color() + field(25, field(1, "mine") + field(7, RANDOM)), "RandomNormalLike"),
     ],
 )
@@ -58,7 +58,7 @@ def test_random_and_endless_operators_are_refused(path, content, message):
 def test_usual_networks_are_taken(path):
     path.write_bytes(mean_color())
     onnx_content.check(path, None)
-    # As exporters write it: for inference.
+    # Exporters write Dropout like this for inference.
     path.write_bytes(
         graph(node("Dropout", ["image", "ratio", ""], "same"), node("Dropout", ["image"], "also"))
     )

@@ -1,4 +1,4 @@
-"""ONNX files: with a stand-in for onnxruntime, and, where that is installed, for real."""
+"""Tests of ONNX files with a stand-in for onnxruntime, and with onnxruntime itself if it is installed."""
 
 import sys
 from pathlib import Path
@@ -19,7 +19,7 @@ TAKES = ("tensor(float)", ["batch", 3, "height", "width"])
 
 
 def stand_in(monkeypatch, *, inputs=(TAKES,), outputs=("vector", "places"), run=None, broken=False):
-    """Replace onnxruntime by a module; returns the list of its sessions."""
+    """Replace onnxruntime with a fake module, and return the list of its sessions."""
     sessions = []
 
     class Session:
@@ -136,13 +136,13 @@ def test_a_real_file_describes_a_frame(real):
 
 def test_mistakes_with_a_real_file_give_one_message(real, tmp_path):
     one_message(
-        r"gives \(3, 224, 224\) for a frame, not a vector: set pool to mean",
+        r"returns an array of shape \(3, 224, 224\) for a frame, not a vector: set pool to mean",
         lambda: embedding.describe(frame(), None, network=real, output="places"),
     )
     fixed = tmp_path / "fixed.onnx"
     fixed.write_bytes(onnx_bytes.mean_color(32, 48))
     one_message(
-        "image of 224x224, so set width and height",
+        "image of 224x224 pixels; set width and height",
         lambda: embedding.describe(frame(), None, network=str(fixed)),
     )
     fixed.write_bytes(b"no network")

@@ -1,7 +1,8 @@
 """Sources of panoramas, one module per source.
 
-A source is a module of this package that defines ``read(root, settings)``, which lists the panoramas in a
-folder according to the settings of conf/panoramas.yaml. Those settings refer to a source by its file name.
+A source is a module of this package with a function ``read(root, settings)``. The function lists the
+panoramas in a folder according to the settings of conf/panoramas.yaml. Those settings refer to a source by
+its module name.
 """
 
 from collections.abc import Mapping
@@ -21,11 +22,11 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas in a folder according to the settings of conf/panoramas.yaml.
 
     Checks that the pictures exist, but does not decode them. Raises PlacecatError if the source is unknown,
-    if the folder contains no panorama, or if a file is missing or invalid; the message names the file and, if
+    if the folder contains no panorama, or if a file is missing or invalid. The message names the file and, if
     possible, the line.
     """
     source = lookup.module(__name__, settings["source"], "source", "read")
-    existing(root, "give the folder of the panoramas.")
+    existing(root, "specify the folder with the panoramas.")
     with reading(root):
         panoramas: list[Panorama] = source.read(root, settings)
         if settings["homes"] is not None:
@@ -50,7 +51,7 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
     hint = ""
     if len(panorama.files) > 1:
         pattern = settings["cubes"]["file"]
-        hint = f"; correct the cell file there, or cubes.file={pattern}, which gives the names of the faces"
+        hint = f"; correct the column file there, or cubes.file={pattern}, which names the faces"
     for file in panorama.files:
         path = root / file
         if not path.is_file():

@@ -16,7 +16,7 @@ from placecat.sequences.labels import read_rows, shown
 
 _NEEDED, _OPTIONAL = ("home", "file", "room"), ("floor",)
 _ONLY_FLOOR = "1"
-# Label that a message uses as an example.
+# Label used as an example in a message.
 _EXAMPLE = "living_room"
 
 
@@ -29,8 +29,8 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
     """Read the table in a source's folder; each row is a panorama.
 
     `settings` are those of conf/panoramas.yaml. `files` maps the value in the column `file` to the pictures
-    of the panorama, relative to `root`. Raises PlacecatError, naming the line, if the table is missing or not
-    a CSV, or if a row has invalid cells, a path that leaves `root`, or a room without a label.
+    of the panorama, relative to `root`. Raises PlacecatError if the table is missing or not a CSV, or if a
+    row has invalid cells, a path that leaves `root`, or a room without a label.
     """
     path = root / settings["table"]
     if not path.is_file():

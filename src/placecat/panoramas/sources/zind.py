@@ -2,7 +2,7 @@
 
 A home is named ``zind_HOME``, because YAML would read a name that consists of digits as a number. The data
 set divides homes into complete rooms, and a complete room may have parts with different labels. Each such
-part is a room here: an open kitchen with a dining area is one complete room, but two rooms.
+part becomes a room: an open kitchen with a dining area is one complete room there, but two rooms here.
 
 References
 ----------
@@ -21,7 +21,7 @@ from placecat.panoramas.panorama import FLOOR, Panorama, kind, labels_by_kind
 
 DATA = "zind_data.json"
 MOST_BYTES = 64 << 20
-"""Largest size of a home's data. This is our choice; the data set's sample has 0.1 MB."""
+"""Maximum size of a data file in bytes. This limit is our choice. The sample of the data set is 0.1 MB."""
 _LEVELS = ("floor", "complete room", "partial room", "panorama")
 
 
@@ -71,7 +71,7 @@ def _load(path: Path) -> Any:
 
 
 def _panoramas(path: Path, content: Any) -> Iterator[tuple[list[str], dict[str, Any]]]:
-    """Yield each panorama with the names that lead to it from the top level."""
+    """Yield each panorama with the keys that lead to it from the top level."""
     merger = content.get("merger") if isinstance(content, dict) else None
     level = [(["merger"], merger)]
     for what in _LEVELS:

@@ -1,4 +1,4 @@
-"""The CENTRIST of a frame, which consists of census histograms in the cells of a grid."""
+"""The CENTRIST descriptor of a frame: census histograms in the cells of a grid."""
 
 from functools import partial
 from typing import Annotated
@@ -33,25 +33,25 @@ def describe(
     Parameters
     ----------
     frame
-        (H, W, 3) uint8 BGR. It is converted to grey as in OpenCV, 0.299 r + 0.587 g + 0.114 b, which the
-        thesis does not specify.
+        (H, W, 3) uint8 BGR. It is converted to grey with OpenCV's weights, 0.299 r + 0.587 g + 0.114 b. The
+        thesis does not specify this.
     maps
         Used only to cache the resized image, so that variants share it. No map is read.
     width
-        Width to which the frame is reduced, while its aspect ratio is preserved. A narrower frame is
-        unchanged. None keeps the full size, which is a variant in thesis 4.3.
+        Width to which the frame is reduced, preserving its aspect ratio. A narrower frame is unchanged. None
+        keeps the full size (a variant in thesis 4.3).
     image
         The image to transform: ``laplacian``, or ``intensity`` (a variant in thesis 4.3).
     kernel
-        The Laplacian's kernel, as in `placecat.vision.census.laplacian`.
+        The kernel of the Laplacian (see `placecat.vision.census.laplacian`).
     interpolation
         How to reduce the frame: ``area`` or ``linear``. The thesis does not specify this.
 
     Returns
     -------
     (4096,) float32, with a histogram of 256 codes for each of the 16 cells, row by row from the top left.
-    Each histogram sums to 1, although the thesis does not specify the normalisation. Only pixels that have a
-    code are divided into cells.
+    Each histogram sums to 1. The thesis does not specify the normalisation. The grid covers only pixels that
+    have a code.
 
     Raises
     ------

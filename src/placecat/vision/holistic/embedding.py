@@ -1,4 +1,4 @@
-"""Embedding of a frame, which a pretrained network computes (not in the thesis)."""
+"""Embedding of a frame, computed by a pretrained network (not in the thesis)."""
 
 from collections.abc import Sequence
 from typing import Annotated
@@ -50,10 +50,10 @@ def describe(
         preserved.
     mean, std
         Values for red, green and blue, on a scale from 0 to 1. `mean` is subtracted, and the result is
-        divided by `std`. None stands for the values with which the network was trained. For an ONNX file,
-        these are assumed to be ImageNet's.
+        divided by `std`. None uses the values with which the network was trained. For an ONNX file,
+        ImageNet's values are assumed.
     output
-        Name of the output of the ONNX file to use, or None for the first output.
+        Name of the ONNX output to use, or None for the first output.
     pool
         How to turn an output with positions, (D, rows, columns), or with tokens, (tokens, D), into a vector.
         ``mean`` averages over all of them, and ``first`` takes the first token. None means that the output is
@@ -64,7 +64,7 @@ def describe(
 
     Returns
     -------
-    (size,) float32, the output of the network, which is pooled if `pool` is set.
+    (size,) float32, the output of the network, pooled if `pool` is set.
 
     Raises
     ------
@@ -89,7 +89,7 @@ def describe(
         raise PlacecatError(f"{_OWNER}: {error}") from None
     if features.ndim < 1 or len(features) != 1:
         raise PlacecatError(
-            f"{_OWNER}: {network} returns the shape {features.shape} for one image, not (1, ...)"
+            f"{_OWNER}: {network} returns an array of shape {features.shape} for one image, not (1, ...)"
         )
     return _vector(features[0], network, pool)
 
@@ -106,7 +106,7 @@ def _vector(features: NDArray[np.float32], network: str, pool: str | None) -> ND
             features.ndim, "use another network"
         )
         raise PlacecatError(
-            f"{_OWNER}: {network} returns the shape {features.shape} for a frame, not a vector: "
+            f"{_OWNER}: {network} returns an array of shape {features.shape} for a frame, not a vector: "
             f"{how}, or choose another output"
         )
     if not np.isfinite(features).all():

@@ -1,4 +1,4 @@
-"""The gist of a frame, which consists of the means of each feature map in the cells of a grid."""
+"""The gist of a frame: the means of each feature map in the cells of a grid."""
 
 from functools import partial
 
@@ -19,8 +19,8 @@ def describe(
     """Describe a frame by the means of its feature maps in a 4x4 grid (thesis 3.2).
 
     `color` includes the colour maps. Thesis 4.2 has a variant without them. With `center_surround`, the
-    centre-surround maps of intensity and colour are used. Without it, which is a variant in thesis 4.2, their
-    pyramids are used. Orientation has no centre-surround maps. The frame itself is not read.
+    centre-surround maps of intensity and colour are used. Without it, their pyramids are used (a variant in
+    thesis 4.2). Orientation has no centre-surround maps. The frame itself is not read.
 
     Returns
     -------
@@ -47,6 +47,6 @@ def describe(
 
 
 def _means(level: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return cell means as (radii, sub-channels, 4, 4), where a missing axis has the length 1."""
+    """Return cell means as (radii, sub-channels, 4, 4). A missing axis has length 1."""
     means = cell_means(level, CELLS)
     return means.reshape((1,) * (4 - means.ndim) + means.shape)

@@ -1,4 +1,4 @@
-"""The CENTRIST of salient regions, which is the census histogram of each region."""
+"""The CENTRIST descriptor of salient regions: one census histogram per region."""
 
 from typing import Annotated
 
@@ -33,14 +33,14 @@ def describe(
         The image to transform: ``intensity``, as in the thesis, or ``laplacian``, a variant that the thesis
         mentions.
     kernel
-        The Laplacian's kernel, as in `placecat.vision.census.laplacian`.
+        The kernel of the Laplacian (see `placecat.vision.census.laplacian`).
     quantise
         Whether to round intensities to whole grey levels first, as in an 8-bit image. Flat areas then produce
         ties instead of noise. The thesis does not specify this.
 
     Returns
     -------
-    (n, 256) float32. Each row sums to 1, which the thesis does not specify. Only pixels whose neighbours are
+    (n, 256) float32. Each row sums to 1. The thesis does not specify this. Only pixels whose neighbours are
     all inside the patch have a code. Adding a whole number to the intensities does not change the result.
 
     References

@@ -19,7 +19,7 @@ INTERPOLATIONS = {"nearest": cv2.INTER_NEAREST, "linear": cv2.INTER_LINEAR, "cub
 _HOG = cv2.HOGDescriptor((WINDOW, WINDOW), (64, 64), (32, 32), (16, 16), 8)
 _SIZE = int(_HOG.getDescriptorSize())
 
-# Number of patches per row of a mosaic, which is small enough for the cache.
+# Number of patches per row of a mosaic. A mosaic of this width fits into the cache.
 _COLUMNS = 5
 
 
@@ -34,10 +34,10 @@ def describe(
 
     The window and the block are 64 pixels wide, the stride is 32, the cell is 16, and there are 8 bins. Each
     intensity patch is rounded to whole grey levels and resized to 64x64. The result equals that of
-    `cv2.HOGDescriptor.compute` on each patch. But a single call handles all patches, which are placed side by
+    `cv2.HOGDescriptor.compute` on each patch, but a single call handles all patches. They are placed side by
     side with mirrored borders.
 
-    `interpolation` is the method of resizing, which the thesis does not specify.
+    `interpolation` is the resizing method. The thesis does not specify it.
 
     Returns
     -------

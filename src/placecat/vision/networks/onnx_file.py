@@ -36,7 +36,7 @@ def load(
         is_there = path.is_file()
     if not is_there:
         raise PlacecatError(
-            f"the network {path} from the settings is missing: put it there, or choose another"
+            f"the network {path} from the settings is missing: add the file, or choose another network"
         )
     onnx_content.check(path, sha256)
     (onnxruntime,) = import_packages(PACKAGES, f"the network {path}")

@@ -12,8 +12,7 @@ INSTALL = "run `pip install -e '.[deep]'` in placecat's environment"
 def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
     """Import modules that the extra `deep` installs.
 
-    If a package is missing or cannot be imported, this raises PlacecatError, which names `wanted_by` and the
-    first such package.
+    Raises a PlacecatError that names `wanted_by` and the first package that is missing or cannot be imported.
     """
     modules = []
     for name in names:
