@@ -79,7 +79,7 @@ def test_a_slow_reader_gets_the_newest_frame(capture):
     numbers, seconds, images = zip(*seen, strict=True)
     assert numbers == (1, 2, 3, 4)
     assert all(after - before >= 5 for before, after in pairwise(images))
-    # Their times are their arrival times.
+    # Frame times are arrival times.
     assert np.allclose(np.diff(seconds), 0.1, atol=0.05)
     assert source.arrived > 4
     assert made.is_released
@@ -88,13 +88,13 @@ def test_a_slow_reader_gets_the_newest_frame(capture):
 
 def test_every_frame_is_taken_once_by_a_fast_reader_until_the_camera_is_gone(capture, monkeypatch):
     monkeypatch.setattr(capture, "total", 12)
-    # The first frame determines the size.
+    # The first frame is missing because it was used to find the size.
     assert [decoded(frame.image) for frame in camera().frames(1)] == list(range(1, 12))
 
 
 def test_a_camera_that_is_not_there_or_gives_nothing(capture, monkeypatch):
     monkeypatch.setattr(capture, "total", 0)
-    with pytest.raises(PlacecatError, match="camera 0 can be opened, but delivers no frame"):
+    with pytest.raises(PlacecatError, match="camera 0 opens but delivers no frames"):
         camera()
     monkeypatch.setattr(capture, "is_there", False)
     with pytest.raises(PlacecatError, match=r"camera 0 cannot be opened.*camera:1"):
@@ -124,10 +124,10 @@ def test_a_camera_stops_after_the_seconds_and_never_overwrites(
     assert "frames arrived in between and were dropped" in shown
     table = pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")
     assert table["seconds"].between(0, 0.3, inclusive="left").all()
-    # The film runs in real time, although drawing skipped frames.
+    # The film runs in real time, although frames were skipped while others were drawn.
     film = capture_length(tmp_path / "predictions/camera_0/annotated.mp4")
     assert film == round(table["seconds"].iloc[-1] * FPS) + 1
-    with pytest.raises(SystemExit, match="holds the prediction of camera"):
+    with pytest.raises(SystemExit, match="contains the prediction of camera"):
         main(["predict", "camera", "--seconds", "0.3", "--output", "predictions/camera_0"])
 
 
@@ -138,7 +138,7 @@ def test_the_system_gets_the_real_time_between_camera_frames(capture, tmp_path, 
     original = FakeCategorizer.update
 
     def update(self, frame, seconds):
-        # Slower and slower.
+        # Each frame takes longer than the one before.
         time.sleep(0.02 * len(self.times))
         return original(self, frame, seconds)
 
@@ -170,7 +170,7 @@ def test_ctrl_c_writes_the_results_so_far(capture, system, tmp_path, monkeypatch
 
     monkeypatch.setattr(FakeCategorizer, "update", update)
     main(["predict", "camera"])
-    assert "Stopped; the results so far are written." in capsys.readouterr().out
+    assert "Stopped. Writing the results so far." in capsys.readouterr().out
     assert len(pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")) == 5
 
 
@@ -194,7 +194,7 @@ def test_a_single_failure_to_read_is_not_the_end(capture, monkeypatch):
     monkeypatch.setattr(FakeCapture, "total", 12)
     source = camera()
     numbers = [decoded(frame.image) for frame in source.frames(1)]
-    # The first was read at opening; a slow machine may drop some.
+    # The first frame was read when the camera was opened. A slow machine may drop others.
     assert numbers == sorted(numbers) and numbers[-1] == 11
 
 

@@ -24,7 +24,7 @@ TABLES = ("frames.csv", "segments.csv", "summary.json", "timeline.png", "visits.
 
 @pytest.fixture
 def footage(tmp_path, monkeypatch):
-    """A folder with footage, and a system that needs no training."""
+    """Create a folder with footage, and use a system that needs no training."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer())
     write_video(tmp_path / "walk.avi", COUNT)
@@ -35,7 +35,7 @@ def footage(tmp_path, monkeypatch):
 
 @pytest.fixture
 def folder(footage, monkeypatch):
-    """The same, with an empty timeline: drawing it takes longer than the rest of the prediction."""
+    """Like `footage`, but with an empty timeline, because drawing a real one dominates the run time."""
     monkeypatch.setattr(timeline, "draw", lambda prediction, title, truth: Figure(figsize=(1, 1)))
     return footage
 
@@ -125,7 +125,7 @@ def test_segments_are_labels(footage, capsys):
     labels.write_text(labels.read_text().replace("17,24,kitchen", "17,20,transition\n21,24,bedroom"))
     predict("walk.avi", "--labels", labels, "--output", "judged")
     shown = capsys.readouterr().out
-    # 14 of 18 frames of bedroom and all 8 of living_room are correct.
+    # 14 of the 18 bedroom frames and all 8 living_room frames are correct.
     assert f"Accuracy (mean over the labelled places): {(100 * 14 / 18 + 100) / 2:.2f} %" in shown
     lines = [line.split() for line in shown.splitlines()]
     assert ["bedroom", "14", "0", "4", "77.8", "%"] in lines
@@ -149,7 +149,7 @@ def test_the_annotated_video_shows_every_frame_at_the_rate_of_the_footage(folder
     shown, fps = frames_of(folder / f"predictions/walk/annotated{suffix}")
     assert (len(shown), fps) == (13, 25.0)
     assert shown[0].shape == (480, 920, 3)
-    # The colour of the place, by its swatch: bedroom, then living room.
+    # The swatch has the colour of the place, first bedroom and then living room.
     for number, color in ((0, (0x88, 0x22, 0x33)), (12, (0x7F, 0xAC, 0x3A))):
         assert np.abs(shown[number][28:36, 664:672].mean(axis=(0, 1)) - color).max() < 12
 
@@ -194,7 +194,7 @@ def test_the_system_gets_the_time_between_frames(folder, monkeypatch, capsys, ar
         (["--every", "2"], 0.579, True),
         (["--fps", "24.5"], 0.579, False),
         (["--fps", "20"], 0.579, True),
-        # Never unknown, or always.
+        # At these thresholds, places are always or never known.
         (["--every", "2"], 0.0, False),
         (["--every", "2"], float("inf"), False),
     ],
@@ -203,7 +203,7 @@ def test_frames_that_come_slowly_are_noted(folder, monkeypatch, capsys, argument
     monkeypatch.setattr(FakeCategorizer, "threshold", threshold)
     predict("walk.avi", *arguments)
     rate = "12.5" if "--every" in arguments else "20"
-    note = f"{rate} frames/s are used, but the confidence for `unknown` was chosen at 25"
+    note = f"{rate} frames/s are used, but the threshold for `unknown` was chosen at 25"
     assert (note in capsys.readouterr().err) == is_noted
     assert ("notes" in json.loads((folder / "predictions/walk/summary.json").read_text())) == is_noted
 
@@ -244,17 +244,17 @@ def _damage(folder):
         ("walk.avi --every 0", "--every is 0"),
         ("walk.avi --seconds 0", "--seconds is 0"),
         ("walk.avi --fps nan", "--fps is nan"),
-        ("walk.avi --fps 1e-308", "--fps is 1e-308: give 0.001 to 1000"),
-        ("walk.avi --fps 1e308", "give 0.001 to 1000"),
+        ("walk.avi --fps 1e-308", "--fps is 1e-308: use 0.001 to 1000"),
+        ("walk.avi --fps 1e308", "use 0.001 to 1000"),
         ("walk.avi --every 1000000000000000000000", "--every is 1000000000000000000000"),
         ("walk.avi --ignore kitchen", "--ignore has no effect without labels"),
         ("pipe.mp4", "pipe.mp4 is not an ordinary file"),
         ("walk.avi --output notes.txt/x", "cannot write notes.txt/x: File exists; a file is where"),
-        ("walk.avi --output other", "other holds something other than a prediction"),
+        ("walk.avi --output other", "other contains something other than a prediction"),
         ("walk.avi --labels none.csv", "none.csv: the label file is missing"),
         ("walk.avi --labels short.csv", "label frames 11 to 30"),
         ("walk.avi --output notes.txt", "notes.txt is a file"),
-        ("walk.avi --output images", "images holds something other than a prediction"),
+        ("walk.avi --output images", "images contains something other than a prediction"),
         ("walk.avi --output . --force", ". is or contains a folder that is in use"),
         ("walk.avi --output new/..", "new/.. is or contains a folder that is in use"),
     ],
@@ -294,7 +294,7 @@ def test_only_an_untouched_prediction_of_the_same_source_is_replaced(folder):
     predict("walk.avi", "--output", "out")
     predict("walk.avi", "--output", "out", "--every", "2")
     assert len(pd.read_csv(folder / "out/frames.csv")) == COUNT // 2
-    assert "holds the prediction of walk.avi" in refused("images", "--output", "out")
+    assert "contains the prediction of walk.avi" in refused("images", "--output", "out")
     segments = folder / "out/segments.csv"
     segments.write_text(segments.read_text().replace("kitchen", "bedroom"))
     assert "segments.csv was added or edited" in refused("walk.avi", "--output", "out")
@@ -319,7 +319,7 @@ def test_edited_or_added_files_are_kept_even_with_force(folder, capsys):
         capsys.readouterr().err
     )
     assert segments.read_text() == written
-    # The copy also belongs to the user, and an untouched table is not copied.
+    # The copy counts as an added file. Unedited tables are not copied.
     assert "was added or edited" in refused("images", "--output", "out")
     segments.write_text("second")
     predict("walk.avi", "--output", "out", "--force")
@@ -344,7 +344,7 @@ def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):
 
 
 def test_numbers_of_an_image_survive_the_coding_of_the_video(folder):
-    # The assumption of the other tests.
+    # The other tests assume this.
     assert np.array_equal(frames_of(folder / "walk.avi")[0][5] > 127, coded(5) > 127)
 
 

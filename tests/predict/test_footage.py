@@ -1,4 +1,4 @@
-"""Real-world footage: damage, uneven times, a turned phone."""
+"""Predict from real-world footage with damage, uneven times or a rotated phone."""
 
 import json
 from fractions import Fraction
@@ -20,7 +20,7 @@ CHAIN = {"g": "1000", "bf": "0", "preset": "ultrafast"}
 
 @pytest.fixture
 def system(tmp_path, monkeypatch):
-    """A system that needs no training, in an empty folder."""
+    """Return a system that needs no training, and change to an empty folder."""
     made = FakeCategorizer()
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: made)
@@ -100,7 +100,8 @@ def test_a_phone_turned_while_filming_does_not_stretch(system, tmp_path, capsys,
     assert len(table) == 10
     assert summary["turned_frames"] == [6, 7, 8, 9, 10]
     assert "from frame 6 on, 5 frames differ in size" in capsys.readouterr().err
-    # Square columns of the number: all 48 columns of 6 pixels remain, in 64.
+    # Turned frames are cropped to 48x36 pixels and enlarged to 64x48, so each column is 8 pixels wide instead
+    # of 6.
     assert {frame.shape for frame in seen} == {(48, 64, 3)}
     edges = np.flatnonzero(np.abs(np.diff(seen[6][24, :, 0].astype(int))) > 60)
     assert edges[0] == pytest.approx(64 / 48 * 6, abs=2)

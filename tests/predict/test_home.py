@@ -1,4 +1,4 @@
-"""A home of a data set as footage, with its floors and labels."""
+"""Predict from a home of a data set, with its floors and labels."""
 
 import json
 
@@ -18,7 +18,7 @@ from placecat.predict.home import DataSetHome, data_set
 from project import ROOT
 
 FLOORS = (12, 18)
-# In another order than the model's, with a class and an ignored label that the model does not know.
+# The classes are not in the model's order. One class and one ignored label are unknown to the model.
 DATASET = {
     "name": "mine",
     "title": "my homes",
@@ -41,7 +41,7 @@ TRUTH = [*["bedroom"] * 8, *[""] * 2, *["living_room"] * 2, *["kitchen"] * 6, *[
 
 
 class Reset(FakeCategorizer):
-    """Counts its restarts, and the frames that they precede."""
+    """Fake system that records the number of frames seen before each restart."""
 
     def __init__(self):
         super().__init__()
@@ -83,7 +83,7 @@ def test_all_floors_have_one_score(system, tmp_path, capsys):
     agreement = json.loads((results / "summary.json").read_text())["agreement"]
     assert agreement["named"] == round(100 * shares.sum(), 2)
     assert agreement["named_wrongly"] == round(100 * (1 - np.trace(shares) / shares.sum()), 2)
-    # Every floor is a restart, and nothing carries over.
+    # The system restarts on every floor, and nothing carries over.
     assert system.resets == [0, 12]
     assert system.times == [0.25] * 30
 
@@ -124,7 +124,7 @@ def test_classes_that_the_model_does_not_know_are_refused_or_left_out(system, tm
 
 def test_a_home_that_trained_the_model_is_noted(system, tmp_path, capsys):
     note = "the model was trained on Villa, so this accuracy says nothing about new homes"
-    # Neither a home of that name in other data, nor another home of these data.
+    # A home with this name in other data does not count, nor does another home in these data.
     for title, homes in (("other homes", ["Villa"]), ("my homes", ["Hut"]), ("my homes", ["Hut", "Villa"])):
         system.card["data"] |= {"title": title, "homes": homes}
         predict("home:Villa")
@@ -141,7 +141,7 @@ def test_a_home_that_trained_the_model_is_noted(system, tmp_path, capsys):
         (["home:Hut"], "Hut"),
         (["home:"], "home: needs the name of a home: use one of Villa, Hut"),
         (["home:Villa", "--labels", "x.csv"], "--labels is for other footage"),
-        (["homes/Villa/1", "--set", "dataset=homes"], "--set chooses the data set of home:NAME"),
+        (["homes/Villa/1", "--set", "dataset=homes"], "--set chooses the data set for home:NAME"),
     ],
 )
 def test_mistakes_give_one_message(system, tmp_path, arguments, message):
@@ -160,7 +160,7 @@ def test_another_data_set_is_chosen_as_repro_does(monkeypatch):
 
 
 def test_a_layout_gets_its_settings(tmp_path):
-    """Camera, turn and observations reach the layout, as they do in the stage `sequences`."""
+    """The layout receives the camera, turn and observations, as in the `sequences` stage."""
     seen = make(tmp_path / "robot", lambda home, room, number: np.full((6, 8, 3), number % 256, np.uint8))
     dataset = yaml.safe_load((ROOT / "conf/dataset/robot_at_home.yaml").read_text())
     chosen = {

@@ -75,7 +75,8 @@ def test_regions_are_circles_of_their_radius():
     decision = FakeCategorizer().update(coded(0))
     picture = shown(Frame(1, 0.0, "", coded(0)), decision).astype(int)
     assert picture.shape == (shown.size[1], shown.size[0], 3)
-    # Frame width 64 is drawn 640 wide: the region of scale 2 at (32, 24) has radius 64 / 128 * 4 = 2, so 20.
+    # The frame is enlarged ten times. The region at (32, 24) with scale 2 has radius 64 / 128 * 4 = 2, drawn
+    # as 20.
     yellow = (np.abs(picture[:480, :640] - (120, 235, 255)).max(axis=2) < 60).nonzero()
     distance = np.hypot(yellow[1] - 325, yellow[0] - 245)
     assert (np.abs(distance[distance < 60] - 20) < 2.5).all() and (distance < 60).sum() > 60
@@ -92,7 +93,7 @@ def test_pictures_have_even_sides_and_fit_many_places(size):
     picture = shown(Frame(1, 0.0, "", np.zeros((size[1], size[0], 3), np.uint8)), decision, "")
     assert picture.shape == (shown.size[1], shown.size[0], 3)
     assert shown.size[0] % 2 == shown.size[1] % 2 == 0
-    # Only paper touches the right border.
+    # Nothing is drawn at the right edge.
     assert (picture[:, -3:] > 250).all()
 
 

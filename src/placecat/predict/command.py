@@ -62,7 +62,7 @@ class Options:
 
 @dataclass(frozen=True)
 class _Job:
-    """The footage, the system, how to fit frames to it, and the labels of all frames (or None)."""
+    """The footage, the system, the way to fit frames to it, and the labels of all frames or None."""
 
     options: Options
     source: Source
@@ -87,14 +87,14 @@ def predict_command(options: Options) -> int:
     source = _open(options, categorizer)
     if source.is_live and options.every != 1:
         raise PlacecatError(
-            "--every is only for files, since a camera always uses its newest frame: leave it out"
+            "--every is only for files because the newest frame of a camera is always used: leave it out"
         )
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
     if options.labels is None:
         labels = source.truth(categorizer.classes, options.ignore)
     elif source.timing is None:
         raise PlacecatError(
-            "--labels is only for files, since a camera's frames have no labels yet: leave it out"
+            "--labels is only for files because frames from a camera have no labels yet: leave it out"
         )
     else:
         labels = truth.read(options.labels, source.timing, categorizer.classes, options.ignore)
@@ -154,7 +154,7 @@ def _write(folder: Path, job: _Job) -> None:
                 truth=labels,
             )
         if was_stopped:
-            print("Stopped; the results so far are written.")
+            print("Stopped. Writing the results so far.")
         shown = None if labels is None else labels[prediction.numbers - 1]
         agreement = None if shown is None else truth.agreement(prediction, shown)
         tables.write_frames(temporary / tables.FRAMES, prediction)
@@ -187,20 +187,20 @@ def _write(folder: Path, job: _Job) -> None:
 
 def _check(options: Options) -> None:
     if not options.source:
-        raise PlacecatError("SOURCE is empty: give a video, a folder of images or a camera")
+        raise PlacecatError("SOURCE is empty: use a video, a folder of images or a camera")
     if not 1 <= options.every <= MOST_EVERY:
-        raise PlacecatError(f"--every is {options.every}: give 1 to {MOST_EVERY}")
+        raise PlacecatError(f"--every is {options.every}: use 1 to {MOST_EVERY}")
     is_home = options.source.startswith(PREFIX)
     if options.ignore and options.labels is None and not is_home:
-        raise PlacecatError("--ignore has no effect without labels: give --labels too")
+        raise PlacecatError("--ignore has no effect without labels: add --labels")
     if options.overrides and not is_home:
-        raise PlacecatError("--set chooses the data set of home:NAME: give home:NAME as SOURCE")
+        raise PlacecatError("--set chooses the data set for home:NAME: use home:NAME as SOURCE")
     if options.labels is not None and is_home:
         raise PlacecatError(
-            "--labels is for other footage, since a data set has its own labels: leave it out"
+            "--labels is for other footage because a data set has its own labels: leave it out"
         )
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
-        raise PlacecatError(f"--seconds is {options.seconds:g}: give more than 0")
+        raise PlacecatError(f"--seconds is {options.seconds:g}: use a number above 0")
 
 
 def _quiet() -> None:
@@ -266,7 +266,7 @@ def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None
 
 
 def _print(folder: Path, job: _Job, prediction: Prediction, speed: Speed, content: dict[str, Any]) -> None:
-    """Print the notes, then the summary."""
+    """Print the notes and then the summary."""
     for note in content.get("notes", []):
         print(f"placecat: note: {note}", file=sys.stderr)
     print("\nShare of time:", *report.shares(prediction), sep="\n")

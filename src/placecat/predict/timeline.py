@@ -26,7 +26,7 @@ LINE = 96
 def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
     """Draw the timeline of a prediction, which must have at least one frame.
 
-    `truth` holds (n,) int16 class indices, or -1 for unlabelled frames; None omits the label strip.
+    `truth` contains (n,) int16 class indices, or -1 for unlabelled frames; None omits the label strip.
     """
     colors = palette.place_colors(prediction.classes)
     strips: dict[str, NDArray[np.integer]] = {} if truth is None else {"label": truth}
