@@ -1,4 +1,4 @@
-"""The layout of bags: floors, labels, and frames that are read again by their position."""
+"""Test the `bags` layout: floors, labels, and reading frames by position."""
 
 import numpy as np
 import pandas as pd
@@ -17,7 +17,7 @@ SECOND = 10**9
 
 
 def described(version=2):
-    """Rooms of ten seconds: unknown for one, then the kitchen, then another."""
+    """Make label messages: kitchen after one second, and bedroom after three."""
     return [
         (TOPIC, START + SECOND, string(version, "kitchen")),
         (TOPIC, START + 3 * SECOND, string(version, " bedroom ")),
@@ -26,7 +26,7 @@ def described(version=2):
 
 @pytest.fixture
 def root(tmp_path):
-    """Two floors, the lower one by two cameras, labelled by a CSV in seconds."""
+    """Create a home with two floors. The first floor has two cameras and its labels are in seconds."""
     depth = [
         (
             "/depth",
@@ -65,7 +65,7 @@ def test_frames_are_read_again_in_any_order(root):
     frames = open_home("bags", root, "Home1", topic=CAMERA).frames
     rows = frames.iloc[[3, 39, 7, 45, 59, 0]]
     assert [decoded(image) for image in read_frames(root, rows)] == [3, 39, 7, 5, 19, 0]
-    # The frames of the other camera are between them.
+    # Positions also count the frames of the other camera.
     assert frames["position"].iloc[39] > 39
     (root / "Home1/1.bag").unlink()
     walk(root / "Home1/1.bag", count=3)

@@ -100,7 +100,7 @@ class TestReadFrames:
         write_image(tmp_path / "c.png", 77, width=HEIGHT, height=WIDTH)
         mixed = rows(["a.avi", "c.png", "a.avi"], [5, -1, 6]).assign(turn=[90, 0, 270])
         images = list(read_frames(tmp_path, mixed, size=(HEIGHT, WIDTH)))
-        # NumPy turns counter-clockwise.
+        # NumPy rotates counter-clockwise.
         back = [np.rot90(image, turn // 90) for image, turn in zip(images, mixed["turn"], strict=True)]
         assert [decoded(np.ascontiguousarray(image)) for image in back] == [5, 77, 6]
         with pytest.raises(PlacecatError, match=r"a\.avi frame 6: the frame is 64x48, but .* 48x64"):

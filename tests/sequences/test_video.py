@@ -65,10 +65,10 @@ def test_a_video_in_a_subfolder(tmp_path: Path) -> None:
 
 def test_messages(tmp_path: Path) -> None:
     with pytest.raises(
-        PlacecatError, match=r"flat: there is no video of this name \(\.avi, .*\); correct dataset.homes"
+        PlacecatError, match=r"flat: there is no video with this name \(\.avi, .*\); correct dataset.homes"
     ):
         video.read_home(tmp_path, "flat")
-    with pytest.raises(PlacecatError, match=r"town/flat: there is no video of this name"):
+    with pytest.raises(PlacecatError, match=r"town/flat: there is no video with this name"):
         video.read_home(tmp_path, "town/flat")
     (tmp_path / "flat.avi").write_bytes(b"no video")
     with pytest.raises(PlacecatError, match=r"flat\.avi: not a readable video"):
@@ -123,7 +123,7 @@ def test_times_of_labels_refer_to_the_file(tmp_path: Path) -> None:
     assert home.frames["label"].tolist() == ["kitchen"] * 45 + ["hall"] * 45
     np.testing.assert_allclose(home.frames["seconds"], UNEVEN, atol=1e-4)
     assert (home.note, home.is_even) == ("", False)
-    # A given rate applies to all frames.
+    # An explicit rate applies to all frames.
     (tmp_path / "flat.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,9,hall\n")
     home = video.read_home(tmp_path, "flat", fps=10.0)
     assert home.frames["label"].tolist() == ["kitchen"] * 15 + ["hall"] * 75

@@ -11,8 +11,8 @@ from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
 from placecat.sequences import vpc2009
 
-# Every irregularity of the real files: runs of spaces, an end line spaced otherwise, floors out of order, two
-# transitions in a row, a note after the end, no newline at the end.
+# This text has every irregularity of the real files: multiple spaces, unevenly spaced end lines, floors out
+# of order, two consecutive transitions, a note after the end, and no newline at the end of the file.
 TRAPS = (
     "1/\n5\n1       2     hall\n3   3     transition\n4\t5   transition\n-1      -1      end\n"
     "2/\n3\n1       3       kitchen\n-1      -1 end\n"
