@@ -59,7 +59,7 @@ def test_stretch_is_from_student_and_ends_at_1():
 
 @pytest.mark.parametrize("n", [4, 6])
 def test_coverage_of_few_normal_units(n):
-    """The coverage in the docstring; the plain percentile interval has 0.81 and 0.85."""
+    """Check the coverage stated in the docstring. The plain percentile interval only has 0.81 and 0.85."""
     rng = np.random.default_rng(0)
     covered = 0
     for seed in range(600):
@@ -69,7 +69,7 @@ def test_coverage_of_few_normal_units(n):
 
 
 def test_a_maximum_is_taken_again_in_every_resample():
-    """Two results that are equal on average, each better in other homes: the best is uncertain."""
+    """The two results are equal on average but better in different homes, so the best result is uncertain."""
     results = np.array([[0.0, 0.0, 0.0, 6.0, 6.0, 6.0], [6.0, 6.0, 6.0, 0.0, 0.0, 0.0]])
     best = paired_bootstrap(lambda weights: (results @ weights.T).max(axis=0), 6, 0, resamples=2000)
     assert best.estimate == 3.0
@@ -108,7 +108,7 @@ def test_strata_keep_their_weight_and_a_single_block_has_no_spread():
 
 @pytest.mark.parametrize("sizes", [(2, 2, 2, 2, 2), (8, 8, 8, 8, 8)])
 def test_coverage_of_a_mean_over_places(sizes):
-    """The coverage in the docstring."""
+    """Check the coverage stated in the docstring."""
     rng, strata, covered = np.random.default_rng(0), strata_of(*sizes), 0
     for seed in range(400):
         values = rng.normal(size=len(strata))

@@ -15,7 +15,7 @@ SMALLEST = 1e-15
 
 
 def drawn(seed, frames=60, classes=4):
-    """Labels, some of them -1, and distributions."""
+    """Draw labels, some of them -1, and distributions."""
     rng = np.random.default_rng(seed)
     truth = rng.integers(-1, classes, frames)
     truth[0] = 0
@@ -70,7 +70,7 @@ def test_unlabelled_frames_and_the_order_of_frames_do_not_count(seed, bins):
 
 @given(st.integers(0, 1000))
 def test_frames_said_twice_change_nothing(seed):
-    """Places weigh the same, so counting the frames of one twice changes nothing."""
+    """Places have equal weight, so repeating all frames of one place changes nothing."""
     truth, proba = drawn(seed)
     own = np.concatenate([np.arange(len(truth)), np.flatnonzero(truth == 0)])
     assert log_loss(truth[own], proba[own], smallest=SMALLEST) == pytest.approx(
@@ -89,13 +89,14 @@ def test_weights_sum_to_one_place_by_place(truth):
 
 
 def test_the_error_of_a_few_frames_by_hand():
-    """Four frames of kitchen and one of bedroom: weights 1/8 and 1/2; bins (0.6, 0.8] and (0.8, 1]."""
+    """Kitchen has four frames with weight 1/8, and bedroom has one with weight 1/2."""
     proba = np.array([[0.7, 0.3], [0.7, 0.3], [0.3, 0.7], [0.9, 0.1], [0.9, 0.1]])
     truth = [0, 0, 0, 0, 1]
     diagram = reliability(truth, proba, bins=5)
     np.testing.assert_allclose(diagram.weight, [0, 0, 0, 3 / 8, 5 / 8])
     np.testing.assert_allclose(diagram.confidence[3:], [0.7, 0.9])
-    # In the first bin two of three are right; in the second 1/8 of 5/8.
+    # In the bin (0.6, 0.8], two of three decisions are correct. In (0.8, 1], a weight of 1/8 out of 5/8 is
+    # correct.
     np.testing.assert_allclose(diagram.accuracy[3:], [2 / 3, 1 / 5])
     assert np.isnan(diagram.confidence[:3]).all() and np.isnan(diagram.accuracy[:3]).all()
     assert calibration_error(diagram) == pytest.approx(3 / 8 * (0.7 - 2 / 3) + 5 / 8 * (0.9 - 0.2))
@@ -127,7 +128,7 @@ def test_the_error_is_between_one_bin_and_one(seed, bins):
 
 @given(st.integers(0, 1000))
 def test_confidences_are_in_their_bins(seed):
-    """A confidence is within its bin, upper end included."""
+    """Each confidence lies within its bin, which includes its upper end."""
     truth, proba = drawn(seed)
     diagram = reliability(truth, proba, bins=10)
     there = np.flatnonzero(diagram.weight)
@@ -147,7 +148,7 @@ def test_homes_weigh_the_same_in_a_pooled_diagram():
     np.testing.assert_allclose(both.weight, [0, 1])
     np.testing.assert_allclose([both.confidence[1], both.accuracy[1]], [0.8, 0.75])
     assert np.isnan(both.confidence[0])
-    # Overconfident in one home and underconfident in the other: the joint error is less than their mean.
+    # One home is overconfident and the other is underconfident, so the joint error is below the mean error.
     errors = [calibration_error(diagram) for diagram in (one, other)]
     assert errors == pytest.approx([0.1, 0.2])
     assert calibration_error(both) == pytest.approx(0.05)

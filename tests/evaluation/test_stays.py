@@ -13,13 +13,13 @@ frames = st.lists(st.tuples(st.integers(-1, CLASSES - 1), st.integers(0, CLASSES
 
 
 def parts_of(cuts):
-    """Slices between the frames that begin a sequence."""
+    """Return the slices between cuts."""
     starts = [i for i, cut in enumerate(cuts) if cut or not i]
     return [slice(start, stop) for start, stop in pairwise([*starts, len(cuts)])]
 
 
 def by_hand(truth, decision, cuts):
-    """Frame by frame: the frames of each stay, then a count."""
+    """Find and count the stays in a loop over frames."""
     stays, last = [], None
     for i, place in enumerate(truth):
         if place < 0:
@@ -84,7 +84,8 @@ def test_a_home_in_numbers():
     proba = np.array([[0.8, 0.2]] * 3 + [[0.4, 0.6]] * 2)
     found = home_quality([0, 0, 1, 1, -1], proba, [slice(0, 5)], bins=10, smallest=1e-15)
     assert found.log_loss == pytest.approx(-(np.log(0.8) + (np.log(0.2) + np.log(0.6)) / 2) / 2)
-    # (0.7, 0.8] has 3 frames of 4, and 2 of them are right; (0.5, 0.6] has one, which is right.
+    # The bin (0.7, 0.8] contains three of the four frames, and two are correct. The bin (0.5, 0.6] contains
+    # one frame, which is correct.
     assert found.calibration_error == pytest.approx(100 * (0.75 * (0.8 - 2 / 3) + 0.25 * 0.4))
     # The second stay is a tie.
     assert (found.stays, found.stays_right, found.stay_accuracy) == (2, 1, 50.0)

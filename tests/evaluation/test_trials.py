@@ -30,7 +30,7 @@ def test_a_table_gives_a_trial_for_each_combination_of_labels():
         "descriptor": {"name": "hog"},
         "classifier": {"clusters": 91, "base": {"k": 1}},
     }
-    # The column changes part of the setting from the group, in this trial only.
+    # The column changes part of the setting from the group, but only in this trial.
     assert trials["trials/table_12/SIFT||46"].settings["classifier"] == {"clusters": 46, "base": {"k": 3}}
     assert trials["trials/table_12/SIFT||91"].settings["classifier"] == {"clusters": 91, "base": {"k": 3}}
     assert TABLE["axes"]["group"]["SIFT"]["classifier"]["clusters"] == 2

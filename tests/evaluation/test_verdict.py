@@ -82,7 +82,7 @@ def test_bonferroni():
 
 @pytest.mark.parametrize("comparisons", [2, 14])
 def test_a_claim_of_several_true_comparisons_falsely_fails_in_5_percent_at_most(comparisons):
-    """Each difference is exactly 0, the worst for "not below 0"; without a correction it is more of 14."""
+    """Every difference is exactly 0, the worst case. Without correction, 14 comparisons fail more often."""
     rng = np.random.default_rng(comparisons)
     better, runs, level = Range(0.0, INFINITE), 120, corrected_level(0.95, comparisons)
     wrong = {0.95: 0, level: 0}

@@ -37,7 +37,7 @@ def corrected_level(level: float, comparisons: int) -> float:
     The level was checked in 12000 simulations, with intervals over four or six units, and with every
     comparison exactly on the edge of failing. At least one of 2, 5 or 14 independent comparisons fails in 3
     to 5 % of the simulations if units are normal, and in 2 to 4 % if they follow Student's t with 3 degrees
-    of freedom. The share is 15 to 36 % if units are exponential with the long tail on the claim's side,
+    of freedom. The share is 15 to 36 % if units are exponential with the long tail on the side of the claim,
     because intervals over so few skewed units are too short.
     """
     return 1.0 - (1.0 - level) / comparisons
