@@ -16,7 +16,7 @@ from placecat.fusion.hmm import (
 
 
 def forward_filter(likelihood, transition):
-    """Filter one whole sequence."""
+    """Filter a complete sequence."""
     forwards = ForwardFilter(transition)
     return np.array([forwards.step(row) for row in likelihood]).reshape(likelihood.shape)
 
@@ -27,7 +27,7 @@ def random_rows(rng, shape):
 
 
 def sum_over_paths(likelihood, transition, initial):
-    """p(l_t | o_1..t) by adding up every path of places, the definition of the forward filter."""
+    """Compute p(l_t | o_1..t) from its definition, as a sum over all paths of places."""
     frames, n = likelihood.shape
     result = np.zeros((frames, n))
     for t in range(frames):
@@ -58,7 +58,7 @@ def test_filter_is_causal_and_normalised(seed, frames, cut):
 
 
 def test_frame_by_frame_is_the_whole_sequence():
-    """Bit for bit, and like the plain recursion of equation (13)."""
+    """The results are bitwise identical, also to the plain recursion of equation (13)."""
     rng = np.random.default_rng(7)
     proba, transition = random_rows(rng, (200, 5)), random_rows(rng, (5, 5))
     emission = random_rows(rng, (5, 5))
@@ -117,7 +117,7 @@ def test_likelihoods_of_decision_and_of_distribution():
 
 
 def rarely_left(rng, n):
-    """An embeddable transition matrix: exp of a matrix of rates."""
+    """Draw an embeddable transition matrix, which is the exponential of a rate matrix."""
     rates = rng.random((n, n)) * 0.05 * (1 - np.eye(n))
     return expm(rates - np.diag(rates.sum(axis=1)))
 
@@ -130,7 +130,7 @@ def filtered(likelihood, transition, **options):
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 10))
 def test_over_several_steps_places_change_as_often_as_in_single_ones(seed, times):
-    """Skipped frames carry no information: their likelihood is the same for every place."""
+    """Skipped frames carry no information, so their likelihood is the same for every place."""
     rng = np.random.default_rng(seed)
     likelihood, transition = rng.random((8, 4)) + 1e-3, rarely_left(rng, 4)
     whole = np.ones(((len(likelihood) - 1) * times + 1, 4))
@@ -142,7 +142,7 @@ def test_over_several_steps_places_change_as_often_as_in_single_ones(seed, times
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 10))
 def test_the_evidence_of_faster_frames_adds_up(seed, times):
-    """If places never change, a view in `times` frames is as much evidence as in one."""
+    """If places never change, a view in `times` short frames is as much evidence as in one long frame."""
     rng = np.random.default_rng(seed)
     likelihood = rng.random((8, 4)) + 1e-3
     slow, repeated = forward_filter(likelihood, np.eye(4)), np.repeat(likelihood, times, axis=0)

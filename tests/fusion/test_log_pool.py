@@ -12,7 +12,7 @@ CLASSES = ["bath", "hall", "kitchen"]
 
 
 def drawn(weights, n=6000, seed=0):
-    """Cues; the labels are drawn from their pool with some weights."""
+    """Draw distributions for cues, and labels from their pool with the given weights."""
     rng = np.random.default_rng(seed)
     proba = rng.dirichlet(np.ones(3), (n, len(weights)))
     scores = np.tensordot(np.log(proba), weights, axes=(1, 0))
@@ -21,7 +21,7 @@ def drawn(weights, n=6000, seed=0):
 
 
 def weighed(truth, homes):
-    """(n,) weights by hand: homes weigh the same, and so do the classes in each."""
+    """Compute (n,) frame weights by hand, with equal weight for homes and for the classes in each home."""
     weights = np.zeros(len(truth))
     for home in set(homes):
         classes = set(truth[homes == home])
@@ -71,7 +71,7 @@ def test_the_weights_that_labels_were_drawn_by_are_found(weights):
 
 
 def test_two_cues_of_two_classes_are_a_logistic_regression():
-    """Weights of two classes are the coefficients of a regression on the differences of the logarithms."""
+    """For two classes, the weights are the coefficients of a logistic regression on the log odds."""
     rng = np.random.default_rng(5)
     proba = rng.dirichlet([1, 1], (900, 2))
     odds = np.log(proba[..., 1] / proba[..., 0])

@@ -62,7 +62,7 @@ def test_the_times_of_frames_that_come_unevenly_count():
 
 @pytest.mark.parametrize("rate", [5.0, 30.0, 25.0, 49.0, 30000 / 1001, 1 / 0.225])
 def test_is_the_filter_and_then_the_delay_at_the_rate_of_the_training(rate):
-    """To the bit, though 1 / rate is rounded."""
+    """The results are bitwise identical, although 1 / rate is rounded."""
     proba, training = made()
     transition = transition_matrix(training["training_sequences"], 2, smoothing=1.0)
     emission = emission_matrix(training["training_truth"], training["training_proba"], 2)
@@ -76,7 +76,7 @@ def test_is_the_filter_and_then_the_delay_at_the_rate_of_the_training(rate):
 
 
 def model(rate=5.0, leave=0.02, emission=(0.5, 0.25, 0.25), evidence="hard", delay_seconds=2.0):
-    """Three places; each frame leaves its place with probability `leave`."""
+    """Return a model with three places, each of which is left with probability `leave` per frame."""
     transition = np.full((3, 3), leave / 2) + (1 - 1.5 * leave) * np.eye(3)
     emissions = np.stack([np.roll(emission, place) for place in range(3)])
     return SmoothingModel(transition, emissions, evidence, 1.0, delay_seconds, rate)
@@ -89,7 +89,7 @@ def run(smoothing_model, proba, seconds):
 
 
 def stays(rng, frames=40):
-    """Distributions of an integrator on a walk: mostly one place after another, with some wrong frames."""
+    """Make the distributions of an integrator for a walk with stays of 8 frames, some of them wrong."""
     places = np.repeat(rng.integers(0, 3, frames // 8 + 1), 8)[:frames]
     wrong = rng.random(frames) < 0.3
     places = np.where(wrong, rng.integers(0, 3, frames), places)
@@ -108,20 +108,21 @@ def stays(rng, frames=40):
 def test_every_frame_six_times_at_six_times_the_rate_says_the_same(
     seed, leave, emission, evidence, tau, learnt
 ):
-    """Whatever the rate of the model. Nearly: places change within a frame's time, too."""
+    """This is true for any rate of the model, but only approximately, as places may change within a frame."""
     proba = stays(np.random.default_rng(seed))
-    # Models of several rates that make about the same predictions in a second.
+    # Models with different rates make about the same predictions for one second.
     share = 5.0 / learnt
     emission = np.array(emission) ** share
     own = model(learnt, leave * share, emission / emission.sum(), evidence, tau)
     hmm, delayed = run(own, proba, np.full(40, 1 / 5))
     fast_hmm, fast_delayed = run(own, np.repeat(proba, 6, axis=0), np.full(240, 1 / 30))
-    # For comparison, the result of a filter that ignores time.
+    # For comparison, run a filter that ignores time.
     unchanged, _ = run(own, np.repeat(proba, 6, axis=0), [None] * 240)
     unaware, _ = run(own, proba, [None] * 40)
     assert np.abs(fast_hmm[5::6] - hmm).max() < 0.15
     assert np.abs(fast_hmm[5::6] - hmm).mean() < 0.03
-    # The delay starts with its first frame, which counts less if it stands for less time; this effect fades.
+    # Subtract the influence of the first frame on the delay. It depends on the duration of this frame and
+    # fades over time.
     ends = np.arange(1, 41)[:, None] / 5
     started, fast_started = (
         np.exp(-(ends - ends[0]) / tau) * hmm[0],
@@ -134,7 +135,7 @@ def test_every_frame_six_times_at_six_times_the_rate_says_the_same(
 @settings(max_examples=examples(20), deadline=None)
 @given(st.integers(0, 10_000), st.floats(0.001, 0.03))
 def test_higher_rates_converge(seed, leave):
-    """The finer the time, the less another halving changes: the filter has a limit in continuous time."""
+    """The filter has a limit in continuous time, so the changes shrink as the rate increases."""
     proba = stays(np.random.default_rng(seed))
     results = []
     for times in (1, 4, 16, 64):
@@ -170,7 +171,7 @@ def test_after_a_long_time_without_frames_the_past_is_forgotten():
         results.append(smoother.step(late, 600.0))
     for hmm, delayed in results:
         np.testing.assert_allclose(delayed, hmm, atol=1e-12)
-        # One frame, which counts as much as five frames of a second.
+        # The late frame counts as five frames, which is the limit of one second.
         np.testing.assert_allclose(hmm, np.array([1, 1, 2**5]) / 34, atol=1e-6)
 
 

@@ -9,7 +9,7 @@ from placecat.fusion.temperature import fit_temperature, temper
 
 
 def drawn(temperature, n=4000, seed=0):
-    """Labels drawn from distributions, which are then given another temperature."""
+    """Draw labels from distributions, and then change the temperature of the distributions."""
     rng = np.random.default_rng(seed)
     true = rng.dirichlet(np.ones(4), n)
     truth = np.array([rng.choice(4, p=p) for p in true])

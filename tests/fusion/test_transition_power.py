@@ -9,13 +9,13 @@ from placecat.fusion.transition_power import TransitionPower, generator
 
 
 def rows_of(rng, n, stay):
-    """A stochastic matrix; the larger `stay`, the more likely a place stays."""
+    """Draw a stochastic matrix. A larger `stay` makes changes of place less likely."""
     rows = rng.random((n, n)) + stay * np.eye(n)
     return rows / rows.sum(axis=1, keepdims=True)
 
 
 def rates_of(rng, n):
-    """A generator, drawn directly."""
+    """Draw a generator directly."""
     rates = rng.random((n, n)) * (1 - np.eye(n)) * rng.choice([0.01, 0.1, 1.0])
     return rates - np.diag(rates.sum(axis=1))
 
@@ -38,7 +38,7 @@ def test_rows_are_distributions_for_any_matrix(matrix, exponent):
 
 @given(matrices, exponents, exponents)
 def test_chapman_kolmogorov(matrix, first, second):
-    """Steps of x and then y equal a step of x + y; 1 is the matrix itself and is a special case."""
+    """A step of x and a step of y equal a step of x + y. An exponent of 1 is a special case."""
     power = TransitionPower(matrix)
     if 1.0 in (first, second, first + second):
         return
@@ -78,12 +78,12 @@ def test_two_places_in_closed_form(a, b, exponent):
 
 
 def test_negative_rates_of_the_logarithm_become_none():
-    """The only way from 0 to 2, through 1, takes longer than a step: no continuous chain does that."""
+    """Place 2 can be reached from 0 through 1, but not in one step. No continuous-time chain does that."""
     matrix = np.array([[0.8, 0.2, 0.0], [0.0, 0.8, 0.2], [0.2, 0.0, 0.8]])
     rates = generator(matrix)
     assert rates[0, 2] == 0.0
     np.testing.assert_allclose(rates.sum(axis=1), 0.0, atol=1e-15)
-    # Here the logarithm is known: 0.8 I + 0.2 S with the shift S has it by its Fourier transform.
+    # The logarithm of 0.8 I + 0.2 S, where S is a cyclic shift, is known from the Fourier transform.
     waves = np.exp(2j * np.pi * np.arange(3) / 3)
     spectrum = np.log(0.8 + 0.2 * waves)
     logarithm = [np.mean(spectrum * waves ** (-k)).real for k in range(3)]
@@ -105,7 +105,7 @@ def test_without_a_logarithm_the_changes_come_at_random_times(matrix):
     np.testing.assert_allclose(rates.sum(axis=1), 0.0, atol=1e-12)
     assert (rates[~np.eye(len(matrix), dtype=bool)] >= 0).all()
     if np.isreal(np.linalg.eigvals(matrix)).all():
-        # A Poisson number of jumps, each by the matrix.
+        # The number of jumps follows a Poisson distribution, and each jump follows the matrix.
         jumps, weight, expected = np.eye(len(matrix)), np.exp(-0.7), np.zeros(matrix.shape)
         for number in range(30):
             expected += weight * jumps

@@ -2,7 +2,8 @@ import numpy as np
 
 from placecat.fusion.votes import vote_decision, vote_distribution
 
-# One frame, three cues, two places: two cues slightly for the first, one strongly for the second.
+# One frame with three cues and two places. Two cues slightly favour the first place, and one strongly favours
+# the second.
 PROBA = np.array([[[0.6, 0.4], [0.55, 0.45], [0.05, 0.95]]])
 
 
