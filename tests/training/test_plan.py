@@ -1,4 +1,4 @@
-"""Plans on made data: which homes train what on which frames, which are tested, and the names for seeds."""
+"""Test plans on synthetic data: training homes and frames, tested homes, and names that seeds depend on."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def test_a_plan_of_homes_is_the_fold(scheme):
 def test_further_sequences_have_the_places_of_the_homes_by_name():
     (plan,) = plans.of_homes(PARAMS, "5-5-1", "H2", extra=True)
     (part,) = plan.extra
-    # Kitchen, office, bedroom and bathroom; the homes have no office.
+    # The places are kitchen, office, bedroom and bathroom. The homes have no office.
     assert (part.home, part.sequence, part.numbers) == ("site/flip", "flip", (1, -1, 0, 2))
 
 

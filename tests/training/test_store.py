@@ -85,7 +85,7 @@ VARIANT = HOG | {"variant": "other"}
 
 @pytest.fixture
 def variant(folder):
-    """Regions of a variant in every third frame: the regions of the next frame."""
+    """Write a variant for every third frame, with the regions of the frame after it."""
     rows = np.arange(0, 90, 3)
     for name in ("count", "regions", "local_hog"):
         files.write_array(folder / f"variant_other/{name}.npy", np.load(folder / f"{name}.npy")[rows + 1])
@@ -111,5 +111,5 @@ def test_frames_that_a_variant_lacks_are_refused(rows):
 
 
 def test_an_unknown_variant_is_refused(folder):
-    with pytest.raises(PlacecatError, match=r"variant_other/frames.npy is missing: name the variant"):
+    with pytest.raises(PlacecatError, match=r"variant_other/frames.npy is missing: add the variant"):
         store.described("H1", VARIANT, np.arange(3))
