@@ -39,8 +39,8 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
 
     Raises PlacecatError with the line number if there is a gap or an overlap, if a segment ends before it
     starts or after the last frame, or if frames at the end are unlabelled. The other parameters are used in
-    the message. `file` is the label file, `sequence` names what the frames belong to (``floor 1`` or ``the
-    video``), and `counted` says where `count` comes from (``line 2``).
+    the message. `file` is the label file, `sequence` names what the frames belong to (``floor 1`` or
+    ``the video``), and `counted` says where `count` comes from (``line 2``).
     """
     if not segments:
         raise PlacecatError(f"{file}: {sequence} has no labels; label its frames 1 to {count}.")
@@ -138,10 +138,10 @@ def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str]
     nearest boundary between frames, so a few decimal places are enough. Every frame must be in exactly one
     row.
 
-    `timing` covers all frames. Messages refer to the frames as `sequence`, such as ``the video`` or ``the
-    folder``. Returns the label of each frame without surrounding spaces, and the line number of its row,
-    (frames,) int32. Raises PlacecatError with the line number if the header, a number or a label is wrong, or
-    if a frame is in no row or in several rows.
+    `timing` covers all frames. Messages refer to the frames as `sequence`, such as ``the video`` or
+    ``the folder``. Returns the label of each frame without surrounding spaces, and the line number of its
+    row, (frames,) int32. Raises PlacecatError with the line number if the header, a number or a label is
+    wrong, or if a frame is in no row or in several rows.
     """
     rows = read_rows(path)
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
