@@ -59,7 +59,7 @@ def test_stretch_is_from_student_and_ends_at_1():
 
 @pytest.mark.parametrize("n", [4, 6])
 def test_coverage_of_few_normal_units(n):
-    """Check the coverage stated in the docstring. The plain percentile interval only has 0.81 and 0.85."""
+    """Check the coverage stated in the docstring. A plain percentile interval covers only 0.81 and 0.85."""
     rng = np.random.default_rng(0)
     covered = 0
     for seed in range(600):

@@ -58,7 +58,7 @@ def test_filter_is_causal_and_normalised(seed, frames, cut):
 
 
 def test_frame_by_frame_is_the_whole_sequence():
-    """The results are bitwise identical, also to the plain recursion of equation (13)."""
+    """The results are bitwise identical to each other and to the plain recursion of equation (13)."""
     rng = np.random.default_rng(7)
     proba, transition = random_rows(rng, (200, 5)), random_rows(rng, (5, 5))
     emission = random_rows(rng, (5, 5))

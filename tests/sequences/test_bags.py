@@ -26,7 +26,7 @@ def described(version=2):
 
 @pytest.fixture
 def root(tmp_path):
-    """Create a home with two floors. The first floor has two cameras and its labels are in seconds."""
+    """Create a home with two floors. Floor 1 has two cameras, and its labels are in seconds."""
     depth = [
         (
             "/depth",

@@ -117,7 +117,7 @@ def test_csv_of_a_spreadsheet() -> None:
             "start,end,label\n1,4,a\n4,9,b\n",
             r"line 3: .* starts at frame 4, but line 2 ends at frame 4 \(an overlap\); start it at 5",
         ),
-        ("start,end,label\n0,9,a\n", r"line 2: the segment starts at frame 0, but frames count from 1"),
+        ("start,end,label\n0,9,a\n", r"line 2: the segment starts at frame 0, but frame numbers start at 1"),
         (
             "start,end,label\n1,8,a\n",
             r"line 2: the last segment of the video ends at frame 8, .* 9 frames \(0\.360 s .*label frame 9,",

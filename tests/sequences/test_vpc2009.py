@@ -192,7 +192,7 @@ class TestFrames:
             vpc2009.read_home(tmp_path, "Home1", fps=5.0)
         assert (
             str(caught.value)
-            == f"{tmp_path}/Home1/1/{extra} has no frame number from 1; rename or remove it."
+            == f"{tmp_path}/Home1/1/{extra} has no frame number above 0; rename or remove it."
         )
 
     def test_frame_twice(self, tmp_path: Path) -> None:

@@ -32,7 +32,7 @@ def folder(tmp_path_factory):
     ("name", "scheme"), [("das", "5-5-1"), ("das_451", "4-5-1"), ("vote", "5-5-1"), ("pool", "5-5-1")]
 )
 def test_a_system_equals_the_stages(folder, monkeypatch, name, scheme):
-    """Results are bitwise identical with extra data (vote), tempering (das_451) and held-out frames (pool)."""
+    """Results are bitwise identical with extra data (vote), tempering (das_451) and held-out data (pool)."""
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     system = systems.System.of(PARAMS, name)

@@ -138,7 +138,7 @@ def stratified_bootstrap(
     sizes = np.bincount(strata)
     free = int((sizes - 1).sum())
     if free < 1:
-        raise ValueError("every stratum has a single block: an interval needs a stratum with at least 2")
+        raise ValueError("every stratum has a single block: an interval needs one with at least 2 blocks")
     rng = np.random.default_rng(seed)
     weights = np.empty((resamples, len(strata)))
     for stratum, size in enumerate(sizes):

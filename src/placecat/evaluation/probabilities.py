@@ -88,7 +88,7 @@ def pooled(diagrams: Sequence[Reliability]) -> Reliability:
 
 
 def calibration_error(diagram: Reliability) -> float:
-    """Compute the expected calibration error (Guo et al., equation 3), in [0, 1].
+    """Compute the expected calibration error, in [0, 1] (Guo et al., equation 3).
 
     The result is NaN if no frame is scored.
     """

@@ -59,7 +59,7 @@ def judge(interval: Interval, claimed: Range, corrected: Interval | None = None)
 
 
 def combine(verdicts: Collection[str]) -> str:
-    """Combine the verdicts on a claim's comparisons. The claim holds if all hold, and fails if any fails.
+    """Combine the verdicts on the comparisons of a claim. It holds if all hold, and fails if any fails.
 
     "All hold" needs no correction for the number of comparisons. The conclusion is wrong only if the
     comparison that is false holds by chance (an intersection-union test). "Any fails" does need a correction,

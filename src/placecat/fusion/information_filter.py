@@ -41,8 +41,8 @@ def hold(
 
     This follows thesis 4.6. A frame is accepted if its information reaches the threshold. The thesis uses the
     threshold 0.09766, and 0.13021 in a check. :func:`threshold_of` computes a threshold from the share of
-    frames to drop. Frames before a sequence's first accepted frame, which the thesis does not mention, keep
-    their distributions. The result for frame t uses only frames up to t.
+    frames to drop. Frames before the first accepted frame of a sequence keep their distributions. The thesis
+    does not mention this case. The result for frame t uses only frames up to t.
 
     `proba` contains (frames, classes) distributions, and the result has the same shape. `information`
     contains the (frames,) measures from `placecat.vision.information.information`. `sequences` are slices

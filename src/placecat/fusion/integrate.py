@@ -53,7 +53,7 @@ class Integrator:
 
 @dataclass(frozen=True)
 class Trained:
-    """A trained integration, with facts about its training in JSON types.
+    """A trained integration, with facts about its training that can be written as JSON.
 
     `cross_validated` contains (n, n_classes) distributions for the training frames, home by home, or is None
     if they were not requested. Each comes from a model that saw neither the frame nor its home. `truth`
@@ -107,7 +107,7 @@ def fit(
     if method == "log_pool":
         return _fit_pool(tempered, labels, homes, own, shrinkage, smallest)
     if method != "das":
-        # A vote is not trained, so its statistics need no cross-validation.
+        # A vote is not trained, so its statistics do not need cross-validation.
         vote = Integrator(method, None, own)
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     assert classifier is not None

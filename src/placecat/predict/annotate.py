@@ -59,7 +59,7 @@ class Annotator:
         line = max(2, round(self._height / 360))
         sizes = radius(regions[:, 2], self._width)
         for (x, y, *_), size in zip(regions[::-1], np.atleast_1d(sizes)[::-1], strict=True):
-            # OpenCV reads these as sixteenths of a pixel.
+            # OpenCV interprets these coordinates as sixteenths of a pixel.
             centre = (round((float(x) + 0.5) * self._times * 16), round((float(y) + 0.5) * self._times * 16))
             for color, thickness in ((_RIM, line + 2), (_REGION, line)):
                 cv2.circle(image, centre, round(float(size) * 16), color, thickness, cv2.LINE_AA, 4)
@@ -85,7 +85,7 @@ class Annotator:
             write(picture, text, (left, top + unit), _fitting(text, unit, right - left), _GREY)
 
     def _places(self, picture: NDArray[np.uint8], decision: Decision) -> None:
-        """Draw a bar for each place's probability, and a thin bar below it for this frame alone."""
+        """Draw a bar for the probability of each place, and a thin bar below it for this frame alone."""
         unit, left, right = self._unit, self._left, self._right
         top, bottom = round(7.9 * unit), self._height - round(4.2 * unit)
         row = min(round(3.0 * unit), (bottom - top) // max(1, len(self._classes)))

@@ -12,7 +12,7 @@ from placecat.errors import PlacecatError
 from placecat.footage.timing import MOST_RATE
 from placecat.predict.frame import Frame, Source
 
-# Used if a camera reports no rate or an implausible one; some streams report 90,000.
+# The frame rate if a camera reports none or an implausible one. Some streams report 90,000.
 USUAL_FPS = 30.0
 # The camera is considered disconnected after this many failed reads in a row. The second number is the pause
 # after each failed read, in seconds.

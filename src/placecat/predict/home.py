@@ -22,7 +22,7 @@ class DataSetHome(Source):
     """The frames of a home, floor by floor.
 
     The system restarts at each floor and at any other cut. Times continue from the previous floor. `name` is
-    the name of the home. `dataset` contains the settings of its data set, as in a file of conf/dataset. `fps`
+    the name of the home. `dataset` contains the settings of its data set, from a file in conf/dataset. `fps`
     replaces the frame rate of the data set, in frames per second. Raises PlacecatError if the home is unknown
     or cannot be read.
     """
@@ -89,7 +89,7 @@ class DataSetHome(Source):
             if own[number] not in classes:
                 raise PlacecatError(
                     f"{self.name}: the label {own[number]!r} is not a place of the model "
-                    f"({', '.join(classes)}): leave such frames unscored with --ignore {own[number]}"
+                    f"({', '.join(classes)}): exclude such frames from scoring with --ignore {own[number]}"
                 )
         numbers = [classes.index(name) if name in classes else -1 for name in own]
         return np.array([*numbers, -1], np.int16)[labels]

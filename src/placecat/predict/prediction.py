@@ -86,7 +86,8 @@ class Prediction:
         """List the segments of the footage: runs of frames in the same place, with no gaps between them.
 
         The start and end of a segment are frame numbers in the footage. A frame that was not categorized
-        belongs to the segment of the frame before it. `line` is its line number in segments.csv.
+        belongs to the segment of the frame before it. `line` is the line number of the segment in
+        segments.csv.
         """
         decision = self.decision
         firsts = np.flatnonzero(np.r_[True, decision[1:] != decision[:-1]])

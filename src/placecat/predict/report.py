@@ -85,7 +85,7 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
     table = pd.DataFrame(agreement["confusion"], list(classes), pd.Index(classes, name="label"))
     percents = [agreement["by_place"][name] for name in classes]
     correct = ["-" if percent is None else f"{percent:.1f} %" for percent in percents]
-    # A place may be called "correct" too.
+    # A place may also be called "correct".
     table.insert(len(classes), "correct", correct, allow_duplicates=True)
     lines = [
         f"Accuracy (mean over the labelled places): {agreement['accuracy']:.2f} %; "
@@ -107,7 +107,7 @@ def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = No
     The footage has `fps` frames per second, and one frame out of `every` is used. `dropped` is the number of
     camera frames that were not used.
     """
-    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} frames/s that are used out of the footage's"
+    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} frames/s used out of the footage's"
     text = (
         f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
         f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"

@@ -73,7 +73,7 @@ def run(
     with ExitStack() as stack:
         film = None
         if film_path is not None:
-            # Imported late: it imports Matplotlib for its colours.
+            # Imported late because it imports Matplotlib for its colours.
             from placecat.predict.annotate import Annotator
 
             annotator = Annotator(system.classes, fit.target)
@@ -102,7 +102,7 @@ def run(
                 if film is not None:
                     label = true_label(truth, frame.number, system.classes)
                     film.add(annotator(frame, decision, label), frame.seconds / pace)
-                # Append in one step: Ctrl-C must not leave half a row.
+                # Append the row in one step, so that Ctrl-C cannot leave half of it.
                 rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
                 speed.frames, speed.seconds = len(rows), time.perf_counter() - start
                 shown(frame, decision, speed)

@@ -1,4 +1,4 @@
-"""Draw a prediction as a timeline: strips of places, with the confidence below them."""
+"""Draw a prediction as a timeline, with strips of places and the confidence below them."""
 
 import textwrap
 from collections.abc import Sequence

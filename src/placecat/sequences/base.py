@@ -28,7 +28,7 @@ class Home:
     fps
         Frames per second.
     camera
-        Name of the camera; homes with the same name have the same camera height, lens and colour response.
+        Name of the camera. Homes with the same camera name share the camera height, lens and colour response.
     width, height
         Size of every frame in pixels after rotation, measured on the first frame.
     frames

@@ -60,7 +60,9 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
             )
         if segment.start <= last:
             before = (
-                f"line {segments[number - 1].line} ends at frame {last}" if number else "frames count from 1"
+                f"line {segments[number - 1].line} ends at frame {last}"
+                if number
+                else "frame numbers start at 1"
             )
             raise PlacecatError(
                 f"{where}: the segment starts at frame {segment.start}, but {before} (an overlap); start it "

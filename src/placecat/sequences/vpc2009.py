@@ -1,9 +1,9 @@
 """The VPC-2009 home database: ``HomeN/<floor>/%08d.jpg`` and ``HomeN/label.txt``.
 
 For each floor, the label file lists the folder, the number of frames, the segments, and an end line. A
-segment is a line ``first last label``. Its frames are counted from 1 on every floor, and both ends are
-included. A second end line marks the end of the labels, and free text may follow. Columns are separated by
-spaces or tabs.
+segment is a line ``first last label``. Frame numbers start at 1 on every floor, and segments include both
+ends. A second end line marks the end of the labels, and free text may follow. Columns are separated by spaces
+or tabs.
 
 References
 ----------
@@ -124,7 +124,7 @@ def _images(folder: Path, floor: Floor, file: Path) -> list[str]:
         number = int(match[1]) if match else 0
         if number < 1 or number in found:
             what = (
-                f"is the same frame as {found[number]}" if number in found else "has no frame number from 1"
+                f"is the same frame as {found[number]}" if number in found else "has no frame number above 0"
             )
             raise PlacecatError(f"{path / image} {what}; rename or remove it.")
         found[number] = image

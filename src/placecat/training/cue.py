@@ -106,8 +106,8 @@ def cluster(
     """Cluster a cue's training frames.
 
     The seed of the clustering is derived from the plan, the cue, and `seed`, which is one of
-    ``protocol.seeds``. `numbers` are the numbers of clusters that will be used; None means those in the
-    settings of the codebook.
+    ``protocol.seeds``. `numbers` are the numbers of clusters that will be used. None means the numbers in the
+    codebook settings.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]

@@ -125,7 +125,7 @@ def without_homes(params: Mapping[str, Any], tested: Sequence[str]) -> Plan:
 
 
 def of_split(params: Mapping[str, Any], split: str) -> Plan:
-    """Plan a fixed split; it may train on only some places of a sequence (thesis 4.9 and 4.10)."""
+    """Plan a fixed split, which may train on only some places of a sequence (thesis 4.9 and 4.10)."""
     own = settings.get(params, f"splits.{split}")
     classes = own["dataset"]["classes"]
 
@@ -150,7 +150,7 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
 def on_training_homes(plan: Plan) -> list[Plan]:
     """Plan to test each training home after training on the other training homes of `plan`.
 
-    The sequence that the plan itself tests is not used.
+    The tested sequence of `plan` is not used.
     """
     training = [part for part in plan.cues if part.home != plan.test]
     return [

@@ -1,4 +1,4 @@
-"""Choose training and test homes by the protocols 5-5-1 and 4-5-1 (thesis 4.5), for any number of homes."""
+"""Choose training and test homes with protocol 5-5-1 or 4-5-1 (thesis 4.5), for any number of homes."""
 
 from collections.abc import Sequence
 

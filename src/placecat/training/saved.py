@@ -1,4 +1,4 @@
-"""Read saved results of cues and systems, to train on them."""
+"""Read saved results of cues and systems as training data."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Read a home's descriptors, which the stages `features` and `tracks` write."""
+"""Read the descriptors of a home, as written by the stages `features` and `tracks`."""
 
 from collections.abc import Mapping
 from pathlib import Path

@@ -104,7 +104,7 @@ def train(plan: Plan, system: System, seed: int) -> Trained:
 def _train_cue(
     plan: Plan, cue: Cue, seed: int, parts: Sequence[Part] | None, tempered: bool
 ) -> tuple[TrainedCue, Probabilities, float]:
-    """Train one cue. Returns it, its distributions for the frames of the integration, and its temperature.
+    """Train one cue, and return it with its distributions for the integration and its temperature.
 
     If `parts` is None, the integration trains on the frames that the cue was cross-validated on.
     """

@@ -1,4 +1,4 @@
-"""Try cues: train them according to a plan, and count their decisions on the tested sequence."""
+"""Train cues according to a plan, and count their decisions on the tested sequence."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
