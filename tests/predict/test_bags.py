@@ -30,7 +30,7 @@ def system(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("kind", ["walk.bag", "walk_ros2"])
-def test_a_bag_is_footage(system, tmp_path, capsys, kind):
+def test_predict_from_a_bag(system, tmp_path, capsys, kind):
     walk(tmp_path / kind)
     predict(kind)
     folder = tmp_path / "predictions" / kind.partition(".")[0]
@@ -45,7 +45,7 @@ def test_a_bag_is_footage(system, tmp_path, capsys, kind):
     assert told.err == ""
 
 
-def test_odd_times_topics_and_labels(system, tmp_path, capsys):
+def test_uneven_times_topics_and_labels(system, tmp_path, capsys):
     stamps = [*STAMPS[:20], *(START + 10**9 + number * 10**9 for number in range(10))]
     other = [("/left", START, picture(1, START, coded(77)))]
     walk(tmp_path / "walk.bag", stamps=stamps, others=other)
@@ -87,7 +87,7 @@ def test_odd_times_topics_and_labels(system, tmp_path, capsys):
         ("walk.mcap --mcap there.mcap/a.mcap", "cannot write there.mcap/a.mcap"),
     ],
 )
-def test_mistakes_give_one_message_and_leave_nothing(system, tmp_path, arguments, message):
+def test_user_errors_give_one_message_and_leave_no_files(system, tmp_path, arguments, message):
     walk(tmp_path / "walk.mcap")
     write_image(tmp_path / "images/1.png", 1)
     (tmp_path / "there.mcap").write_text("mine")
@@ -161,7 +161,7 @@ def test_an_mcap_file_opens_without_ros(system, tmp_path):
     assert places[1] == b"\x00\x01\x00\x00" + (12).to_bytes(4, "little") + b"living_room\x00"
 
 
-def test_the_same_prediction_gives_the_same_bytes(system, tmp_path):
+def test_mcap_files_are_reproducible(system, tmp_path):
     walk(tmp_path / "walk.bag")
     predict("walk.bag", "--mcap", "one/said.mcap")
     predict("walk.bag", "--mcap", "two/said.mcap")
@@ -169,7 +169,7 @@ def test_the_same_prediction_gives_the_same_bytes(system, tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["mcap", "rrd"])
-def test_an_interrupted_export_leaves_nothing(system, tmp_path, monkeypatch, ending):
+def test_an_interrupted_export_leaves_no_files(system, tmp_path, monkeypatch, ending):
     if ending == "rrd":
         pytest.importorskip("rerun", reason="rerun is not installed: pip install -e '.[rerun]'")
     walk(tmp_path / "walk.bag")
@@ -187,7 +187,7 @@ def test_an_interrupted_export_leaves_nothing(system, tmp_path, monkeypatch, end
     assert [path.name for path in tmp_path.iterdir()] == ["walk.bag"]
 
 
-def test_a_full_disk_ends_a_recording_of_rerun(system, tmp_path, monkeypatch):
+def test_rerun_export_stops_if_the_disk_is_full(system, tmp_path, monkeypatch):
     pytest.importorskip("rerun", reason="rerun is not installed: pip install -e '.[rerun]'")
     write_image(tmp_path / "images/1.png", 1)
     before = sorted(tmp_path.rglob("*"))
@@ -197,7 +197,7 @@ def test_a_full_disk_ends_a_recording_of_rerun(system, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(("option", "package"), [("--mcap", "rosbags"), ("--rerun", "rerun")])
-def test_without_a_package_the_extra_is_named(system, tmp_path, monkeypatch, option, package):
+def test_message_for_a_missing_package_names_the_extra(system, tmp_path, monkeypatch, option, package):
     write_image(tmp_path / "images/1.png", 1)
     monkeypatch.setitem(sys.modules, package, None)
     name = f"a{'.mcap' if option == '--mcap' else '.rrd'}"
@@ -210,7 +210,7 @@ def recorded(path, entity, field):
 
     if hasattr(rerun, "dataframe"):
         view = rerun.dataframe.load_recording(path).view(index="frame", contents=entity)
-        # A timeline does not belong to an entity.
+        # The column of a timeline has no entity in its name.
         tables = [(view.select().read_all(), f"{entity}:{field}" if ":" in field else field)]
     else:
         from rerun.chunk import RrdReader
@@ -224,7 +224,7 @@ def recorded(path, entity, field):
     return found
 
 
-def test_a_recording_of_rerun_has_frames_regions_probabilities_and_places(system, tmp_path):
+def test_a_rerun_recording_has_frames_regions_probabilities_and_places(system, tmp_path):
     pytest.importorskip("rerun", reason="rerun is not installed: pip install -e '.[rerun]'")
     walk(tmp_path / "walk.bag")
     predict("walk.bag", "--rerun", "out/said.rrd")

@@ -25,7 +25,7 @@ class Annotator:
     """Draws frames that all have the same size.
 
     The parameter `size` is the (width, height) of the frames. The attribute `size` is the (width, height) of
-    the drawn pictures. Both numbers are even because video encoders require it.
+    the drawn pictures. Width and height are even because video encoders require it.
     """
 
     def __init__(self, classes: Sequence[str], size: tuple[int, int]) -> None:

@@ -17,7 +17,7 @@ class Prediction:
     `classes` are the names of the K places. The footage has `fps` frames per second, and `length` is the
     number of the last frame that was read. `numbers`, (n,) int64, are the numbers of the categorized frames
     in the footage, counted from 1. `seconds`, (n,) float64, are their times since the first frame. `names`
-    are the names of their image files. It is empty if there are none.
+    lists the names of their image files, or is empty if there are none.
 
     `proba`, (n, K) float64, are the smoothed probabilities, which decide the place. `integrated` are the
     probabilities of each frame alone. The last frame ends at `end` seconds; None means that it lasts as long

@@ -111,7 +111,7 @@ def run(
                 raise
             was_stopped = True
     if not rows:
-        raise PlacecatError("no frame was used: use a longer --seconds")
+        raise PlacecatError("no frame was used: increase --seconds")
     numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
     last = source.reached if limit is None else numbers[-1]
     timing = source.timing

@@ -36,7 +36,7 @@ def open_source(
 
     `fps` replaces the frame rate of the footage, in frames per second. A folder has no frame rate, so its
     default is `usual_fps`. `size` is the (width, height) requested from a camera. `topic` is the image topic
-    of a bag; None uses the only one.
+    of a bag. It may be None if the bag has only one.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: use {SLOWEST:g} to {FASTEST:g}")
