@@ -45,7 +45,7 @@ CREATE TABLE rh2_old2new_rgbd_files (id INT, old_path TEXT, old_file_1 TEXT, old
 
 
 class Seen(NamedTuple):
-    """An observation that a camera makes."""
+    """One observation of a camera."""
 
     home: str
     session: str

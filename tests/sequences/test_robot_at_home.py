@@ -54,7 +54,7 @@ def expected(seen: list[Seen], home: str, camera: str) -> list[Seen]:
 @pytest.mark.parametrize("home", HOMES)
 @pytest.mark.parametrize("camera", ["RGBD_1", "RGBD_2"])
 @pytest.mark.parametrize("observations", ["labelled", "all"])
-def test_frames_in_order_of_time(
+def test_frames_are_in_time_order(
     made: tuple[Path, list[Seen]], home: str, camera: str, observations: str
 ) -> None:
     root, seen = made
@@ -94,7 +94,7 @@ def test_times_come_from_the_database(made: tuple[Path, list[Seen]]) -> None:
 
 
 @pytest.mark.parametrize("turn", [90, 180, 270])
-def test_pictures_are_turned_clockwise(made: tuple[Path, list[Seen]], turn: int) -> None:
+def test_pictures_are_rotated_clockwise(made: tuple[Path, list[Seen]], turn: int) -> None:
     root, _ = made
     upright = read_home(root, "alma")
     home = read_home(root, "alma", turn=turn)  # type: ignore[arg-type]
@@ -108,7 +108,7 @@ def test_pictures_are_turned_clockwise(made: tuple[Path, list[Seen]], turn: int)
         next(read_frames(root, read_home(root, "alma", turn=90).frames, size=(WIDTH, HEIGHT)))
 
 
-def test_the_places_of_both_are_settings(made: tuple[Path, list[Seen]], copied: Path) -> None:
+def test_database_and_picture_paths_are_settings(made: tuple[Path, list[Seen]], copied: Path) -> None:
     (copied / "rh.db").rename(copied / "other.db")
     (copied / "files").rename(copied / "pictures")
     home = read_home(copied, "anto", database="other.db", pictures="pictures/rgbd")
@@ -123,7 +123,7 @@ def test_a_frame_without_a_room_has_no_label(copied: Path) -> None:
     assert read_home(copied, "sarmis", camera="RGBD_2").frames["label"].iloc[-1] == ""
 
 
-def test_nothing_is_written(copied: Path) -> None:
+def test_reading_writes_no_files(copied: Path) -> None:
     change(copied, "PRAGMA journal_mode = WAL; VACUUM;")
     before = {path: path.stat().st_mtime_ns for path in copied.rglob("*")}
     assert not list(copied.glob("rh.db-*"))
@@ -166,12 +166,12 @@ def test_a_damaged_database(copied: Path, statements: str, message: str) -> None
     assert len(str(caught.value)) < 400
 
 
-def test_the_column_of_a_picture_does_not_matter(made: tuple[Path, list[Seen]], copied: Path) -> None:
+def test_the_column_of_the_file_name_does_not_matter(made: tuple[Path, list[Seen]], copied: Path) -> None:
     change(copied, "UPDATE rh2_old2new_rgbd_files SET new_file_1 = new_file_2, new_file_2 = new_file_1")
     assert read_home(copied, "pare").frames.equals(read_home(made[0], "pare").frames)
 
 
-def test_files_that_are_no_database(copied: Path) -> None:
+def test_files_that_are_not_a_database(copied: Path) -> None:
     file = copied / "rh.db"
     content = file.read_bytes()
     for damaged, message in [(b"", "the table rh_homes is missing"), (b"x" * 9000, "not a database")]:
@@ -202,7 +202,7 @@ def test_missing_pictures(copied: Path) -> None:
         open_home("robot_at_home", copied, "alma")
 
 
-def test_links_that_lead_out(copied: Path, tmp_path: Path) -> None:
+def test_links_out_of_the_picture_folder(copied: Path, tmp_path: Path) -> None:
     secret = tmp_path / "secret.png"
     cv2.imwrite(str(secret), picture("", "", 1))
     (copied / ONE / "100002_intensity.png").unlink()

@@ -1,4 +1,4 @@
-"""Read untrusted SQLite files in read-only mode, and check their tables and the types of values."""
+"""Read untrusted SQLite files in read-only mode, and check their tables and the types of their values."""
 
 import sqlite3
 from collections.abc import Iterator, Mapping
