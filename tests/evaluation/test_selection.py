@@ -43,7 +43,7 @@ def risk_by_hand(all_homes, threshold):
 
 
 @given(homes, st.sampled_from([0.01, 0.1, 0.3, 0.5, 0.9]))
-def test_the_threshold_is_the_lowest_that_keeps_the_risk(all_homes, risk):
+def test_threshold_is_the_lowest_with_an_acceptable_risk(all_homes, risk):
     threshold = choose_threshold([made(home)[0] for home in all_homes], risk)
     there = {tenths / 10 for home in all_homes for truth, _, tenths in home if truth >= 0}
     good = [one for one in there if risk_by_hand(all_homes, one) <= risk + 1e-9]
@@ -51,7 +51,7 @@ def test_the_threshold_is_the_lowest_that_keeps_the_risk(all_homes, risk):
 
 
 @given(homes, st.sampled_from([0.0, 0.45, 0.6, 0.8, math.inf]))
-def test_remaining_decisions_are_counted_by_hand(all_homes, threshold):
+def test_coverage_and_risk_equal_a_loop_over_frames(all_homes, threshold):
     found = select([made(home)[0] for home in all_homes], [threshold] * len(all_homes))
     left, wrong = np.transpose([by_hand(home, threshold) for home in all_homes])
     assert found.coverage == pytest.approx(left.mean())
@@ -63,7 +63,7 @@ def test_remaining_decisions_are_counted_by_hand(all_homes, threshold):
 
 
 @given(homes)
-def test_with_nothing_withheld_risk_and_accuracy_sum_to_1(all_homes):
+def test_risk_and_accuracy_sum_to_1_at_full_coverage(all_homes):
     judged = [made(home) for home in all_homes]
     found = select([one for one, _, _ in judged], [0.0] * len(judged))
     missing = [100 - home_accuracy(confusion_matrix(truth, places, CLASSES)) for _, truth, places in judged]
@@ -71,7 +71,7 @@ def test_with_nothing_withheld_risk_and_accuracy_sum_to_1(all_homes):
     assert 100 * found.risk == pytest.approx(np.mean(missing))
 
 
-def test_a_home_does_not_influence_its_threshold():
+def test_a_home_does_not_influence_its_own_threshold():
     sure = [(0, 0, 9)] * 4
     # In `odd`, the confident decisions are wrong. A threshold chosen on `odd` itself would exclude them.
     odd = [(0, 1, 8)] * 3 + [(0, 0, 5)]

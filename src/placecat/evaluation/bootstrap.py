@@ -47,7 +47,7 @@ def paired_bootstrap(
     both effects with more extreme quantiles (the expanded percentile interval). With four or six units, such
     quantiles are out of reach, because the resampled means cannot go beyond the smallest and the largest
     unit. BCa corrects for skewness, but not for small n. The bootstrap-t interval divides by standard errors.
-    They are 0 if units are equal, as the seeds of a home can be, and the interval is then infinite.
+    If these are 0, the interval is infinite. This happens if units are equal, as the seeds of a home can be.
 
     This table shows the coverage of intervals for the mean of 4 units and of 6 units, from 4000 simulations
     with a `level` of 0.95:
@@ -81,8 +81,8 @@ def paired_bootstrap(
 
     Returns
     -------
-    The interval. Its `estimate` weighs all units equally and lies within the interval unless the statistic is
-    very biased. If all units are identical, the interval is a single point.
+    The interval. Its `estimate` gives all units equal weight. It lies within the interval unless the
+    statistic is very biased. If all units are identical, the interval is a single point.
 
     References
     ----------
@@ -138,7 +138,7 @@ def stratified_bootstrap(
     sizes = np.bincount(strata)
     free = int((sizes - 1).sum())
     if free < 1:
-        raise ValueError("every stratum has a single block: an interval needs one with at least 2 blocks")
+        raise ValueError("every stratum has a single block: at least one stratum needs 2 blocks or more")
     rng = np.random.default_rng(seed)
     weights = np.empty((resamples, len(strata)))
     for stratum, size in enumerate(sizes):

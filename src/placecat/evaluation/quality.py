@@ -51,8 +51,8 @@ def home_quality(
     """Measure the distributions in a home.
 
     `truth` contains (frames,) class indices in temporal order, with -1 for unlabelled frames. `proba`
-    contains (frames, n_classes) distributions. `sequences` are slices without cuts that together cover all
-    frames. `bins` and `smallest` are as in `reliability` and `log_loss` of
+    contains (frames, n_classes) distributions. `sequences` contains one slice of frames per sequence.
+    Together, the slices cover all frames. `bins` and `smallest` are as in `reliability` and `log_loss` of
     `placecat.evaluation.probabilities`.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])

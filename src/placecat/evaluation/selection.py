@@ -39,7 +39,7 @@ class Selection(NamedTuple):
 
 
 def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
-    """Judge the decisions in a home.
+    """Return the confidence and weight of each decision in a home, and whether it is wrong.
 
     `truth` contains (n,) integers, with -1 for frames that are not scored, and `proba` contains
     (n, n_classes) distributions. The decision is the most probable class, or the first in a tie.
@@ -72,7 +72,7 @@ def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
 
 
 def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
-    """Measure the decisions at or above each home's threshold."""
+    """Measure the coverage and risk of the decisions at or above each home's threshold."""
     left = []
     for home, threshold in zip(homes, thresholds, strict=True):
         is_left = home.confidence >= threshold

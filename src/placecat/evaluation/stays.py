@@ -19,8 +19,8 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
     """Find the maximal runs of frames with the same label, in temporal order.
 
     `truth` contains (frames,) class indices in temporal order, with -1 for unlabelled frames and transitions,
-    which end a stay. `sequences` are slices without cuts that together cover all frames. A cut also ends a
-    stay.
+    which end a stay. `sequences` contains one slice of frames per sequence. Together, the slices cover all
+    frames. The end of a sequence also ends a stay.
     """
     truth = np.asarray(truth, dtype=np.int64)
     if not len(truth):

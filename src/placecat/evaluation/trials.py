@@ -15,7 +15,7 @@ HOMES = "homes"
 
 @dataclass(frozen=True)
 class Trial:
-    """A cue to train and test in some homes.
+    """A cue to train, and the homes to test it on.
 
     `name` consists of the name of the table and one label per axis, such as
     ``trials/table_12/HOG + y-Pos||196``. The label is empty for the axis of homes. `settings` are
@@ -37,10 +37,10 @@ def trial_name(table: str, group: str, row: str, column: str) -> str:
 
 
 def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]]:
-    """Return the number and name of each home in the data set that a table uses for testing.
+    """Return the number and name of each home that a table uses for testing.
 
     Numbers start at 1. The ``homes`` of the table are either such numbers or ``all``. `homes` are the names
-    of the homes in the data set.
+    of the homes in the data set. Numbers without such a home are skipped.
     """
     numbers = range(1, len(homes) + 1) if table["homes"] == "all" else table["homes"]
     return [(int(number), homes[number - 1]) for number in numbers if 1 <= number <= len(homes)]

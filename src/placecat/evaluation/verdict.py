@@ -61,9 +61,9 @@ def judge(interval: Interval, claimed: Range, corrected: Interval | None = None)
 def combine(verdicts: Collection[str]) -> str:
     """Combine the verdicts on the comparisons of a claim. It holds if all hold, and fails if any fails.
 
-    "All hold" needs no correction for the number of comparisons. The conclusion is wrong only if the
-    comparison that is false holds by chance (an intersection-union test). "Any fails" does need a correction,
-    because each of k true comparisons may fail by chance. So `judge` uses the corrected interval.
+    "All hold" needs no correction for the number of comparisons. The conclusion is wrong only if a false
+    comparison holds by chance (an intersection-union test). "Any fails" does need a correction, because each
+    of k true comparisons may fail by chance. So `judge` uses the corrected interval.
     """
     if FAILS in verdicts:
         return FAILS
