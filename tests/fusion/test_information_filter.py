@@ -66,7 +66,7 @@ def test_a_frame_below_the_threshold_repeats_the_last_accepted_one_of_its_sequen
     assert np.argmax(held, axis=1).tolist() == [0, 1, 1, 1, 4, 5, 6]
 
 
-def test_without_a_threshold_nothing_changes():
+def test_a_threshold_of_zero_changes_nothing():
     proba = np.random.default_rng(0).dirichlet(np.ones(3), 9)
     np.testing.assert_array_equal(hold(proba, np.zeros(9), threshold=0.0, sequences=[slice(0, 9)]), proba)
 
@@ -80,13 +80,13 @@ def test_a_share_of_the_frames_lies_below_its_threshold(information, share):
     assert (information <= np.float32(threshold)).mean() > share - 1 / len(information)
 
 
-def test_the_share_of_frames_without_equals_is_exact():
+def test_the_share_is_exact_without_ties():
     information = np.random.default_rng(0).permutation(200).astype(np.float32)
     kept = information >= threshold_of(0.1, information)
     assert kept.sum() == 180
 
 
-def test_dropped_frames_are_counted_with_and_without_label():
+def test_dropped_frames_are_counted_with_and_without_labels():
     information = np.array([0.05, 0.2, 0.05, 0.1, np.nan], np.float32)
     counted = dropped(information, np.array([0, 1, -1, 2, 0], np.int16), 0.1)
     assert counted == {"threshold": 0.1, "frames": 5, "dropped": 3, "labelled": 4, "dropped_labelled": 2}
@@ -105,7 +105,7 @@ def test_dropped_frames_are_counted_with_and_without_label():
         (True, None, "threshold=True: it must be a valid number"),
     ],
 )
-def test_a_filter_has_a_threshold_or_a_share(threshold, share, message):
+def test_a_filter_needs_either_a_threshold_or_a_share(threshold, share, message):
     def check(threshold, share):
         own = {"threshold": threshold, "share": share, "cues": [], "systems": []}
         schema.check({"filters": {"x": own}})

@@ -31,7 +31,7 @@ def data():
     return train, truth, *outputs(50, flipped=True)
 
 
-def test_das_learns_what_a_cue_means_and_a_vote_does_not(data):
+def test_das_corrects_an_inverted_cue_and_a_vote_does_not(data):
     train, truth, test, expected = data
     fused = fit(train, truth, CLASSES, method="das", classifier=SVM)
     assert (fused.integrator.predict_proba(test).argmax(axis=1) == expected).mean() > 0.95
@@ -42,7 +42,7 @@ def test_das_learns_what_a_cue_means_and_a_vote_does_not(data):
     np.testing.assert_array_equal(vote, vote_distribution(test))
 
 
-def test_temperatures_sharpen_before_a_vote(data):
+def test_temperatures_are_applied_before_a_vote(data):
     """A correct but uncertain cue is outvoted by a wrong but certain one, unless both are tempered."""
     proba = np.array([[[0.55, 0.45], [0.1, 0.9]]])
     train, truth = {"a": proba}, {"a": np.zeros(1, np.int16)}

@@ -47,7 +47,7 @@ def test_each_sequence_restarts_the_filter():
     np.testing.assert_array_equal(both["delayed"][5:], alone["delayed"])
 
 
-def test_the_times_of_frames_that_come_unevenly_count():
+def test_uneven_frame_times_are_used():
     proba, training = made()
     times = np.array([0, 0.2, 0.4, 0.6, 9.6, 0, 0.1, 0.2, 0.5, 0.9, 1.0, 1.1])
     result = smooth(proba, [slice(0, 5), slice(5, 12)], frame_rate=5.0, times=times, **training, **SETTINGS)
@@ -61,7 +61,7 @@ def test_the_times_of_frames_that_come_unevenly_count():
 
 
 @pytest.mark.parametrize("rate", [5.0, 30.0, 25.0, 49.0, 30000 / 1001, 1 / 0.225])
-def test_is_the_filter_and_then_the_delay_at_the_rate_of_the_training(rate):
+def test_equals_the_filter_and_the_delay_at_the_training_frame_rate(rate):
     """The results are bitwise identical, although 1 / rate is rounded."""
     proba, training = made()
     transition = transition_matrix(training["training_sequences"], 2, smoothing=1.0)
@@ -89,7 +89,7 @@ def run(smoothing_model, proba, seconds):
 
 
 def stays(rng, frames=40):
-    """Make the distributions of an integrator for a walk with stays of 8 frames, some of them wrong."""
+    """Make an integrator's distributions for a walk with stays of 8 frames. Some frames are wrong."""
     places = np.repeat(rng.integers(0, 3, frames // 8 + 1), 8)[:frames]
     wrong = rng.random(frames) < 0.3
     places = np.where(wrong, rng.integers(0, 3, frames), places)
@@ -105,10 +105,10 @@ def stays(rng, frames=40):
     st.floats(0.05, 8.0),
     st.sampled_from([5.0, 10.0, 30.0]),
 )
-def test_every_frame_six_times_at_six_times_the_rate_says_the_same(
+def test_frames_repeated_at_six_times_the_rate_give_similar_results(
     seed, leave, emission, evidence, tau, learnt
 ):
-    """This is true for any rate of the model, but only approximately, as places may change within a frame."""
+    """The results agree only approximately, because places may change within a frame."""
     proba = stays(np.random.default_rng(seed))
     # Models with different rates make about the same predictions for one second.
     share = 5.0 / learnt
@@ -154,14 +154,14 @@ def test_distributions_at_uneven_times(seed, seconds):
         assert (result >= 0).all()
 
 
-def test_a_frame_at_the_time_of_the_last_changes_nothing():
+def test_a_second_frame_at_the_same_time_changes_nothing():
     smoother = Smoother(model())
     first = smoother.step(np.array([0.8, 0.1, 0.1]), 0.2)
     again = smoother.step(np.array([0.1, 0.8, 0.1]), 0.0)
     np.testing.assert_allclose(again, first)
 
 
-def test_after_a_long_time_without_frames_the_past_is_forgotten():
+def test_the_past_is_forgotten_after_a_long_gap():
     late = np.array([0.1, 0.1, 0.8])
     results = []
     for before in np.eye(3):
@@ -178,13 +178,13 @@ def test_after_a_long_time_without_frames_the_past_is_forgotten():
 @pytest.mark.parametrize(
     ("rate", "seconds", "frames"), [(5.0, 0.6, 3), (5.0, 9.0, 5), (0.5, 2.0, 1), (0.5, 9.0, 1)]
 )
-def test_a_frame_counts_for_its_time_up_to_a_second_but_always_as_one(rate, seconds, frames):
+def test_a_frame_counts_for_at_most_a_second_or_one_frame(rate, seconds, frames):
     hmm, _ = Smoother(model(rate)).step(np.array([0.1, 0.1, 0.8]), seconds)
     np.testing.assert_allclose(hmm, np.array([1, 1, 2**frames]) / (2 + 2**frames), rtol=1e-9)
 
 
 @pytest.mark.parametrize("seconds", [-0.1, float("nan"), float("inf")])
-def test_impossible_times_are_refused_and_change_nothing(seconds):
+def test_invalid_times_are_rejected_and_change_nothing(seconds):
     smoother, other = Smoother(model()), Smoother(model())
     proba = np.array([0.8, 0.1, 0.1])
     with pytest.raises(PlacecatError, match="the time between two frames is"):
@@ -194,7 +194,7 @@ def test_impossible_times_are_refused_and_change_nothing(seconds):
 
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 8))
-def test_homes_of_different_rates_are_counted_at_the_highest(seed, times):
+def test_transitions_are_counted_at_the_highest_frame_rate(seed, times):
     """A home filmed at a lower rate counts as if its frames were repeated, except for its last frame."""
     rng = np.random.default_rng(seed)
     walks = [np.repeat(rng.integers(-1, 3, 9), rng.integers(1, 9, 9)).astype(np.int16) for _ in range(2)]
@@ -206,7 +206,7 @@ def test_homes_of_different_rates_are_counted_at_the_highest(seed, times):
     assert (mixed > 0).all()
 
 
-def test_homes_of_one_rate_are_counted_unchanged():
+def test_equal_frame_rates_do_not_change_transitions():
     walks = [np.array([0, 0, 1, 1, 0], np.int16), np.array([1, 1, 0], np.int16)]
     for rates in ([5.0, 5.0], [1 / 3, 1 / 3], [29.97, 29.97]):
         np.testing.assert_array_equal(

@@ -51,7 +51,7 @@ def emission_matrix(
     reliability: str = "hard",
     smoothing: float = 1.0,
 ) -> Float:
-    """Estimate p(o | l), how the integrator decides in each place, from its cross-validated outputs.
+    """Estimate p(o | l), the probability of each decision o in each place l, from cross-validated outputs.
 
     `truth` contains the (n,) class indices of training frames. `proba` contains the integrator's
     (n, n_classes) distributions, each from a model that saw neither the frame nor its home. If `reliability`

@@ -40,13 +40,13 @@ def hold(
     """Replace the distribution of each frame with little information by that of the last accepted frame.
 
     This follows thesis 4.6. A frame is accepted if its information reaches the threshold. The thesis uses the
-    threshold 0.09766, and 0.13021 in a check. :func:`threshold_of` computes a threshold from the share of
-    frames to drop. Frames before the first accepted frame of a sequence keep their distributions. The thesis
-    does not mention this case. The result for frame t uses only frames up to t.
+    threshold 0.09766, and tries 0.13021 for comparison. :func:`threshold_of` computes a threshold from the
+    share of frames to drop. Frames before the first accepted frame of a sequence keep their distributions.
+    The thesis does not mention this case. The result for frame t uses only frames up to t.
 
     `proba` contains (frames, classes) distributions, and the result has the same shape. `information`
-    contains the (frames,) measures from `placecat.vision.information.information`. `sequences` are slices
-    without cuts that together cover all frames, and the filter restarts at each.
+    contains the (frames,) measures from `placecat.vision.information.information`. `sequences` contains one
+    slice of frames per sequence. Together, the slices cover all frames. The filter restarts at each slice.
     """
     said_by = np.arange(len(proba))
     for part in sequences:

@@ -127,9 +127,10 @@ def apply(
     """Smooth one home with a model.
 
     `proba` contains (frames, n_classes) distributions for all frames of the home, labelled or not.
-    `sequences` are slices of frames without cuts, and the filter restarts at each. `frame_rate` is in frames
-    per second. `times` contains (frames,) seconds since the start of the sequence, or is None if frames are
-    evenly spaced. Returns (frames, n_classes) distributions under the keys ``hmm`` and ``delayed``.
+    `sequences` contains one slice of frames per sequence, and the filter restarts at each slice. `frame_rate`
+    is in frames per second. `times` contains (frames,) seconds since the start of the sequence, or is None if
+    frames are evenly spaced. Returns (frames, n_classes) distributions under the keys ``hmm`` and
+    ``delayed``.
     """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:

@@ -1,4 +1,4 @@
-"""Make the distributions of a cue more or less certain by means of a temperature."""
+"""Adjust the confidence of a cue's distributions with a temperature."""
 
 import numpy as np
 from numpy.typing import NDArray
