@@ -6,7 +6,7 @@ import pytest
 from placecat.training import fold_file
 
 
-def test_written_results_are_read(tmp_path):
+def test_round_trip(tmp_path):
     path = fold_file.path_of(tmp_path, "flat.2", "seed-1")
     proba = np.random.default_rng(0).random((3, 2))
     fold_file.write(path, {"test": proba}, {"nu": [0.2]})

@@ -31,7 +31,7 @@ def folder(tmp_path_factory):
 @pytest.mark.parametrize(
     ("name", "scheme"), [("das", "5-5-1"), ("das_451", "4-5-1"), ("vote", "5-5-1"), ("pool", "5-5-1")]
 )
-def test_a_system_equals_the_stages(folder, monkeypatch, name, scheme):
+def test_system_results_equal_those_of_the_stages(folder, monkeypatch, name, scheme):
     """Results are bitwise identical with extra data (vote), tempering (das_451) and held-out data (pool)."""
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
@@ -52,8 +52,8 @@ def test_a_system_equals_the_stages(folder, monkeypatch, name, scheme):
 
 
 @pytest.mark.slow
-def test_the_page_prints_a_table_of_homes(tmp_path, monkeypatch, capsys):
-    """Run the code of the page on synthetic homes with small codebooks."""
+def test_usage_page_prints_a_table_of_homes(tmp_path, monkeypatch, capsys):
+    """Run the code in docs/usage.md on synthetic homes with small codebooks."""
     from sketch import draw_homes
 
     page = (ROOT / "docs/usage.md").read_text()
