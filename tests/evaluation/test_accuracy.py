@@ -26,5 +26,5 @@ def test_agrees_with_scikit_learn():
     assert home_accuracy(confusion_matrix(truth, decision, 5)) == pytest.approx(expected)
 
 
-def test_nothing_scored_is_nan():
+def test_accuracy_is_nan_without_scored_frames():
     assert np.isnan(home_accuracy(confusion_matrix([-1, -1], [0, 1], 2)))

@@ -38,13 +38,13 @@ def test_common_effects_cancel_and_constant_differences_give_a_point(home, diffe
 
 
 @given(UNITS, st.floats(0.1, 10), st.floats(-20, 20))
-def test_interval_moves_and_scales_with_its_units(units, scale, shift):
+def test_interval_shifts_and_scales_with_its_units(units, scale, shift):
     one, other = mean_of(units), mean_of(scale * units + shift)
     expected = [scale * number + shift for number in (one.estimate, one.low, one.high)]
     assert [other.estimate, other.low, other.high] == pytest.approx(expected, abs=1e-6)
 
 
-def test_interval_widens_with_the_level_and_repeats():
+def test_interval_widens_with_the_level_and_is_reproducible():
     units = np.array([1.0, 4.0, 2.0, 8.0, 5.0, 7.0])
     narrow, wide = mean_of(units, level=0.8), mean_of(units, level=0.95)
     assert wide.low < narrow.low < narrow.high < wide.high
@@ -52,14 +52,14 @@ def test_interval_widens_with_the_level_and_repeats():
     assert mean_of(units, seed=1, level=0.95) != wide
 
 
-def test_stretch_is_from_student_and_ends_at_1():
+def test_stretch_uses_student_t_and_approaches_1():
     assert stretch(6, 0.95) == pytest.approx(np.sqrt(6 / 5) * 2.5706 / 1.9600, abs=1e-4)
     assert stretch(100000, 0.95) == pytest.approx(1.0, abs=1e-4)
 
 
 @pytest.mark.parametrize("n", [4, 6])
 def test_coverage_of_few_normal_units(n):
-    """The coverage in the docstring; the plain percentile interval has 0.81 and 0.85."""
+    """Check the coverage stated in the docstring. A plain percentile interval covers only 0.81 and 0.85."""
     rng = np.random.default_rng(0)
     covered = 0
     for seed in range(600):
@@ -68,8 +68,8 @@ def test_coverage_of_few_normal_units(n):
     assert 0.92 <= covered / 600 <= 0.975
 
 
-def test_a_maximum_is_taken_again_in_every_resample():
-    """Two results that are equal on average, each better in other homes: the best is uncertain."""
+def test_maximum_is_recomputed_in_every_resample():
+    """The two results are equal on average but better in different homes, so the best result is uncertain."""
     results = np.array([[0.0, 0.0, 0.0, 6.0, 6.0, 6.0], [6.0, 6.0, 6.0, 0.0, 0.0, 0.0]])
     best = paired_bootstrap(lambda weights: (results @ weights.T).max(axis=0), 6, 0, resamples=2000)
     assert best.estimate == 3.0
@@ -90,7 +90,7 @@ def strata_of(*sizes):
     return np.repeat(np.arange(len(sizes)), sizes)
 
 
-def test_strata_keep_their_weight_and_a_single_block_has_no_spread():
+def test_strata_keep_their_weight_and_single_blocks_add_no_variance():
     strata, values = strata_of(1, 4), np.array([100.0, 1.0, 2.0, 3.0, 4.0])
     seen = []
 
@@ -108,7 +108,7 @@ def test_strata_keep_their_weight_and_a_single_block_has_no_spread():
 
 @pytest.mark.parametrize("sizes", [(2, 2, 2, 2, 2), (8, 8, 8, 8, 8)])
 def test_coverage_of_a_mean_over_places(sizes):
-    """The coverage in the docstring."""
+    """Check the coverage stated in the docstring."""
     rng, strata, covered = np.random.default_rng(0), strata_of(*sizes), 0
     for seed in range(400):
         values = rng.normal(size=len(strata))
@@ -119,6 +119,6 @@ def test_coverage_of_a_mean_over_places(sizes):
     assert 0.88 <= covered / 400 <= 0.985
 
 
-def test_single_blocks_have_no_interval():
+def test_strata_of_single_blocks_have_no_interval():
     with pytest.raises(ValueError, match="single block"):
         stratified_bootstrap(lambda weights: weights.sum(axis=1), strata_of(1, 1), 0)

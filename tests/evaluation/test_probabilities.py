@@ -15,7 +15,7 @@ SMALLEST = 1e-15
 
 
 def drawn(seed, frames=60, classes=4):
-    """Labels, some of them -1, and distributions."""
+    """Draw labels, some of them -1, and distributions."""
     rng = np.random.default_rng(seed)
     truth = rng.integers(-1, classes, frames)
     truth[0] = 0
@@ -39,25 +39,25 @@ def test_log_loss_agrees_with_scikit_learn(seed):
 
 
 @given(st.integers(2, 9), st.lists(st.integers(-1, 1), min_size=1).filter(lambda one: max(one) >= 0))
-def test_guessing_has_the_logarithm_of_the_number_of_places(classes, truth):
+def test_uniform_log_loss_is_the_log_of_the_number_of_places(classes, truth):
     proba = np.full((len(truth), classes), 1.0 / classes)
     assert log_loss(truth, proba, smallest=SMALLEST) == pytest.approx(np.log(classes))
 
 
-def test_a_place_weighs_the_same_for_any_number_of_frames():
+def test_places_have_equal_weight_in_the_log_loss():
     proba = np.array([[0.5, 0.5]] * 9 + [[0.75, 0.25]])
     expected = (-np.log(0.5) - np.log(0.25)) / 2
     assert log_loss([0] * 9 + [1], proba, smallest=SMALLEST) == pytest.approx(expected)
 
 
-def test_a_zero_costs_what_the_smallest_probability_costs():
+def test_zero_is_replaced_by_the_smallest_probability():
     proba = np.array([[1.0, 0.0], [1.0, 0.0]])
     assert log_loss([0, 1], proba, smallest=1e-4) == pytest.approx(-np.log(1e-4) / 2)
     assert log_loss([0, 0], proba, smallest=1e-4) == 0.0
 
 
 @given(st.integers(0, 1000), st.integers(1, 20))
-def test_unlabelled_frames_and_the_order_of_frames_do_not_count(seed, bins):
+def test_unlabelled_frames_and_frame_order_do_not_matter(seed, bins):
     truth, proba = drawn(seed)
     scored = truth >= 0
     shuffled = np.random.default_rng(seed).permutation(len(truth))
@@ -69,8 +69,8 @@ def test_unlabelled_frames_and_the_order_of_frames_do_not_count(seed, bins):
 
 
 @given(st.integers(0, 1000))
-def test_frames_said_twice_change_nothing(seed):
-    """Places weigh the same, so counting the frames of one twice changes nothing."""
+def test_repeating_the_frames_of_a_place_changes_nothing(seed):
+    """All places have equal weight, regardless of their number of frames."""
     truth, proba = drawn(seed)
     own = np.concatenate([np.arange(len(truth)), np.flatnonzero(truth == 0)])
     assert log_loss(truth[own], proba[own], smallest=SMALLEST) == pytest.approx(
@@ -80,7 +80,7 @@ def test_frames_said_twice_change_nothing(seed):
 
 
 @given(st.lists(st.integers(-1, 3), max_size=40))
-def test_weights_sum_to_one_place_by_place(truth):
+def test_balanced_weights_are_equal_for_all_places(truth):
     weights = balanced_weights(truth)
     there = {place for place in truth if place >= 0}
     for place in there:
@@ -88,21 +88,22 @@ def test_weights_sum_to_one_place_by_place(truth):
     assert weights[np.array(truth, int) < 0].sum() == 0.0
 
 
-def test_the_error_of_a_few_frames_by_hand():
-    """Four frames of kitchen and one of bedroom: weights 1/8 and 1/2; bins (0.6, 0.8] and (0.8, 1]."""
+def test_calibration_error_computed_by_hand():
+    """Kitchen has four frames with weight 1/8, and bedroom has one with weight 1/2."""
     proba = np.array([[0.7, 0.3], [0.7, 0.3], [0.3, 0.7], [0.9, 0.1], [0.9, 0.1]])
     truth = [0, 0, 0, 0, 1]
     diagram = reliability(truth, proba, bins=5)
     np.testing.assert_allclose(diagram.weight, [0, 0, 0, 3 / 8, 5 / 8])
     np.testing.assert_allclose(diagram.confidence[3:], [0.7, 0.9])
-    # In the first bin two of three are right; in the second 1/8 of 5/8.
+    # In the bin (0.6, 0.8], two of three decisions are correct. In (0.8, 1], a weight of 1/8 out of 5/8 is
+    # correct.
     np.testing.assert_allclose(diagram.accuracy[3:], [2 / 3, 1 / 5])
     assert np.isnan(diagram.confidence[:3]).all() and np.isnan(diagram.accuracy[:3]).all()
     assert calibration_error(diagram) == pytest.approx(3 / 8 * (0.7 - 2 / 3) + 5 / 8 * (0.9 - 0.2))
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_the_error_agrees_with_a_loop_over_bins(seed):
+def test_calibration_error_agrees_with_a_loop_over_bins(seed):
     truth, proba = drawn(seed, frames=200)
     weights, total, bins = balanced_weights(truth), 0.0, 7
     for number in range(bins):
@@ -118,7 +119,7 @@ def test_the_error_agrees_with_a_loop_over_bins(seed):
 
 
 @given(st.integers(0, 1000), st.integers(1, 30))
-def test_the_error_is_between_one_bin_and_one(seed, bins):
+def test_calibration_error_is_lowest_with_a_single_bin(seed, bins):
     truth, proba = drawn(seed)
     weights, right = balanced_weights(truth), proba.argmax(axis=1) == truth
     assert error(truth, proba, 1) == pytest.approx(abs(weights @ (right - proba.max(axis=1))))
@@ -126,8 +127,8 @@ def test_the_error_is_between_one_bin_and_one(seed, bins):
 
 
 @given(st.integers(0, 1000))
-def test_confidences_are_in_their_bins(seed):
-    """A confidence is within its bin, upper end included."""
+def test_mean_confidence_lies_within_its_bin(seed):
+    """Each confidence lies within its bin, which includes its upper end."""
     truth, proba = drawn(seed)
     diagram = reliability(truth, proba, bins=10)
     there = np.flatnonzero(diagram.weight)
@@ -135,33 +136,33 @@ def test_confidences_are_in_their_bins(seed):
     assert (diagram.confidence[there] <= (there + 1) / 10 + 1e-9).all()
 
 
-def test_certain_decisions_are_in_the_last_bin_though_rounding_lifts_them():
+def test_confidence_rounded_above_1_is_in_the_last_bin():
     proba = np.array([[1.0 + 1e-12, 0.0], [0.5, 0.5]])
     np.testing.assert_allclose(reliability([0, 0], proba, bins=10).weight[[4, 9]], [0.5, 0.5])
 
 
-def test_homes_weigh_the_same_in_a_pooled_diagram():
+def test_homes_have_equal_weight_in_a_pooled_diagram():
     one = reliability([0], np.array([[0.9, 0.1]]), bins=2)
     other = reliability([1, 1, 0, 0], np.array([[0.7, 0.3]] * 4), bins=2)
     both = pooled([one, other])
     np.testing.assert_allclose(both.weight, [0, 1])
     np.testing.assert_allclose([both.confidence[1], both.accuracy[1]], [0.8, 0.75])
     assert np.isnan(both.confidence[0])
-    # Overconfident in one home and underconfident in the other: the joint error is less than their mean.
+    # One home is overconfident and the other is underconfident, so the joint error is below the mean error.
     errors = [calibration_error(diagram) for diagram in (one, other)]
     assert errors == pytest.approx([0.1, 0.2])
     assert calibration_error(both) == pytest.approx(0.05)
 
 
 @given(st.lists(st.integers(0, 1000), min_size=1, max_size=4))
-def test_a_pooled_error_is_at_most_the_mean(seeds):
+def test_pooled_error_is_at_most_the_mean_error(seeds):
     diagrams = [reliability(*drawn(seed), bins=8) for seed in seeds]
     mean = np.mean([calibration_error(one) for one in diagrams])
     assert calibration_error(pooled(diagrams)) <= mean + 1e-12
     assert pooled(diagrams).weight.sum() == pytest.approx(1)
 
 
-def test_nothing_labelled_has_no_numbers():
+def test_results_are_nan_without_labelled_frames():
     proba = np.array([[0.5, 0.5]])
     assert np.isnan(log_loss([-1], proba, smallest=SMALLEST))
     diagram = reliability([-1], proba, bins=3)

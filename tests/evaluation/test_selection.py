@@ -9,7 +9,7 @@ from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.selection import choose_threshold, decided, select, select_unseen
 
 CLASSES = 3
-# Few different confidences, so many are equal.
+# There are only a few different confidences, so many are equal.
 frames = st.lists(
     st.tuples(st.integers(-1, CLASSES - 1), st.integers(0, CLASSES - 1), st.integers(4, 9)), min_size=1
 ).filter(lambda home: any(truth >= 0 for truth, _, _ in home))
@@ -17,7 +17,7 @@ homes = st.lists(frames, min_size=2, max_size=4)
 
 
 def made(home):
-    """Decisions of a home: true class, decided class, tenths of confidence."""
+    """Make the decisions in a home from true classes, decided classes and confidences in tenths."""
     truth, places, tenths = map(np.array, zip(*home, strict=True))
     confidence = tenths / 10
     proba = np.repeat((1 - confidence)[:, None] / 2, CLASSES, axis=1)
@@ -26,7 +26,7 @@ def made(home):
 
 
 def by_hand(home, threshold):
-    """Weights of the remaining decisions and of the wrong ones, one frame at a time."""
+    """Sum the weights of the remaining decisions, and of the wrong ones among them, in a loop over frames."""
     scored = [one for one in home if one[0] >= 0]
     counts = {place: sum(truth == place for truth, _, _ in scored) for place, _, _ in scored}
     left = wrong = 0.0
@@ -43,7 +43,7 @@ def risk_by_hand(all_homes, threshold):
 
 
 @given(homes, st.sampled_from([0.01, 0.1, 0.3, 0.5, 0.9]))
-def test_the_threshold_is_the_lowest_that_keeps_the_risk(all_homes, risk):
+def test_threshold_is_the_lowest_with_an_acceptable_risk(all_homes, risk):
     threshold = choose_threshold([made(home)[0] for home in all_homes], risk)
     there = {tenths / 10 for home in all_homes for truth, _, tenths in home if truth >= 0}
     good = [one for one in there if risk_by_hand(all_homes, one) <= risk + 1e-9]
@@ -51,7 +51,7 @@ def test_the_threshold_is_the_lowest_that_keeps_the_risk(all_homes, risk):
 
 
 @given(homes, st.sampled_from([0.0, 0.45, 0.6, 0.8, math.inf]))
-def test_remaining_decisions_are_counted_by_hand(all_homes, threshold):
+def test_coverage_and_risk_equal_a_loop_over_frames(all_homes, threshold):
     found = select([made(home)[0] for home in all_homes], [threshold] * len(all_homes))
     left, wrong = np.transpose([by_hand(home, threshold) for home in all_homes])
     assert found.coverage == pytest.approx(left.mean())
@@ -63,7 +63,7 @@ def test_remaining_decisions_are_counted_by_hand(all_homes, threshold):
 
 
 @given(homes)
-def test_with_nothing_withheld_risk_and_accuracy_sum_to_1(all_homes):
+def test_risk_and_accuracy_sum_to_1_at_full_coverage(all_homes):
     judged = [made(home) for home in all_homes]
     found = select([one for one, _, _ in judged], [0.0] * len(judged))
     missing = [100 - home_accuracy(confusion_matrix(truth, places, CLASSES)) for _, truth, places in judged]
@@ -71,12 +71,13 @@ def test_with_nothing_withheld_risk_and_accuracy_sum_to_1(all_homes):
     assert 100 * found.risk == pytest.approx(np.mean(missing))
 
 
-def test_a_home_does_not_influence_its_threshold():
+def test_a_home_does_not_influence_its_own_threshold():
     sure = [(0, 0, 9)] * 4
-    # In `odd` high confidences are wrong, which a threshold chosen there would avoid.
+    # In `odd`, the confident decisions are wrong. A threshold chosen on `odd` itself would exclude them.
     odd = [(0, 1, 8)] * 3 + [(0, 0, 5)]
     found = select_unseen({"sure": made(sure)[0], "odd": made(odd)[0]}, 0.3)
-    # `odd` keeps no decision of `sure`, since three of four are wrong; `sure` none of `odd`'s at 0.9.
+    # The threshold chosen on `odd` is infinite, because three of its four decisions are wrong. The threshold
+    # chosen on `sure` is 0.9, and no decision in `odd` reaches it.
     assert found.coverage == 0 and math.isnan(found.risk)
     both = [(0, 0, 8)] * 3 + [(0, 1, 7)]
     found = select_unseen({"both": made(both)[0], "odd": made(odd)[0]}, 0.0)

@@ -13,13 +13,13 @@ frames = st.lists(st.tuples(st.integers(-1, CLASSES - 1), st.integers(0, CLASSES
 
 
 def parts_of(cuts):
-    """Slices between the frames that begin a sequence."""
+    """Return the slices between cuts."""
     starts = [i for i, cut in enumerate(cuts) if cut or not i]
     return [slice(start, stop) for start, stop in pairwise([*starts, len(cuts)])]
 
 
 def by_hand(truth, decision, cuts):
-    """Frame by frame: the frames of each stay, then a count."""
+    """Find and count the stays in a loop over frames."""
     stays, last = [], None
     for i, place in enumerate(truth):
         if place < 0:
@@ -38,7 +38,7 @@ def by_hand(truth, decision, cuts):
 
 
 @given(frames)
-def test_stays_and_their_names_equal_a_loop_over_frames(rows):
+def test_stays_equal_a_loop_over_frames(rows):
     truth, decision, cuts = ([row[k] for row in rows] for k in range(3))
     stays, counts = by_hand(truth, decision, cuts)
     assert find_stays(truth, parts_of(cuts)) == stays
@@ -46,13 +46,13 @@ def test_stays_and_their_names_equal_a_loop_over_frames(rows):
 
 
 @given(frames)
-def test_stays_cover_the_labelled_frames_once(rows):
+def test_stays_cover_each_labelled_frame_once(rows):
     truth, _, cuts = ([row[k] for row in rows] for k in range(3))
     covered = [i for stay in find_stays(truth, parts_of(cuts)) for i in range(stay.start, stay.stop)]
     assert covered == [i for i, place in enumerate(truth) if place >= 0]
 
 
-def test_unlabelled_frames_and_cuts_end_a_stay():
+def test_unlabelled_frames_and_new_sequences_end_a_stay():
     truth = [0, 0, -1, 0, 0, 1, 1]
     assert find_stays(truth, [slice(0, 7)]) == [Stay(0, 0, 2), Stay(0, 3, 5), Stay(1, 5, 7)]
     assert find_stays(truth, [slice(0, 1), slice(1, 7)])[:2] == [Stay(0, 0, 1), Stay(0, 1, 2)]
@@ -62,7 +62,7 @@ def test_unlabelled_frames_and_cuts_end_a_stay():
     ("decision", "right"),
     [([0, 0, 1, 2], 1), ([0, 1, 1, 2], 0), ([0, 0, 1, 1], 0), ([1, 1, 1, 0], 0), ([0, 1, 2, 0], 1)],
 )
-def test_a_stay_is_named_by_most_of_its_frames_and_a_tie_names_nothing(decision, right):
+def test_stays_are_named_by_plurality_and_ties_are_wrong(decision, right):
     counts = stays_by_class([0] * 4, decision, [slice(0, 4)], CLASSES)
     assert counts.tolist() == [[1, right], [0, 0], [0, 0]]
 
@@ -75,16 +75,17 @@ def test_the_order_of_the_classes_does_not_matter(rows, order):
     np.testing.assert_array_equal(stays_by_class(*renamed, parts_of(cuts), CLASSES)[order], counts)
 
 
-def test_places_weigh_the_same_in_the_accuracy_of_stays():
+def test_places_have_equal_weight_in_the_stay_accuracy():
     assert stay_accuracy(np.array([[4, 1], [0, 0], [1, 1]])) == 62.5
     assert np.isnan(stay_accuracy(np.zeros((2, 2), int)))
 
 
-def test_a_home_in_numbers():
+def test_home_quality():
     proba = np.array([[0.8, 0.2]] * 3 + [[0.4, 0.6]] * 2)
     found = home_quality([0, 0, 1, 1, -1], proba, [slice(0, 5)], bins=10, smallest=1e-15)
     assert found.log_loss == pytest.approx(-(np.log(0.8) + (np.log(0.2) + np.log(0.6)) / 2) / 2)
-    # (0.7, 0.8] has 3 frames of 4, and 2 of them are right; (0.5, 0.6] has one, which is right.
+    # The bin (0.7, 0.8] contains three of the four frames, and two are correct. The bin (0.5, 0.6] contains
+    # one frame, which is correct.
     assert found.calibration_error == pytest.approx(100 * (0.75 * (0.8 - 2 / 3) + 0.25 * 0.4))
     # The second stay is a tie.
     assert (found.stays, found.stays_right, found.stay_accuracy) == (2, 1, 50.0)

@@ -23,7 +23,7 @@ def test_limits_come_from_the_noncentral_t_distribution():
 
 
 @given(VALUES, st.floats(-20, 20), st.floats(0, 10))
-def test_a_higher_threshold_has_a_larger_share(values, threshold, more):
+def test_share_increases_with_the_threshold(values, threshold, more):
     low, high = of_one_case(values, threshold), of_one_case(values, threshold + more)
     assert 0 <= low.low <= low.estimate <= low.high <= 1
     assert low.estimate <= high.estimate + 1e-12
@@ -31,26 +31,26 @@ def test_a_higher_threshold_has_a_larger_share(values, threshold, more):
 
 
 @given(VALUES, st.floats(-20, 20))
-def test_the_share_above_is_that_below_of_opposite_values(values, threshold):
+def test_negated_values_mirror_the_interval(values, threshold):
     below, above = of_one_case(values, threshold), of_one_case(-np.array(values), -threshold)
     if np.std(values) > 1e-3:
         assert below.high == pytest.approx(1 - above.low, abs=1e-6)
 
 
-def test_cases_that_differ_within_a_unit_count():
+def test_variance_within_units_increases_the_share():
     alike = share_below([np.full(2, 2.0), np.full(2, 4.0), np.full(2, 3.0)], 0.0)
     mixed = share_below([np.array([-3.0, 7.0]), np.array([-1.0, 9.0]), np.array([-2.0, 8.0])], 0.0)
     assert mixed.estimate > alike.estimate + 0.1
 
 
-def test_values_that_are_all_alike_give_a_point():
+def test_identical_values_give_a_point():
     assert of_one_case([5.0] * 4, -1.0).high == 0.0
     assert of_one_case([-5.0] * 4, -1.0).low == 1.0
 
 
 @pytest.mark.parametrize("between", [1.0, 0.5])
 def test_coverage_of_six_homes_with_five_results(between):
-    """Five results in each of six homes, a case in 16 below the threshold: each end errs in 2.5 % at most."""
+    """Each end should err in at most 2.5 % of the simulations. One case in 15 is below the threshold."""
     rng = np.random.default_rng(5)
     truth, wrong = stats.norm.cdf(-1.5), [0, 0]
     for _ in range(300):

@@ -18,7 +18,7 @@ TABLE = {
 }
 
 
-def test_a_table_gives_a_trial_for_each_combination_of_labels():
+def test_expand_lists_one_trial_per_combination_of_labels():
     trials = {trial.name: trial for trial in expand("table_12", TABLE, HOMES)}
     assert list(trials) == [
         "trials/table_12/HOG||46",
@@ -30,13 +30,13 @@ def test_a_table_gives_a_trial_for_each_combination_of_labels():
         "descriptor": {"name": "hog"},
         "classifier": {"clusters": 91, "base": {"k": 1}},
     }
-    # The column changes part of the setting from the group, in this trial only.
+    # The column changes part of the setting from the group, but only in this trial.
     assert trials["trials/table_12/SIFT||46"].settings["classifier"] == {"clusters": 46, "base": {"k": 3}}
     assert trials["trials/table_12/SIFT||91"].settings["classifier"] == {"clusters": 91, "base": {"k": 3}}
     assert TABLE["axes"]["group"]["SIFT"]["classifier"]["clusters"] == 2
 
 
-def test_homes_are_numbers_that_the_data_set_may_lack():
+def test_missing_home_numbers_are_skipped():
     assert homes_of(TABLE, HOMES) == [(1, "a"), (3, "c")]
     assert homes_of({"homes": "all"}, HOMES) == [(1, "a"), (2, "b"), (3, "c")]
     assert {trial.homes for trial in expand("t", TABLE, HOMES)} == {("a", "c")}
@@ -61,6 +61,6 @@ def test_without_axes_there_is_one_trial():
         ({"row": {"x": {"codebook.cells": 3}}}, "codebook.cells,"),
     ],
 )
-def test_unknown_settings_of_a_trial_are_refused(axes, message):
+def test_unknown_trial_settings_are_rejected(axes, message):
     with pytest.raises(PlacecatError, match=message):
         expand("table_12", TABLE | {"axes": axes}, HOMES)

@@ -54,7 +54,7 @@ def test_a_wider_range_never_makes_a_verdict_worse(found, claimed, more_left, mo
 
 
 @given(PAIR, PAIR)
-def test_margin_is_positive_exactly_where_a_claim_holds(of_found, of_claimed):
+def test_margin_is_positive_exactly_if_a_claim_holds(of_found, of_claimed):
     assume(of_claimed[0] < of_claimed[1])
     claimed, found = Range(*of_claimed), interval(*of_found)
     assert (claimed.margin(found) > 0) == (judge(found, claimed) == HOLDS)
@@ -68,21 +68,21 @@ def test_combine(verdicts):
     assert combine(verdicts[::-1]) == combined
 
 
-def test_a_claim_fails_by_the_wider_interval_and_holds_by_the_other():
+def test_corrected_interval_is_used_only_for_failing():
     better = Range(0.0, INFINITE)
     assert judge(interval(-3, -1), better, interval(-4, 1)) == UNDECIDED
     assert judge(interval(-3, -1), better, interval(-4, -0.5)) == FAILS
     assert judge(interval(1, 3), better, interval(-1, 4)) == HOLDS
 
 
-def test_bonferroni():
+def test_corrected_level_follows_bonferroni():
     assert corrected_level(0.95, 1) == 0.95
     assert corrected_level(0.95, 14) == pytest.approx(0.9964, abs=5e-5)
 
 
 @pytest.mark.parametrize("comparisons", [2, 14])
-def test_a_claim_of_several_true_comparisons_falsely_fails_in_5_percent_at_most(comparisons):
-    """Each difference is exactly 0, the worst for "not below 0"; without a correction it is more of 14."""
+def test_family_wise_error_rate_is_at_most_5_percent(comparisons):
+    """Every difference is exactly 0, the worst case. Without correction, 14 comparisons fail more often."""
     rng = np.random.default_rng(comparisons)
     better, runs, level = Range(0.0, INFINITE), 120, corrected_level(0.95, comparisons)
     wrong = {0.95: 0, level: 0}
@@ -108,11 +108,11 @@ def test_a_claim_of_several_true_comparisons_falsely_fails_in_5_percent_at_most(
         ((0.01, 0.9), (0.0, 0.5), UNDECIDED),
     ],
 )
-def test_hurting_and_helping(worse, better, verdict):
+def test_judge_shares(worse, better, verdict):
     assert judge_shares(interval(*worse), interval(*better), 0.05) == verdict
 
 
-def test_ranges_in_words():
+def test_range_as_text():
     assert str(Range(0.0, INFINITE)) == "above 0"
     assert str(Range(-INFINITE, 2.0)) == "below 2"
     assert str(Range(1.63, 4.89)) == "between 1.63 and 4.89"

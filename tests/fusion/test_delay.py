@@ -10,7 +10,7 @@ taus = st.floats(0.01, 100.0)
 
 
 def delay(set_point, seconds, frame_rate):
-    """Delay one whole sequence."""
+    """Apply the delay to a complete sequence."""
     follower = Delay(seconds)
     steps = [follower.step(target, 1.0 / frame_rate) for target in set_point]
     return np.array(steps).reshape(set_point.shape)
@@ -29,7 +29,7 @@ def test_follows_equation_16():
 
 
 @pytest.mark.parametrize("seconds", [0, 0.0])
-def test_no_time_constant_passes_through(seconds):
+def test_a_time_constant_of_zero_passes_the_input_through(seconds):
     target = distributions(7)
     np.testing.assert_array_equal(delay(target, seconds=seconds, frame_rate=5.0), target)
 
@@ -40,8 +40,8 @@ def test_is_causal():
     np.testing.assert_array_equal(whole[:4], delay(target[:4], seconds=1.0, frame_rate=5.0))
 
 
-def test_frame_by_frame_is_the_whole_sequence():
-    """Bit for bit, and as in equation (16)."""
+def test_frame_by_frame_equals_the_complete_sequence():
+    """The results are bitwise identical and follow equation (16)."""
     target = distributions(50)
     whole, follower, state = delay(target, seconds=2.0, frame_rate=5.0), Delay(2.0), target[0]
     h = 1 - np.exp(-0.2 / 2.0)
@@ -52,7 +52,7 @@ def test_frame_by_frame_is_the_whole_sequence():
 
 
 def test_solves_equation_14():
-    """Against an integrator of differential equations, with frames at uneven times."""
+    """Compare with a numerical solver for differential equations, with frames at uneven times."""
     times = np.cumsum([0.0, 0.1, 0.7, 0.05, 2.0, 0.4])
     target, follower, tau = distributions(6), Delay(0.8), 0.8
     state = follower.step(target[0], 0.3)
@@ -77,15 +77,15 @@ def test_repeated_frames_at_a_higher_rate_change_nothing(tau, times, seed):
 
 
 @given(taus, st.floats(0.1, 60.0))
-def test_the_time_constant_is_of_a_step(tau, rate):
-    """After tau seconds 63 % of a step are done."""
+def test_step_response_has_the_time_constant(tau, rate):
+    """After tau seconds, the output has covered 63 % of a step."""
     frames = 1 + int(np.ceil(tau * rate))
     target = np.repeat([[1.0, 0.0], [0.0, 1.0]], [1, frames], axis=0)
     left = delay(target, seconds=tau, frame_rate=rate)[:, 0]
     np.testing.assert_allclose(left, np.exp(-np.arange(frames + 1) / rate / tau), atol=1e-12)
 
 
-def test_no_time_no_change():
+def test_no_elapsed_time_changes_nothing():
     follower = Delay(1.0)
     first = follower.step(np.array([1.0, 0.0]), 0.2)
     np.testing.assert_array_equal(follower.step(np.array([0.0, 1.0]), 0.0), first)

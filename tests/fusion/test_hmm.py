@@ -16,7 +16,7 @@ from placecat.fusion.hmm import (
 
 
 def forward_filter(likelihood, transition):
-    """Filter one whole sequence."""
+    """Filter a complete sequence."""
     forwards = ForwardFilter(transition)
     return np.array([forwards.step(row) for row in likelihood]).reshape(likelihood.shape)
 
@@ -27,7 +27,7 @@ def random_rows(rng, shape):
 
 
 def sum_over_paths(likelihood, transition, initial):
-    """p(l_t | o_1..t) by adding up every path of places, the definition of the forward filter."""
+    """Compute p(l_t | o_1..t) from its definition, as a sum over all paths of places."""
     frames, n = likelihood.shape
     result = np.zeros((frames, n))
     for t in range(frames):
@@ -57,8 +57,8 @@ def test_filter_is_causal_and_normalised(seed, frames, cut):
     np.testing.assert_array_equal(forward_filter(likelihood[:cut], transition), whole[:cut])
 
 
-def test_frame_by_frame_is_the_whole_sequence():
-    """Bit for bit, and like the plain recursion of equation (13)."""
+def test_frame_by_frame_equals_the_complete_sequence():
+    """The results are bitwise identical to each other and to the plain recursion of equation (13)."""
     rng = np.random.default_rng(7)
     proba, transition = random_rows(rng, (200, 5)), random_rows(rng, (5, 5))
     emission = random_rows(rng, (5, 5))
@@ -76,7 +76,7 @@ def test_frame_by_frame_is_the_whole_sequence():
             predicted = whole[t] @ transition
 
 
-def test_filter_of_no_frames():
+def test_filter_without_frames():
     assert forward_filter(np.zeros((0, 3)), np.eye(3)).shape == (0, 3)
 
 
@@ -109,7 +109,7 @@ def test_emission_counts_decisions_or_distributions():
     np.testing.assert_allclose(soft, [[2.2 / 4, 1.8 / 4], [1.1 / 3, 1.9 / 3]])
 
 
-def test_likelihoods_of_decision_and_of_distribution():
+def test_likelihoods_for_hard_and_soft_evidence():
     emission = np.array([[0.9, 0.1], [0.2, 0.8]])
     proba = np.array([[0.7, 0.3]])
     np.testing.assert_allclose(likelihoods(proba, emission, evidence="hard"), [[0.9, 0.2]])
@@ -117,7 +117,7 @@ def test_likelihoods_of_decision_and_of_distribution():
 
 
 def rarely_left(rng, n):
-    """An embeddable transition matrix: exp of a matrix of rates."""
+    """Draw an embeddable transition matrix, which is the exponential of a rate matrix."""
     rates = rng.random((n, n)) * 0.05 * (1 - np.eye(n))
     return expm(rates - np.diag(rates.sum(axis=1)))
 
@@ -129,8 +129,8 @@ def filtered(likelihood, transition, **options):
 
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 10))
-def test_over_several_steps_places_change_as_often_as_in_single_ones(seed, times):
-    """Skipped frames carry no information: their likelihood is the same for every place."""
+def test_several_steps_equal_single_steps_without_evidence(seed, times):
+    """Skipped frames carry no information, so their likelihood is the same for every place."""
     rng = np.random.default_rng(seed)
     likelihood, transition = rng.random((8, 4)) + 1e-3, rarely_left(rng, 4)
     whole = np.ones(((len(likelihood) - 1) * times + 1, 4))
@@ -141,8 +141,8 @@ def test_over_several_steps_places_change_as_often_as_in_single_ones(seed, times
 
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 10))
-def test_the_evidence_of_faster_frames_adds_up(seed, times):
-    """If places never change, a view in `times` frames is as much evidence as in one."""
+def test_evidence_adds_up_at_higher_frame_rates(seed, times):
+    """If places never change, `times` short frames of a view are as much evidence as one long frame."""
     rng = np.random.default_rng(seed)
     likelihood = rng.random((8, 4)) + 1e-3
     slow, repeated = forward_filter(likelihood, np.eye(4)), np.repeat(likelihood, times, axis=0)
@@ -155,7 +155,7 @@ def test_the_evidence_of_faster_frames_adds_up(seed, times):
     )
 
 
-def test_a_very_heavy_frame_leaves_a_distribution():
+def test_a_very_large_weight_still_gives_a_distribution():
     likelihood = np.array([1e-3, 2e-3, 1e-4])
     result = ForwardFilter(np.eye(3)).step(likelihood, weight=1e4)
     np.testing.assert_allclose(result, [0, 1, 0], atol=1e-12)

@@ -13,7 +13,7 @@ from placecat.fusion.information_filter import dropped, hold, threshold_of
 
 
 def by_hand(proba, information, threshold, sequences):
-    """The same as a loop over the frames."""
+    """Compute the same result in a loop over the frames."""
     held = proba.copy()
     for part in sequences:
         last = None
@@ -41,7 +41,7 @@ def walks(draw):
 def test_equals_a_loop(walk, threshold):
     proba, information, parts = walk
     before = proba.copy()
-    # float32 measures are compared with the threshold in float32, in both.
+    # Both compare the measures with the threshold in float32.
     held = hold(proba, information, threshold=threshold, sequences=parts)
     np.testing.assert_array_equal(held, by_hand(proba, information, threshold, parts))
     np.testing.assert_array_equal(proba, before)
@@ -62,11 +62,11 @@ def test_a_frame_below_the_threshold_repeats_the_last_accepted_one_of_its_sequen
     proba = np.eye(7)
     information = np.array([0.05, 0.2, 0.05, 0.0, 0.1, 0.0, 0.3])
     held = hold(proba, information, threshold=0.1, sequences=[slice(0, 5), slice(5, 7)])
-    # Frames 0 and 5 have nothing to repeat; frame 4 reaches the threshold exactly.
+    # Frames 0 and 5 have nothing to repeat, and frame 4 reaches the threshold exactly.
     assert np.argmax(held, axis=1).tolist() == [0, 1, 1, 1, 4, 5, 6]
 
 
-def test_without_a_threshold_nothing_changes():
+def test_a_threshold_of_zero_changes_nothing():
     proba = np.random.default_rng(0).dirichlet(np.ones(3), 9)
     np.testing.assert_array_equal(hold(proba, np.zeros(9), threshold=0.0, sequences=[slice(0, 9)]), proba)
 
@@ -76,17 +76,17 @@ def test_a_share_of_the_frames_lies_below_its_threshold(information, share):
     threshold = threshold_of(share, information)
     low = (information < np.float32(threshold)).mean()
     assert low <= share
-    # The maximum: one more frame, or its equals, would exceed the share.
+    # This is the highest possible threshold. A higher one would drop more than the share.
     assert (information <= np.float32(threshold)).mean() > share - 1 / len(information)
 
 
-def test_the_share_of_frames_without_equals_is_exact():
+def test_the_share_is_exact_without_ties():
     information = np.random.default_rng(0).permutation(200).astype(np.float32)
     kept = information >= threshold_of(0.1, information)
     assert kept.sum() == 180
 
 
-def test_dropped_frames_are_counted_with_and_without_label():
+def test_dropped_frames_are_counted_with_and_without_labels():
     information = np.array([0.05, 0.2, 0.05, 0.1, np.nan], np.float32)
     counted = dropped(information, np.array([0, 1, -1, 2, 0], np.int16), 0.1)
     assert counted == {"threshold": 0.1, "frames": 5, "dropped": 3, "labelled": 4, "dropped_labelled": 2}
@@ -105,7 +105,7 @@ def test_dropped_frames_are_counted_with_and_without_label():
         (True, None, "threshold=True: it must be a valid number"),
     ],
 )
-def test_a_filter_has_a_threshold_or_a_share(threshold, share, message):
+def test_a_filter_needs_either_a_threshold_or_a_share(threshold, share, message):
     def check(threshold, share):
         own = {"threshold": threshold, "share": share, "cues": [], "systems": []}
         schema.check({"filters": {"x": own}})

@@ -15,7 +15,7 @@ SVM = {
 
 
 def outputs(n, flipped):
-    """Two cues: the first gives the opposite of the truth where `flipped`, the second is uniform."""
+    """Make two cues. The first contradicts the truth if `flipped`, and the second is uninformative."""
     truth = RNG.integers(0, 2, n).astype(np.int16)
     first = np.where((truth == 0) != flipped, 0.9, 0.1) + RNG.uniform(-0.05, 0.05, n)
     proba = np.stack([np.stack([first, 1 - first], axis=1), RNG.dirichlet([9, 9], n)], axis=1)
@@ -31,7 +31,7 @@ def data():
     return train, truth, *outputs(50, flipped=True)
 
 
-def test_das_learns_what_a_cue_means_and_a_vote_does_not(data):
+def test_das_corrects_an_inverted_cue_and_a_vote_does_not(data):
     train, truth, test, expected = data
     fused = fit(train, truth, CLASSES, method="das", classifier=SVM)
     assert (fused.integrator.predict_proba(test).argmax(axis=1) == expected).mean() > 0.95
@@ -42,8 +42,8 @@ def test_das_learns_what_a_cue_means_and_a_vote_does_not(data):
     np.testing.assert_array_equal(vote, vote_distribution(test))
 
 
-def test_temperatures_sharpen_before_a_vote(data):
-    """A correct, uncertain cue is outvoted by a wrong, certain one, until both are tempered."""
+def test_temperatures_are_applied_before_a_vote(data):
+    """A correct but uncertain cue is outvoted by a wrong but certain one, unless both are tempered."""
     proba = np.array([[[0.55, 0.45], [0.1, 0.9]]])
     train, truth = {"a": proba}, {"a": np.zeros(1, np.int16)}
     for temperatures, place in ((None, 1), ((0.05, 10.0), 0)):

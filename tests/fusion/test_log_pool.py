@@ -12,7 +12,7 @@ CLASSES = ["bath", "hall", "kitchen"]
 
 
 def drawn(weights, n=6000, seed=0):
-    """Cues; the labels are drawn from their pool with some weights."""
+    """Draw distributions for cues, and labels from their pool with the given weights."""
     rng = np.random.default_rng(seed)
     proba = rng.dirichlet(np.ones(3), (n, len(weights)))
     scores = np.tensordot(np.log(proba), weights, axes=(1, 0))
@@ -21,7 +21,7 @@ def drawn(weights, n=6000, seed=0):
 
 
 def weighed(truth, homes):
-    """(n,) weights by hand: homes weigh the same, and so do the classes in each."""
+    """Compute (n,) frame weights by hand, with equal weight for homes and for the classes in each home."""
     weights = np.zeros(len(truth))
     for home in set(homes):
         classes = set(truth[homes == home])
@@ -44,13 +44,13 @@ def test_the_pool_is_the_softmax_of_weighted_logarithms():
     np.testing.assert_allclose(pool(proba, np.zeros(3)), 0.25)
 
 
-def test_a_certainty_is_no_veto():
+def test_a_probability_of_zero_does_not_rule_out_a_place():
     sure_and_wrong = np.array([[[1.0, 0.0], [0.1, 0.9]]])
     assert pool(sure_and_wrong, np.array([0.1, 1.0])).argmax() == 1
     assert np.isfinite(pool(np.array([[[1.0, 0.0], [0.0, 1.0]]]), np.array([9.0, 9.0]))).all()
 
 
-def test_the_floor_is_a_setting_and_1e_6_by_default():
+def test_smallest_probability_is_a_setting_with_default_1e_6():
     rng = np.random.default_rng(2)
     proba = {home: rng.dirichlet(np.full(3, 0.05), (90, 2)) for home in "abc"}
     truth = {home: rng.integers(3, size=90).astype(np.int16) for home in "abc"}
@@ -65,13 +65,13 @@ def test_the_floor_is_a_setting_and_1e_6_by_default():
 
 
 @pytest.mark.parametrize("weights", [[1.0, 0.5, 0.0], [0.3, 2.0, 0.7]])
-def test_the_weights_that_labels_were_drawn_by_are_found(weights):
+def test_fit_recovers_the_weights_used_to_draw_labels(weights):
     found = fit_weights(*drawn(weights), shrinkage=0.0)
     np.testing.assert_allclose(found, weights, atol=0.12)
 
 
-def test_two_cues_of_two_classes_are_a_logistic_regression():
-    """Weights of two classes are the coefficients of a regression on the differences of the logarithms."""
+def test_two_classes_equal_a_logistic_regression():
+    """For two classes, the weights are the coefficients of a logistic regression on the log odds."""
     rng = np.random.default_rng(5)
     proba = rng.dirichlet([1, 1], (900, 2))
     odds = np.log(proba[..., 1] / proba[..., 0])
@@ -82,7 +82,7 @@ def test_two_cues_of_two_classes_are_a_logistic_regression():
     np.testing.assert_allclose(fit_weights(proba, truth, homes, shrinkage=0.0), expected, rtol=1e-3)
 
 
-def test_on_its_training_frames_it_beats_every_cue_and_all_other_weights():
+def test_fitted_pool_beats_every_cue_and_all_other_weights():
     proba, truth, homes = drawn([0.7, 0.2], n=600, seed=3)
     # One home is larger, and one lacks a class.
     keep = (homes != "b") | (np.arange(600) % 3 == 0)
@@ -97,7 +97,7 @@ def test_on_its_training_frames_it_beats_every_cue_and_all_other_weights():
             assert best <= loss(pool(proba, np.array([one, other])), truth, homes) + 1e-9
 
 
-def test_a_cue_that_says_the_opposite_is_left_out_and_shrinkage_shrinks():
+def test_an_inverted_cue_gets_no_weight_and_shrinkage_reduces_weights():
     proba, truth, homes = drawn([1.0, 0.0])
     proba[:, 1] = softmax(-2 * log_softmax(np.log(proba[:, 0]), axis=1), axis=1)
     assert fit_weights(proba[:, 1:], truth, homes, shrinkage=0.0)[0] == 0.0
@@ -105,7 +105,7 @@ def test_a_cue_that_says_the_opposite_is_left_out_and_shrinkage_shrinks():
     assert sums == sorted(sums, reverse=True) and sums[-1] < 0.02
 
 
-def test_a_system_learns_weights_and_judges_each_home_by_the_others():
+def test_each_home_is_cross_validated_with_weights_from_the_others():
     proba, truth, homes = drawn([1.0, 0.3], n=300, seed=9)
     of_homes = {home: proba[homes == home] for home in ("a", "b", "c")}
     labels = {home: truth[homes == home] for home in of_homes}

@@ -47,7 +47,7 @@ def test_each_sequence_restarts_the_filter():
     np.testing.assert_array_equal(both["delayed"][5:], alone["delayed"])
 
 
-def test_the_times_of_frames_that_come_unevenly_count():
+def test_uneven_frame_times_are_used():
     proba, training = made()
     times = np.array([0, 0.2, 0.4, 0.6, 9.6, 0, 0.1, 0.2, 0.5, 0.9, 1.0, 1.1])
     result = smooth(proba, [slice(0, 5), slice(5, 12)], frame_rate=5.0, times=times, **training, **SETTINGS)
@@ -61,8 +61,8 @@ def test_the_times_of_frames_that_come_unevenly_count():
 
 
 @pytest.mark.parametrize("rate", [5.0, 30.0, 25.0, 49.0, 30000 / 1001, 1 / 0.225])
-def test_is_the_filter_and_then_the_delay_at_the_rate_of_the_training(rate):
-    """To the bit, though 1 / rate is rounded."""
+def test_equals_the_filter_and_the_delay_at_the_training_frame_rate(rate):
+    """The results are bitwise identical, although 1 / rate is rounded."""
     proba, training = made()
     transition = transition_matrix(training["training_sequences"], 2, smoothing=1.0)
     emission = emission_matrix(training["training_truth"], training["training_proba"], 2)
@@ -76,7 +76,7 @@ def test_is_the_filter_and_then_the_delay_at_the_rate_of_the_training(rate):
 
 
 def model(rate=5.0, leave=0.02, emission=(0.5, 0.25, 0.25), evidence="hard", delay_seconds=2.0):
-    """Three places; each frame leaves its place with probability `leave`."""
+    """Return a model with three places, each of which is left with probability `leave` per frame."""
     transition = np.full((3, 3), leave / 2) + (1 - 1.5 * leave) * np.eye(3)
     emissions = np.stack([np.roll(emission, place) for place in range(3)])
     return SmoothingModel(transition, emissions, evidence, 1.0, delay_seconds, rate)
@@ -89,7 +89,7 @@ def run(smoothing_model, proba, seconds):
 
 
 def stays(rng, frames=40):
-    """Distributions of an integrator on a walk: mostly one place after another, with some wrong frames."""
+    """Make an integrator's distributions for a walk with stays of 8 frames. Some frames are wrong."""
     places = np.repeat(rng.integers(0, 3, frames // 8 + 1), 8)[:frames]
     wrong = rng.random(frames) < 0.3
     places = np.where(wrong, rng.integers(0, 3, frames), places)
@@ -105,23 +105,24 @@ def stays(rng, frames=40):
     st.floats(0.05, 8.0),
     st.sampled_from([5.0, 10.0, 30.0]),
 )
-def test_every_frame_six_times_at_six_times_the_rate_says_the_same(
+def test_frames_repeated_at_six_times_the_rate_give_similar_results(
     seed, leave, emission, evidence, tau, learnt
 ):
-    """Whatever the rate of the model. Nearly: places change within a frame's time, too."""
+    """The results agree only approximately, because places may change within a frame."""
     proba = stays(np.random.default_rng(seed))
-    # Models of several rates that make about the same predictions in a second.
+    # Models with different rates make about the same predictions for one second.
     share = 5.0 / learnt
     emission = np.array(emission) ** share
     own = model(learnt, leave * share, emission / emission.sum(), evidence, tau)
     hmm, delayed = run(own, proba, np.full(40, 1 / 5))
     fast_hmm, fast_delayed = run(own, np.repeat(proba, 6, axis=0), np.full(240, 1 / 30))
-    # For comparison, the result of a filter that ignores time.
+    # For comparison, run a filter that ignores time.
     unchanged, _ = run(own, np.repeat(proba, 6, axis=0), [None] * 240)
     unaware, _ = run(own, proba, [None] * 40)
     assert np.abs(fast_hmm[5::6] - hmm).max() < 0.15
     assert np.abs(fast_hmm[5::6] - hmm).mean() < 0.03
-    # The delay starts with its first frame, which counts less if it stands for less time; this effect fades.
+    # Subtract the influence of the first frame on the delay. It depends on the duration of this frame and
+    # fades over time.
     ends = np.arange(1, 41)[:, None] / 5
     started, fast_started = (
         np.exp(-(ends - ends[0]) / tau) * hmm[0],
@@ -134,7 +135,7 @@ def test_every_frame_six_times_at_six_times_the_rate_says_the_same(
 @settings(max_examples=examples(20), deadline=None)
 @given(st.integers(0, 10_000), st.floats(0.001, 0.03))
 def test_higher_rates_converge(seed, leave):
-    """The finer the time, the less another halving changes: the filter has a limit in continuous time."""
+    """The filter has a limit in continuous time, so the changes shrink as the rate increases."""
     proba = stays(np.random.default_rng(seed))
     results = []
     for times in (1, 4, 16, 64):
@@ -153,14 +154,14 @@ def test_distributions_at_uneven_times(seed, seconds):
         assert (result >= 0).all()
 
 
-def test_a_frame_at_the_time_of_the_last_changes_nothing():
+def test_a_second_frame_at_the_same_time_changes_nothing():
     smoother = Smoother(model())
     first = smoother.step(np.array([0.8, 0.1, 0.1]), 0.2)
     again = smoother.step(np.array([0.1, 0.8, 0.1]), 0.0)
     np.testing.assert_allclose(again, first)
 
 
-def test_after_a_long_time_without_frames_the_past_is_forgotten():
+def test_the_past_is_forgotten_after_a_long_gap():
     late = np.array([0.1, 0.1, 0.8])
     results = []
     for before in np.eye(3):
@@ -170,20 +171,20 @@ def test_after_a_long_time_without_frames_the_past_is_forgotten():
         results.append(smoother.step(late, 600.0))
     for hmm, delayed in results:
         np.testing.assert_allclose(delayed, hmm, atol=1e-12)
-        # One frame, which counts as much as five frames of a second.
+        # The late frame counts as five frames, which is the limit of one second.
         np.testing.assert_allclose(hmm, np.array([1, 1, 2**5]) / 34, atol=1e-6)
 
 
 @pytest.mark.parametrize(
     ("rate", "seconds", "frames"), [(5.0, 0.6, 3), (5.0, 9.0, 5), (0.5, 2.0, 1), (0.5, 9.0, 1)]
 )
-def test_a_frame_counts_for_its_time_up_to_a_second_but_always_as_one(rate, seconds, frames):
+def test_a_frame_counts_for_at_most_a_second_or_one_frame(rate, seconds, frames):
     hmm, _ = Smoother(model(rate)).step(np.array([0.1, 0.1, 0.8]), seconds)
     np.testing.assert_allclose(hmm, np.array([1, 1, 2**frames]) / (2 + 2**frames), rtol=1e-9)
 
 
 @pytest.mark.parametrize("seconds", [-0.1, float("nan"), float("inf")])
-def test_impossible_times_are_refused_and_change_nothing(seconds):
+def test_invalid_times_are_rejected_and_change_nothing(seconds):
     smoother, other = Smoother(model()), Smoother(model())
     proba = np.array([0.8, 0.1, 0.1])
     with pytest.raises(PlacecatError, match="the time between two frames is"):
@@ -193,7 +194,7 @@ def test_impossible_times_are_refused_and_change_nothing(seconds):
 
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 8))
-def test_homes_of_different_rates_are_counted_at_the_highest(seed, times):
+def test_transitions_are_counted_at_the_highest_frame_rate(seed, times):
     """A home filmed at a lower rate counts as if its frames were repeated, except for its last frame."""
     rng = np.random.default_rng(seed)
     walks = [np.repeat(rng.integers(-1, 3, 9), rng.integers(1, 9, 9)).astype(np.int16) for _ in range(2)]
@@ -205,7 +206,7 @@ def test_homes_of_different_rates_are_counted_at_the_highest(seed, times):
     assert (mixed > 0).all()
 
 
-def test_homes_of_one_rate_are_counted_unchanged():
+def test_equal_frame_rates_do_not_change_transitions():
     walks = [np.array([0, 0, 1, 1, 0], np.int16), np.array([1, 1, 0], np.int16)]
     for rates in ([5.0, 5.0], [1 / 3, 1 / 3], [29.97, 29.97]):
         np.testing.assert_array_equal(

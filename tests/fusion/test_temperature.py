@@ -9,7 +9,7 @@ from placecat.fusion.temperature import fit_temperature, temper
 
 
 def drawn(temperature, n=4000, seed=0):
-    """Labels drawn from distributions, which are then given another temperature."""
+    """Draw labels from distributions, and then change the temperature of the distributions."""
     rng = np.random.default_rng(seed)
     true = rng.dirichlet(np.ones(4), n)
     truth = np.array([rng.choice(4, p=p) for p in true])
@@ -17,7 +17,7 @@ def drawn(temperature, n=4000, seed=0):
 
 
 @pytest.mark.parametrize("temperature", [0.2, 1.0, 5.0])
-def test_the_temperature_that_was_applied_is_found(temperature):
+def test_fit_recovers_the_applied_temperature(temperature):
     proba, truth = drawn(temperature)
     assert fit_temperature(proba, truth) == pytest.approx(temperature, rel=0.1)
 
@@ -26,7 +26,7 @@ def balanced(truth, proba):
     return log_loss(truth, proba, sample_weight=1.0 / np.bincount(truth)[truth])
 
 
-def test_no_other_temperature_has_less_log_loss():
+def test_no_other_temperature_has_a_lower_log_loss():
     proba, truth = drawn(3.0, n=300, seed=1)
     keep = (truth > 0) | (np.arange(300) % 5 == 0)
     proba, truth = proba[keep], truth[keep]
@@ -45,14 +45,14 @@ def test_tempered_distributions_keep_their_order_and_sum_to_one(seed, temperatur
     np.testing.assert_allclose(temper(tempered, 1.0), tempered, atol=1e-12)
 
 
-def test_each_cue_has_its_own():
+def test_each_cue_has_its_own_temperature():
     proba = np.broadcast_to([0.8, 0.2], (2, 3, 2))
     tempered = temper(proba, np.array([1.0, 2.0, 0.5]))
     for cue, temperature in enumerate((1.0, 2.0, 0.5)):
         np.testing.assert_allclose(tempered[:, cue], temper(proba[:, cue], temperature))
 
 
-def test_a_certain_and_wrong_distribution_stays_finite():
+def test_a_wrong_distribution_with_full_confidence_stays_finite():
     proba, truth = np.array([[1.0, 0.0], [1.0, 0.0]]), np.array([0, 1])
     assert 1.0 < fit_temperature(proba, truth) <= 100.0
     assert np.isfinite(temper(proba, 2.0)).all()

@@ -9,13 +9,13 @@ from placecat.fusion.transition_power import TransitionPower, generator
 
 
 def rows_of(rng, n, stay):
-    """A stochastic matrix; the larger `stay`, the more likely a place stays."""
+    """Draw a stochastic matrix. A larger `stay` makes changes of place less likely."""
     rows = rng.random((n, n)) + stay * np.eye(n)
     return rows / rows.sum(axis=1, keepdims=True)
 
 
 def rates_of(rng, n):
-    """A generator, drawn directly."""
+    """Draw a generator directly."""
     rates = rng.random((n, n)) * (1 - np.eye(n)) * rng.choice([0.01, 0.1, 1.0])
     return rates - np.diag(rates.sum(axis=1))
 
@@ -38,7 +38,7 @@ def test_rows_are_distributions_for_any_matrix(matrix, exponent):
 
 @given(matrices, exponents, exponents)
 def test_chapman_kolmogorov(matrix, first, second):
-    """Steps of x and then y equal a step of x + y; 1 is the matrix itself and is a special case."""
+    """A step of x and a step of y equal a step of x + y. An exponent of 1 is a special case."""
     power = TransitionPower(matrix)
     if 1.0 in (first, second, first + second):
         return
@@ -46,7 +46,7 @@ def test_chapman_kolmogorov(matrix, first, second):
 
 
 @given(matrices)
-def test_one_is_the_matrix_itself_to_the_bit(matrix):
+def test_exponent_of_1_returns_the_exact_matrix(matrix):
     power = TransitionPower(matrix)
     np.testing.assert_array_equal(power(1.0), matrix)
     power(0.5)
@@ -61,7 +61,7 @@ def test_an_embeddable_matrix_has_exact_powers(seed, n, exponent):
 
 
 @given(st.integers(0, 10_000), st.integers(2, 6), st.integers(2, 12))
-def test_whole_powers_are_products(seed, n, times):
+def test_integer_powers_are_products(seed, n, times):
     matrix = expm(rates_of(np.random.default_rng(seed), n))
     power = TransitionPower(matrix)
     np.testing.assert_allclose(power(times), np.linalg.matrix_power(matrix, times), atol=1e-8)
@@ -77,13 +77,13 @@ def test_two_places_in_closed_form(a, b, exponent):
     np.testing.assert_allclose(TransitionPower(matrix)(exponent), expected, atol=1e-9)
 
 
-def test_negative_rates_of_the_logarithm_become_none():
-    """The only way from 0 to 2, through 1, takes longer than a step: no continuous chain does that."""
+def test_negative_rates_of_the_logarithm_become_zero():
+    """Place 2 can be reached from 0 through 1, but not in one step. No continuous-time chain does that."""
     matrix = np.array([[0.8, 0.2, 0.0], [0.0, 0.8, 0.2], [0.2, 0.0, 0.8]])
     rates = generator(matrix)
     assert rates[0, 2] == 0.0
     np.testing.assert_allclose(rates.sum(axis=1), 0.0, atol=1e-15)
-    # Here the logarithm is known: 0.8 I + 0.2 S with the shift S has it by its Fourier transform.
+    # The logarithm of 0.8 I + 0.2 S, where S is a cyclic shift, is known from the Fourier transform.
     waves = np.exp(2j * np.pi * np.arange(3) / 3)
     spectrum = np.log(0.8 + 0.2 * waves)
     logarithm = [np.mean(spectrum * waves ** (-k)).real for k in range(3)]
@@ -100,12 +100,12 @@ def test_negative_rates_of_the_logarithm_become_none():
     ],
     ids=["a negative eigenvalue", "an eigenvalue of 0", "complex ones"],
 )
-def test_without_a_logarithm_the_changes_come_at_random_times(matrix):
+def test_matrices_that_are_not_embeddable(matrix):
     rates = generator(matrix)
     np.testing.assert_allclose(rates.sum(axis=1), 0.0, atol=1e-12)
     assert (rates[~np.eye(len(matrix), dtype=bool)] >= 0).all()
     if np.isreal(np.linalg.eigvals(matrix)).all():
-        # A Poisson number of jumps, each by the matrix.
+        # The number of jumps follows a Poisson distribution, and each jump follows the matrix.
         jumps, weight, expected = np.eye(len(matrix)), np.exp(-0.7), np.zeros(matrix.shape)
         for number in range(30):
             expected += weight * jumps
@@ -115,7 +115,7 @@ def test_without_a_logarithm_the_changes_come_at_random_times(matrix):
 
 @settings(max_examples=examples(30), deadline=None)
 @given(matrices)
-def test_after_a_very_long_time_the_start_is_forgotten(matrix):
+def test_large_powers_reach_the_stationary_distribution(matrix):
     power = TransitionPower(matrix)(1e7)
     np.testing.assert_allclose(power, np.broadcast_to(power[0], power.shape), atol=1e-6)
     np.testing.assert_allclose(power @ TransitionPower(matrix)(2.5), power, atol=1e-6)

@@ -1,4 +1,4 @@
-"""`placecat predict` in this process."""
+"""Run `placecat predict` in the current process."""
 
 import pytest
 
@@ -10,7 +10,7 @@ def predict(*arguments):
 
 
 def refused(*arguments):
-    """The one-line message of its refusal."""
+    """Return the one-line error message of a command that fails."""
     with pytest.raises(SystemExit) as caught:
         predict(*arguments)
     text = str(caught.value)

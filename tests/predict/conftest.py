@@ -1,5 +1,5 @@
 import sys
 from pathlib import Path
 
-# For fake_categorizer.
+# Makes fake_categorizer importable.
 sys.path.insert(0, str(Path(__file__).parent))

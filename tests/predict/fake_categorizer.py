@@ -1,4 +1,4 @@
-"""A system that reads the number in a coded image (helpers_sequences) and needs no training."""
+"""A fake system that decodes the number in an image and needs no training. See helpers_sequences."""
 
 import numpy as np
 from helpers_sequences import HEIGHT, WIDTH, decoded
@@ -8,22 +8,22 @@ from placecat.errors import PlacecatError
 
 CLASSES = ("bedroom", "living_room", "kitchen")
 STAY = 8
-"""Number of frames that the system stays with a place."""
+"""Number of consecutive frames for which the system names the same place."""
 
 
 def expected(number):
-    """Smoothed and frame-alone distributions for the image of a number."""
+    """Return the smoothed and the single-frame distribution for the image of a number."""
     proba = np.full(3, 0.2 + number / 1000)
     proba[number // STAY % 3] = 1 - 2 * proba[0]
     return proba, np.roll(proba, number % 2)
 
 
 class FakeCategorizer:
-    """The interface of `placecat.categorizer.Categorizer`."""
+    """Fake with the interface of `placecat.categorizer.Categorizer`."""
 
     classes = CLASSES
     frame_sizes = ((WIDTH, HEIGHT),)
-    # Confidences are 0.6 for the first frame, and 0.002 less from frame to frame.
+    # The confidence is 0.6 for the first frame and falls by 0.002 with each frame.
     threshold = 0.579
 
     def __init__(self, frame_rate=25.0):

@@ -1,4 +1,4 @@
-"""Bags as footage, and predictions as MCAP and for Rerun, read back by rosbags and rerun."""
+"""Predict from bags, and export predictions to MCAP and Rerun files."""
 
 import json
 import sys
@@ -22,7 +22,7 @@ STAMPS = [START + number * 4 * 10**7 for number in range(COUNT)]
 
 @pytest.fixture
 def system(tmp_path, monkeypatch):
-    """A system that needs no training, in an empty folder."""
+    """Return a system that needs no training, and change to an empty folder."""
     made = FakeCategorizer()
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: made)
@@ -30,7 +30,7 @@ def system(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("kind", ["walk.bag", "walk_ros2"])
-def test_a_bag_is_footage(system, tmp_path, capsys, kind):
+def test_predict_from_a_bag(system, tmp_path, capsys, kind):
     walk(tmp_path / kind)
     predict(kind)
     folder = tmp_path / "predictions" / kind.partition(".")[0]
@@ -45,7 +45,7 @@ def test_a_bag_is_footage(system, tmp_path, capsys, kind):
     assert told.err == ""
 
 
-def test_odd_times_topics_and_labels(system, tmp_path, capsys):
+def test_uneven_times_topics_and_labels(system, tmp_path, capsys):
     stamps = [*STAMPS[:20], *(START + 10**9 + number * 10**9 for number in range(10))]
     other = [("/left", START, picture(1, START, coded(77)))]
     walk(tmp_path / "walk.bag", stamps=stamps, others=other)
@@ -72,13 +72,13 @@ def test_odd_times_topics_and_labels(system, tmp_path, capsys):
         ("missing.bag", "there is no file or folder missing.bag"),
         (
             "walk.mcap --mcap walk.mcap --force",
-            "--mcap is walk.mcap, which is an input of the prediction: give another name",
+            "--mcap is walk.mcap, which is an input of the prediction: choose another name",
         ),
         ("images --mcap images/a.mcap", "an input of the prediction"),
-        ("walk.mcap --mcap out.bag", "--mcap is out.bag: give a name that ends with .mcap"),
+        ("walk.mcap --mcap out.bag", "--mcap is out.bag: choose a name that ends with .mcap"),
         (
             "walk.mcap --mcap there.mcap",
-            "--mcap is there.mcap, which already exists: give another name, or --force",
+            "--mcap is there.mcap, which already exists: choose another name, or use --force",
         ),
         (
             "walk.mcap --mcap predictions/walk/a.mcap",
@@ -87,7 +87,7 @@ def test_odd_times_topics_and_labels(system, tmp_path, capsys):
         ("walk.mcap --mcap there.mcap/a.mcap", "cannot write there.mcap/a.mcap"),
     ],
 )
-def test_mistakes_give_one_message_and_leave_nothing(system, tmp_path, arguments, message):
+def test_user_errors_give_one_message_and_leave_no_files(system, tmp_path, arguments, message):
     walk(tmp_path / "walk.mcap")
     write_image(tmp_path / "images/1.png", 1)
     (tmp_path / "there.mcap").write_text("mine")
@@ -97,7 +97,7 @@ def test_mistakes_give_one_message_and_leave_nothing(system, tmp_path, arguments
 
 
 def read_back(path):
-    """Topic to the messages and times of an MCAP file, and its connections."""
+    """Return the times and messages for each topic of an MCAP file, and the connection for each topic."""
     store = STORES[2]
     for name, text in mcap_file._DEFINITIONS.items():
         if name not in store.types:
@@ -134,7 +134,7 @@ def test_an_mcap_file_has_pictures_probabilities_and_places(system, tmp_path, ki
     for number, (_, message) in enumerate(found[mcap_file.PICTURE]):
         image = cv2.imdecode(message.data, cv2.IMREAD_COLOR)
         assert image.shape == (480, 920, 3) and message.format == "jpeg"
-        # Regions are drawn over the middle and the left of the frame.
+        # Avoid the regions that are drawn over the middle and the left of the frame.
         assert decoded(image[400:470, :640]) == number
     quality = {topic: one.ext.offered_qos_profiles[0] for topic, one in connections.items()}
     assert quality[mcap_file.PLACE].durability.name == "TRANSIENT_LOCAL"
@@ -143,7 +143,7 @@ def test_an_mcap_file_has_pictures_probabilities_and_places(system, tmp_path, ki
 
 
 def test_an_mcap_file_opens_without_ros(system, tmp_path):
-    """Foxglove needs definitions, CDR, a summary and indices of chunks."""
+    """Foxglove needs message definitions, CDR data, a summary and chunk indices."""
     mcap = pytest.importorskip("mcap.reader", reason="mcap is not installed: pip install mcap")
     walk(tmp_path / "walk.bag")
     predict("walk.bag", "--mcap", "said.mcap")
@@ -157,11 +157,11 @@ def test_an_mcap_file_opens_without_ros(system, tmp_path):
     assert "vision_msgs/ObjectHypothesis[] results" in text and f"{'=' * 80}\nMSG: std_msgs/Header" in text
     assert summary.statistics.message_count == 2 * COUNT + len(NAMES)
     assert summary.chunk_indexes[0].message_index_offsets.keys() == summary.channels.keys()
-    # CDR, little endian; then the length of the text, which ends with a zero.
+    # A little-endian CDR header, the length of the string, and the null-terminated string.
     assert places[1] == b"\x00\x01\x00\x00" + (12).to_bytes(4, "little") + b"living_room\x00"
 
 
-def test_the_same_prediction_gives_the_same_bytes(system, tmp_path):
+def test_mcap_files_are_reproducible(system, tmp_path):
     walk(tmp_path / "walk.bag")
     predict("walk.bag", "--mcap", "one/said.mcap")
     predict("walk.bag", "--mcap", "two/said.mcap")
@@ -169,7 +169,7 @@ def test_the_same_prediction_gives_the_same_bytes(system, tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["mcap", "rrd"])
-def test_an_interrupted_export_leaves_nothing(system, tmp_path, monkeypatch, ending):
+def test_an_interrupted_export_leaves_no_files(system, tmp_path, monkeypatch, ending):
     if ending == "rrd":
         pytest.importorskip("rerun", reason="rerun is not installed: pip install -e '.[rerun]'")
     walk(tmp_path / "walk.bag")
@@ -187,7 +187,7 @@ def test_an_interrupted_export_leaves_nothing(system, tmp_path, monkeypatch, end
     assert [path.name for path in tmp_path.iterdir()] == ["walk.bag"]
 
 
-def test_a_full_disk_ends_a_recording_of_rerun(system, tmp_path, monkeypatch):
+def test_rerun_export_stops_if_the_disk_is_full(system, tmp_path, monkeypatch):
     pytest.importorskip("rerun", reason="rerun is not installed: pip install -e '.[rerun]'")
     write_image(tmp_path / "images/1.png", 1)
     before = sorted(tmp_path.rglob("*"))
@@ -197,7 +197,7 @@ def test_a_full_disk_ends_a_recording_of_rerun(system, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(("option", "package"), [("--mcap", "rosbags"), ("--rerun", "rerun")])
-def test_without_a_package_the_extra_is_named(system, tmp_path, monkeypatch, option, package):
+def test_message_for_a_missing_package_names_the_extra(system, tmp_path, monkeypatch, option, package):
     write_image(tmp_path / "images/1.png", 1)
     monkeypatch.setitem(sys.modules, package, None)
     name = f"a{'.mcap' if option == '--mcap' else '.rrd'}"
@@ -205,12 +205,12 @@ def test_without_a_package_the_extra_is_named(system, tmp_path, monkeypatch, opt
 
 
 def recorded(path, entity, field):
-    """Frame to the value of a field of an entity, with the reader of this version of Rerun."""
+    """Return the value of an entity's field for each frame, read with the installed version of Rerun."""
     import rerun
 
     if hasattr(rerun, "dataframe"):
         view = rerun.dataframe.load_recording(path).view(index="frame", contents=entity)
-        # A timeline has no entity.
+        # The column of a timeline has no entity in its name.
         tables = [(view.select().read_all(), f"{entity}:{field}" if ":" in field else field)]
     else:
         from rerun.chunk import RrdReader
@@ -224,7 +224,7 @@ def recorded(path, entity, field):
     return found
 
 
-def test_a_recording_of_rerun_has_frames_regions_probabilities_and_places(system, tmp_path):
+def test_a_rerun_recording_has_frames_regions_probabilities_and_places(system, tmp_path):
     pytest.importorskip("rerun", reason="rerun is not installed: pip install -e '.[rerun]'")
     walk(tmp_path / "walk.bag")
     predict("walk.bag", "--rerun", "out/said.rrd")

@@ -79,22 +79,22 @@ def test_a_slow_reader_gets_the_newest_frame(capture):
     numbers, seconds, images = zip(*seen, strict=True)
     assert numbers == (1, 2, 3, 4)
     assert all(after - before >= 5 for before, after in pairwise(images))
-    # Their times are their arrival times.
+    # Frame times are arrival times.
     assert np.allclose(np.diff(seconds), 0.1, atol=0.05)
     assert source.arrived > 4
     assert made.is_released
     assert not [thread for thread in threading.enumerate() if thread.name == "camera"]
 
 
-def test_every_frame_is_taken_once_by_a_fast_reader_until_the_camera_is_gone(capture, monkeypatch):
+def test_a_fast_reader_gets_every_frame_once(capture, monkeypatch):
     monkeypatch.setattr(capture, "total", 12)
-    # The first frame determines the size.
+    # The first frame is missing because it was used to find the size.
     assert [decoded(frame.image) for frame in camera().frames(1)] == list(range(1, 12))
 
 
-def test_a_camera_that_is_not_there_or_gives_nothing(capture, monkeypatch):
+def test_a_missing_or_silent_camera_is_an_error(capture, monkeypatch):
     monkeypatch.setattr(capture, "total", 0)
-    with pytest.raises(PlacecatError, match="camera 0 can be opened, but delivers no frame"):
+    with pytest.raises(PlacecatError, match="camera 0 opens but delivers no frames"):
         camera()
     monkeypatch.setattr(capture, "is_there", False)
     with pytest.raises(PlacecatError, match=r"camera 0 cannot be opened.*camera:1"):
@@ -103,7 +103,7 @@ def test_a_camera_that_is_not_there_or_gives_nothing(capture, monkeypatch):
         camera("rtsp://me:secret@host/x")
 
 
-def test_a_password_is_taken_off():
+def test_passwords_are_removed():
     assert without_password("rtsp://me:secret@host:5/a@b") == "rtsp://host:5/a@b"
     assert without_password("a@b.mp4") == "a@b.mp4"
 
@@ -113,7 +113,7 @@ def system(monkeypatch):
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer(FPS))
 
 
-def test_a_camera_stops_after_the_seconds_and_never_overwrites(
+def test_a_camera_stops_after_the_seconds_and_never_overwrites_results(
     capture, system, tmp_path, monkeypatch, capsys
 ):
     monkeypatch.chdir(tmp_path)
@@ -124,21 +124,21 @@ def test_a_camera_stops_after_the_seconds_and_never_overwrites(
     assert "frames arrived in between and were dropped" in shown
     table = pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")
     assert table["seconds"].between(0, 0.3, inclusive="left").all()
-    # The film runs in real time, although drawing skipped frames.
+    # The film runs in real time, although frames were skipped while others were drawn.
     film = capture_length(tmp_path / "predictions/camera_0/annotated.mp4")
     assert film == round(table["seconds"].iloc[-1] * FPS) + 1
-    with pytest.raises(SystemExit, match="holds the prediction of camera"):
+    with pytest.raises(SystemExit, match="contains the prediction of camera"):
         main(["predict", "camera", "--seconds", "0.3", "--output", "predictions/camera_0"])
 
 
-def test_the_system_gets_the_real_time_between_camera_frames(capture, tmp_path, monkeypatch):
+def test_the_system_receives_the_real_time_between_camera_frames(capture, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     made = FakeCategorizer(FPS)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: made)
     original = FakeCategorizer.update
 
     def update(self, frame, seconds):
-        # Slower and slower.
+        # Each frame takes longer than the one before.
         time.sleep(0.02 * len(self.times))
         return original(self, frame, seconds)
 
@@ -170,11 +170,11 @@ def test_ctrl_c_writes_the_results_so_far(capture, system, tmp_path, monkeypatch
 
     monkeypatch.setattr(FakeCategorizer, "update", update)
     main(["predict", "camera"])
-    assert "Stopped; the results so far are written." in capsys.readouterr().out
+    assert "Stopped. Writing the results so far." in capsys.readouterr().out
     assert len(pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")) == 5
 
 
-def test_options_for_files_are_refused(capture, system):
+def test_file_options_are_rejected_for_a_camera(capture, system):
     for option, message in (
         ("--every=2", "--every is only for files"),
         ("--labels=x.csv", "--labels is only for files"),
@@ -183,7 +183,7 @@ def test_options_for_files_are_refused(capture, system):
             main(["predict", "camera", option])
 
 
-def test_a_single_failure_to_read_is_not_the_end(capture, monkeypatch):
+def test_a_few_failed_reads_do_not_end_the_footage(capture, monkeypatch):
     read = FakeCapture.read
 
     def fails_at_times(self):
@@ -194,11 +194,11 @@ def test_a_single_failure_to_read_is_not_the_end(capture, monkeypatch):
     monkeypatch.setattr(FakeCapture, "total", 12)
     source = camera()
     numbers = [decoded(frame.image) for frame in source.frames(1)]
-    # The first was read at opening; a slow machine may drop some.
+    # The first frame was read when the camera was opened. A slow machine may drop others.
     assert numbers == sorted(numbers) and numbers[-1] == 11
 
 
 @pytest.mark.parametrize("said", [90000.0, 1000.0, 0.0, float("nan")])
-def test_a_rate_that_cannot_be_is_not_taken_from_a_stream(capture, monkeypatch, said):
+def test_implausible_frame_rates_of_a_stream_are_ignored(capture, monkeypatch, said):
     monkeypatch.setattr(FakeCapture, "get", lambda self, name: said)
     assert camera("rtsp://somewhere/1").fps == 30.0

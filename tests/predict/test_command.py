@@ -24,7 +24,7 @@ TABLES = ("frames.csv", "segments.csv", "summary.json", "timeline.png", "visits.
 
 @pytest.fixture
 def footage(tmp_path, monkeypatch):
-    """A folder with footage, and a system that needs no training."""
+    """Create a folder with footage, and use a system that needs no training."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer())
     write_video(tmp_path / "walk.avi", COUNT)
@@ -35,7 +35,7 @@ def footage(tmp_path, monkeypatch):
 
 @pytest.fixture
 def folder(footage, monkeypatch):
-    """The same, with an empty timeline: drawing it takes longer than the rest of the prediction."""
+    """Like `footage`, but with an empty timeline, because drawing a real one dominates the run time."""
     monkeypatch.setattr(timeline, "draw", lambda prediction, title, truth: Figure(figsize=(1, 1)))
     return footage
 
@@ -52,7 +52,7 @@ def probabilities(table, prefix):
 
 
 @pytest.mark.parametrize("source", ["walk.avi", "images"])
-def test_the_tables_have_the_outputs_of_the_system_to_the_bit(footage, source, capsys):
+def test_tables_contain_exactly_the_outputs_of_the_system(footage, source, capsys):
     predict(source)
     name = source.removesuffix(".avi")
     results = footage / "predictions" / name
@@ -94,14 +94,14 @@ def test_the_tables_have_the_outputs_of_the_system_to_the_bit(footage, source, c
         ("frame99.jpg", "not a readable image"),
     ],
 )
-def test_pictures_that_are_no_frames_are_never_passed_over(folder, name, message):
+def test_pictures_that_are_not_frames_are_never_skipped(folder, name, message):
     content = (folder / "images/frame3.png").read_bytes()
     (folder / "images" / name).write_bytes(content[:100])
     assert message in refused("images")
     assert not list((folder / "predictions").glob("*"))
 
 
-def test_footage_that_may_not_be_read_gives_one_message(folder, monkeypatch):
+def test_unreadable_footage_gives_one_message(folder, monkeypatch):
     def refuse(path):
         raise PermissionError(13, "Permission denied", str(path))
 
@@ -109,14 +109,14 @@ def test_footage_that_may_not_be_read_gives_one_message(folder, monkeypatch):
     assert "images: cannot be read (Permission denied)" in refused("images")
 
 
-def test_the_same_footage_gives_the_same_bytes(footage):
+def test_results_are_reproducible(footage):
     predict("walk.avi", "--output", "one")
     predict("walk.avi", "--output", "two")
     for name in TABLES:
         assert (footage / "one" / name).read_bytes() == (footage / "two" / name).read_bytes(), name
 
 
-def test_segments_are_labels(footage, capsys):
+def test_segments_can_be_used_as_labels(footage, capsys):
     predict("walk.avi", "--every", "4")
     labels = footage / "labels.csv"
     shutil.copy(footage / "predictions/walk/segments.csv", labels)
@@ -125,14 +125,14 @@ def test_segments_are_labels(footage, capsys):
     labels.write_text(labels.read_text().replace("17,24,kitchen", "17,20,transition\n21,24,bedroom"))
     predict("walk.avi", "--labels", labels, "--output", "judged")
     shown = capsys.readouterr().out
-    # 14 of 18 frames of bedroom and all 8 of living_room are correct.
+    # 14 of the 18 bedroom frames and all 8 living_room frames are correct.
     assert f"Accuracy (mean over the labelled places): {(100 * 14 / 18 + 100) / 2:.2f} %" in shown
     lines = [line.split() for line in shown.splitlines()]
     assert ["bedroom", "14", "0", "4", "77.8", "%"] in lines
     assert ["kitchen", "0", "0", "0", "-"] in lines
 
 
-def test_an_unknown_label_is_refused_or_left_out(folder, capsys):
+def test_an_unknown_label_is_rejected_or_ignored(folder, capsys):
     (folder / "labels.csv").write_text("start,end,label\n1,10,bedroom\n11,30,cellar\n")
     assert (
         "labels.csv line 3: 'cellar' is not a place of the model (bedroom, living_room, kitchen)"
@@ -144,17 +144,17 @@ def test_an_unknown_label_is_refused_or_left_out(folder, capsys):
 
 
 @pytest.mark.parametrize(("option", "suffix"), [("--video", ".mp4"), ("--webm", ".webm")])
-def test_the_annotated_video_shows_every_frame_at_the_rate_of_the_footage(folder, option, suffix):
+def test_annotated_video_shows_every_frame_at_the_footage_rate(folder, option, suffix):
     predict("walk.avi", option, "--seconds", "0.5")
     shown, fps = frames_of(folder / f"predictions/walk/annotated{suffix}")
     assert (len(shown), fps) == (13, 25.0)
     assert shown[0].shape == (480, 920, 3)
-    # The colour of the place, by its swatch: bedroom, then living room.
+    # The swatch has the colour of the place, first bedroom and then living room.
     for number, color in ((0, (0x88, 0x22, 0x33)), (12, (0x7F, 0xAC, 0x3A))):
         assert np.abs(shown[number][28:36, 664:672].mean(axis=(0, 1)) - color).max() < 12
 
 
-def test_frames_of_another_size_are_scaled_if_asked(folder):
+def test_frames_of_another_size_are_scaled_with_resize(folder):
     for number in range(3):
         write_image(folder / f"large/{number}.png", number, width=2 * WIDTH, height=120)
     text = refused("large")
@@ -175,7 +175,7 @@ def test_frames_of_another_size_are_scaled_if_asked(folder):
         ("images --fps 2 --every 3", 3 / 2),
     ],
 )
-def test_the_system_gets_the_time_between_frames(folder, monkeypatch, capsys, arguments, period):
+def test_the_system_receives_the_time_between_frames(folder, monkeypatch, capsys, arguments, period):
     system = FakeCategorizer(frame_rate=6.0)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: system)
     predict(*arguments.split())
@@ -194,21 +194,21 @@ def test_the_system_gets_the_time_between_frames(folder, monkeypatch, capsys, ar
         (["--every", "2"], 0.579, True),
         (["--fps", "24.5"], 0.579, False),
         (["--fps", "20"], 0.579, True),
-        # Never unknown, or always.
+        # At these thresholds, places are always or never known.
         (["--every", "2"], 0.0, False),
         (["--every", "2"], float("inf"), False),
     ],
 )
-def test_frames_that_come_slowly_are_noted(folder, monkeypatch, capsys, arguments, threshold, is_noted):
+def test_a_low_frame_rate_is_noted(folder, monkeypatch, capsys, arguments, threshold, is_noted):
     monkeypatch.setattr(FakeCategorizer, "threshold", threshold)
     predict("walk.avi", *arguments)
     rate = "12.5" if "--every" in arguments else "20"
-    note = f"{rate} frames/s are used, but the confidence for `unknown` was chosen at 25"
+    note = f"{rate} frames/s are used, but the threshold for `unknown` was chosen at 25"
     assert (note in capsys.readouterr().err) == is_noted
     assert ("notes" in json.loads((folder / "predictions/walk/summary.json").read_text())) == is_noted
 
 
-def test_a_cut_off_video_is_noted(folder, capsys):
+def test_a_truncated_video_is_noted(folder, capsys):
     whole = (folder / "walk.avi").read_bytes()
     (folder / "cut.avi").write_bytes(whole[: len(whole) // 2])
     predict("cut.avi")
@@ -244,33 +244,33 @@ def _damage(folder):
         ("walk.avi --every 0", "--every is 0"),
         ("walk.avi --seconds 0", "--seconds is 0"),
         ("walk.avi --fps nan", "--fps is nan"),
-        ("walk.avi --fps 1e-308", "--fps is 1e-308: give 0.001 to 1000"),
-        ("walk.avi --fps 1e308", "give 0.001 to 1000"),
+        ("walk.avi --fps 1e-308", "--fps is 1e-308: use 0.001 to 1000"),
+        ("walk.avi --fps 1e308", "use 0.001 to 1000"),
         ("walk.avi --every 1000000000000000000000", "--every is 1000000000000000000000"),
         ("walk.avi --ignore kitchen", "--ignore has no effect without labels"),
         ("pipe.mp4", "pipe.mp4 is not an ordinary file"),
         ("walk.avi --output notes.txt/x", "cannot write notes.txt/x: File exists; a file is where"),
-        ("walk.avi --output other", "other holds something other than a prediction"),
+        ("walk.avi --output other", "other contains something other than a prediction"),
         ("walk.avi --labels none.csv", "none.csv: the label file is missing"),
         ("walk.avi --labels short.csv", "label frames 11 to 30"),
         ("walk.avi --output notes.txt", "notes.txt is a file"),
-        ("walk.avi --output images", "images holds something other than a prediction"),
+        ("walk.avi --output images", "images contains something other than a prediction"),
         ("walk.avi --output . --force", ". is or contains a folder that is in use"),
         ("walk.avi --output new/..", "new/.. is or contains a folder that is in use"),
     ],
 )
-def test_mistakes_give_one_message_and_leave_nothing(folder, arguments, message):
+def test_user_errors_give_one_message_and_leave_no_files(folder, arguments, message):
     _damage(folder)
     before = sorted(folder.rglob("*"))
     assert message in refused(*arguments.split())
     assert sorted(folder.rglob("*")) == before
 
 
-def test_no_source_is_refused(folder):
+def test_an_empty_source_is_rejected(folder):
     assert "SOURCE is empty" in refused("")
 
 
-def test_a_link_as_output_stays_and_its_target_is_written(folder):
+def test_an_output_link_is_kept_and_its_target_is_written(folder):
     (folder / "far").mkdir()
     (folder / "near").symlink_to("far")
     predict("walk.avi", "--output", "near")
@@ -278,23 +278,23 @@ def test_a_link_as_output_stays_and_its_target_is_written(folder):
     assert (folder / "far/frames.csv").is_file()
 
 
-def test_a_name_begins_no_line_of_its_own(footage, capsys):
+def test_newlines_in_names_are_escaped(footage, capsys):
     predict("walk.avi", "--output", "a\nAll is well")
     assert "a\\nAll is well: " in capsys.readouterr().out
 
 
-def test_a_name_of_dots_is_no_folder(folder):
+def test_a_name_of_dots_gives_the_folder_footage(folder):
     (folder / "walk.avi").rename(folder / "...avi")
     predict("...avi")
     assert (folder / "predictions/footage/frames.csv").exists()
     assert (folder / "...avi").exists()
 
 
-def test_only_an_untouched_prediction_of_the_same_source_is_replaced(folder):
+def test_only_an_unedited_prediction_of_the_same_source_is_replaced(folder):
     predict("walk.avi", "--output", "out")
     predict("walk.avi", "--output", "out", "--every", "2")
     assert len(pd.read_csv(folder / "out/frames.csv")) == COUNT // 2
-    assert "holds the prediction of walk.avi" in refused("images", "--output", "out")
+    assert "contains the prediction of walk.avi" in refused("images", "--output", "out")
     segments = folder / "out/segments.csv"
     segments.write_text(segments.read_text().replace("kitchen", "bedroom"))
     assert "segments.csv was added or edited" in refused("walk.avi", "--output", "out")
@@ -319,7 +319,7 @@ def test_edited_or_added_files_are_kept_even_with_force(folder, capsys):
         capsys.readouterr().err
     )
     assert segments.read_text() == written
-    # The copy also belongs to the user, and an untouched table is not copied.
+    # The copy counts as an added file. Unedited tables are not copied.
     assert "was added or edited" in refused("images", "--output", "out")
     segments.write_text("second")
     predict("walk.avi", "--output", "out", "--force")
@@ -343,13 +343,13 @@ def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):
     assert not (folder / "predictions").exists()
 
 
-def test_numbers_of_an_image_survive_the_coding_of_the_video(folder):
-    # The assumption of the other tests.
+def test_encoded_numbers_survive_video_compression(folder):
+    # The other tests assume this.
     assert np.array_equal(frames_of(folder / "walk.avi")[0][5] > 127, coded(5) > 127)
 
 
 @pytest.mark.slow
-def test_no_frame_waits_for_matplotlib():
+def test_importing_the_command_does_not_import_matplotlib():
     program = "import sys, placecat.predict.command; print('matplotlib' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert done.stdout == "False\n"

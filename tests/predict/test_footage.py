@@ -1,4 +1,4 @@
-"""Real-world footage: damage, uneven times, a turned phone."""
+"""Predict from real-world footage with damage, uneven times or a rotated phone."""
 
 import json
 from fractions import Fraction
@@ -20,7 +20,7 @@ CHAIN = {"g": "1000", "bf": "0", "preset": "ultrafast"}
 
 @pytest.fixture
 def system(tmp_path, monkeypatch):
-    """A system that needs no training, in an empty folder."""
+    """Return a system that needs no training, and change to an empty folder."""
     made = FakeCategorizer()
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: made)
@@ -49,13 +49,13 @@ def test_lost_frames_keep_their_numbers_and_are_reported(system, tmp_path, capsy
     assert Recording(folder / "annotated.mp4").count == 60
 
 
-def test_of_a_lost_frame_the_next_is_taken(system, tmp_path):
+def test_the_frame_after_a_lost_frame_is_used(system, tmp_path):
     zero(write_clip(tmp_path / "walk.mp4", steady(30), options=CHAIN), 11)
     table, _, _ = predicted("walk.mp4", "--every", 5)
     assert table["frame"].tolist() == [1, 6, 12, 16, 21, 26]
 
 
-def test_whole_footage_has_no_note(system, tmp_path, capsys):
+def test_undamaged_footage_has_no_note(system, tmp_path, capsys):
     write_clip(tmp_path / "walk.mp4", steady(30))
     _, summary, _ = predicted("walk.mp4")
     assert not {"lost_frames", "damaged_frames", "turned_frames", "notes"} & set(summary)
@@ -76,14 +76,14 @@ def test_times_come_from_the_file(system, tmp_path):
 
 
 @pytest.mark.parametrize(("seconds", "frames"), [(1.5, 45), (3.0, 50), (0.05, 2)])
-def test_seconds_come_from_the_file(system, tmp_path, seconds, frames):
+def test_seconds_option_uses_the_times_in_the_file(system, tmp_path, seconds, frames):
     write_clip(tmp_path / "walk.mp4", UNEVEN)
     table, summary, _ = predicted("walk.mp4", "--seconds", seconds)
     assert len(table) == frames
     assert summary["seconds"] == pytest.approx(seconds, abs=0.001)
 
 
-def test_a_rate_is_asked_for_where_the_file_has_none(system, tmp_path):
+def test_a_file_without_plausible_times_needs_a_frame_rate(system, tmp_path):
     write_clip(tmp_path / "walk.webm", np.arange(9) / 1000, codec="libvpx", rate=1000, tick=Fraction(1, 1000))
     with pytest.raises(
         SystemExit, match=r"has no plausible times for its frames .* set the frame rate with --fps"
@@ -92,7 +92,7 @@ def test_a_rate_is_asked_for_where_the_file_has_none(system, tmp_path):
     assert predicted("walk.webm", "--fps", 30)[1]["seconds"] == 0.3
 
 
-def test_a_phone_turned_while_filming_does_not_stretch(system, tmp_path, capsys, monkeypatch):
+def test_rotating_the_phone_does_not_stretch_frames(system, tmp_path, capsys, monkeypatch):
     seen, update = [], system.update
     monkeypatch.setattr(system, "update", lambda frame, seconds: seen.append(frame) or update(frame, seconds))
     turned_on_the_way(tmp_path / "walk.webm")
@@ -100,7 +100,8 @@ def test_a_phone_turned_while_filming_does_not_stretch(system, tmp_path, capsys,
     assert len(table) == 10
     assert summary["turned_frames"] == [6, 7, 8, 9, 10]
     assert "from frame 6 on, 5 frames differ in size" in capsys.readouterr().err
-    # Square columns of the number: all 48 columns of 6 pixels remain, in 64.
+    # Turned frames are cropped to 48x36 pixels and enlarged to 64x48, so each column is 8 pixels wide instead
+    # of 6.
     assert {frame.shape for frame in seen} == {(48, 64, 3)}
     edges = np.flatnonzero(np.abs(np.diff(seen[6][24, :, 0].astype(int))) > 60)
     assert edges[0] == pytest.approx(64 / 48 * 6, abs=2)
@@ -110,7 +111,7 @@ def reserved(output=None, *, is_live=False):
     return destination.reserved(output, "walk", "walk.mp4", [], is_live=is_live, force=False)
 
 
-def test_two_predictions_at_once_do_not_share_a_folder(system, tmp_path):
+def test_concurrent_predictions_do_not_share_a_folder(system, tmp_path):
     with reserved() as first:
         message = "walk is being written by another prediction: wait for it"
         with pytest.raises(PlacecatError, match=message), reserved():

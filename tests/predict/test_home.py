@@ -1,4 +1,4 @@
-"""A home of a data set as footage, with its floors and labels."""
+"""Predict from a home of a data set, with its floors and labels."""
 
 import json
 
@@ -18,7 +18,7 @@ from placecat.predict.home import DataSetHome, data_set
 from project import ROOT
 
 FLOORS = (12, 18)
-# In another order than the model's, with a class and an ignored label that the model does not know.
+# The classes are not in the model's order. One class and one ignored label are unknown to the model.
 DATASET = {
     "name": "mine",
     "title": "my homes",
@@ -41,7 +41,7 @@ TRUTH = [*["bedroom"] * 8, *[""] * 2, *["living_room"] * 2, *["kitchen"] * 6, *[
 
 
 class Reset(FakeCategorizer):
-    """Counts its restarts, and the frames that they precede."""
+    """Fake system that records the number of frames seen before each restart."""
 
     def __init__(self):
         super().__init__()
@@ -64,7 +64,7 @@ def system(tmp_path, monkeypatch):
     return made
 
 
-def test_all_floors_have_one_score(system, tmp_path, capsys):
+def test_all_floors_are_scored_together(system, tmp_path, capsys):
     predict("home:Villa")
     results = tmp_path / "predictions/Villa"
     table = pd.read_csv(results / "frames.csv")
@@ -83,12 +83,12 @@ def test_all_floors_have_one_score(system, tmp_path, capsys):
     agreement = json.loads((results / "summary.json").read_text())["agreement"]
     assert agreement["named"] == round(100 * shares.sum(), 2)
     assert agreement["named_wrongly"] == round(100 * (1 - np.trace(shares) / shares.sum()), 2)
-    # Every floor is a restart, and nothing carries over.
+    # The system restarts on every floor, and nothing carries over.
     assert system.resets == [0, 12]
     assert system.times == [0.25] * 30
 
 
-def test_a_floor_ends_a_stay(system, tmp_path):
+def test_a_change_of_floor_ends_a_stay(system, tmp_path):
     system.threshold = 0.0
     predict("home:Villa")
     visits = pd.read_csv(tmp_path / "predictions/Villa/visits.csv")
@@ -112,7 +112,7 @@ def test_every_nth_frame_is_counted_on_each_floor(system, tmp_path):
     assert system.resets == [0, 3]
 
 
-def test_classes_that_the_model_does_not_know_are_refused_or_left_out(system, tmp_path, capsys):
+def test_classes_unknown_to_the_model_are_rejected_or_ignored(system, tmp_path, capsys):
     labels = tmp_path / "homes/Villa/label.txt"
     labels.write_text(LABELS.replace("7 18 bedroom", "7 18 office"))
     text = refused("home:Villa")
@@ -122,9 +122,9 @@ def test_classes_that_the_model_does_not_know_are_refused_or_left_out(system, tm
     assert "correct" in capsys.readouterr().out
 
 
-def test_a_home_that_trained_the_model_is_noted(system, tmp_path, capsys):
+def test_a_training_home_of_the_model_is_noted(system, tmp_path, capsys):
     note = "the model was trained on Villa, so this accuracy says nothing about new homes"
-    # Neither a home of that name in other data, nor another home of these data.
+    # Neither a home with this name in another data set nor another home in this data set counts.
     for title, homes in (("other homes", ["Villa"]), ("my homes", ["Hut"]), ("my homes", ["Hut", "Villa"])):
         system.card["data"] |= {"title": title, "homes": homes}
         predict("home:Villa")
@@ -141,16 +141,16 @@ def test_a_home_that_trained_the_model_is_noted(system, tmp_path, capsys):
         (["home:Hut"], "Hut"),
         (["home:"], "home: needs the name of a home: use one of Villa, Hut"),
         (["home:Villa", "--labels", "x.csv"], "--labels is for other footage"),
-        (["homes/Villa/1", "--set", "dataset=homes"], "--set chooses the data set of home:NAME"),
+        (["homes/Villa/1", "--set", "dataset=homes"], "--set chooses the data set for home:NAME"),
     ],
 )
-def test_mistakes_give_one_message(system, tmp_path, arguments, message):
+def test_user_errors_give_one_message(system, tmp_path, arguments, message):
     text = refused(*arguments)
     assert message in text and len(text.splitlines()) == 1
     assert not (tmp_path / "predictions").exists()
 
 
-def test_another_data_set_is_chosen_as_repro_does(monkeypatch):
+def test_overrides_select_another_data_set(monkeypatch):
     monkeypatch.chdir(ROOT)
     assert data_set([])["name"] == "homes"
     chosen = data_set(["dataset=my_homes", "dataset.root=far", "dataset.homes=[Villa]"])
@@ -159,8 +159,8 @@ def test_another_data_set_is_chosen_as_repro_does(monkeypatch):
         data_set(["dataset.rooot=far"])
 
 
-def test_a_layout_gets_its_settings(tmp_path):
-    """Camera, turn and observations reach the layout, as they do in the stage `sequences`."""
+def test_a_layout_receives_its_settings(tmp_path):
+    """The layout receives the camera, turn and observations, as in the `sequences` stage."""
     seen = make(tmp_path / "robot", lambda home, room, number: np.full((6, 8, 3), number % 256, np.uint8))
     dataset = yaml.safe_load((ROOT / "conf/dataset/robot_at_home.yaml").read_text())
     chosen = {

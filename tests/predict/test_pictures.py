@@ -30,13 +30,13 @@ def prediction(places, *, seconds=None, numbers=None, length=None):
     )
 
 
-def test_the_strips_have_the_colours_of_the_places_in_time():
+def test_timeline_strips_show_the_colours_of_the_places():
     # The second frame lasts three times as long as the first.
     figure = timeline.draw(prediction([0, 2, 1], seconds=[0.0, 1.0, 4.0]), "", np.array([-1, 2, 2]))
     label, decision, alone = (axes.images[0].get_array()[0] for axes in figure.axes[:3])
     colors = [to_rgb(color) for color in palette.place_colors(CLASSES).values()]
     white = (1.0, 1.0, 1.0)
-    # Ends at 6 s: the last frame lasts as long as the median, 2 s.
+    # The footage ends at 6 s, because the last frame lasts as long as the median, 2 s.
     moments = [int(timeline.COLUMNS * second / 6) for second in (0.5, 2.5, 5.5)]
     for strip, expected in (
         (decision, [colors[0], colors[2], colors[1]]),
@@ -55,7 +55,7 @@ def test_short_and_long_footage_is_drawn(seconds):
     assert len(set(ticks)) == len(ticks) >= 3
 
 
-def test_segments_cover_the_footage_and_frames_between():
+def test_segments_include_frames_that_were_not_categorized():
     parts = prediction([0, 0, 2, 1], numbers=[1, 6, 11, 16], length=18).segments()
     assert [(part.start, part.end, part.label) for part in parts] == [
         (1, 10, "bedroom"),
@@ -64,18 +64,19 @@ def test_segments_cover_the_footage_and_frames_between():
     ]
 
 
-def test_share_of_time_counts_time_and_not_frames():
+def test_share_of_time_depends_on_frame_durations():
     facts = report.facts(prediction([0, 2, 2], seconds=[0.0, 3.0, 4.0]), None)
     # The last frame lasts as long as the median, 2 s.
     assert facts["share_of_time"] == {"bedroom": 0.5, "living_room": 0.0, "kitchen": 0.5}
 
 
-def test_regions_are_circles_of_their_radius():
+def test_regions_are_drawn_as_circles():
     shown = Annotator(CLASSES, (WIDTH, HEIGHT))
     decision = FakeCategorizer().update(coded(0))
     picture = shown(Frame(1, 0.0, "", coded(0)), decision).astype(int)
     assert picture.shape == (shown.size[1], shown.size[0], 3)
-    # Frame width 64 is drawn 640 wide: the region of scale 2 at (32, 24) has radius 64 / 128 * 4 = 2, so 20.
+    # The frame is enlarged ten times. The region at (32, 24) with scale 2 has radius 64 / 128 * 4 = 2, drawn
+    # as 20.
     yellow = (np.abs(picture[:480, :640] - (120, 235, 255)).max(axis=2) < 60).nonzero()
     distance = np.hypot(yellow[1] - 325, yellow[0] - 245)
     assert (np.abs(distance[distance < 60] - 20) < 2.5).all() and (distance < 60).sum() > 60
@@ -92,11 +93,11 @@ def test_pictures_have_even_sides_and_fit_many_places(size):
     picture = shown(Frame(1, 0.0, "", np.zeros((size[1], size[0], 3), np.uint8)), decision, "")
     assert picture.shape == (shown.size[1], shown.size[0], 3)
     assert shown.size[0] % 2 == shown.size[1] % 2 == 0
-    # Only paper touches the right border.
+    # Nothing is drawn at the right edge.
     assert (picture[:, -3:] > 250).all()
 
 
-def test_letters():
+def test_lettering():
     assert mask("il", 20).shape[1] < mask("WM", 20).shape[1]
     assert 0.9 < mask("WM", 20).max() <= 1.0
     picture = np.full((10, 10, 3), 255, np.uint8)
@@ -106,11 +107,11 @@ def test_letters():
     assert picture.min() < 255
 
 
-def test_times():
+def test_clock():
     assert [clock(value) for value in (0, 7.9, 60, 3723)] == ["0:00", "0:07", "1:00", "1:02:03"]
 
 
-def test_a_long_title_stays_in_the_picture():
+def test_a_long_title_fits_into_the_figure():
     with house_style():
         figure = timeline.draw(prediction([0, 1]), "home_6: " + "HOG, SIFT, Centrist and Gist, " * 6)
         FigureCanvasAgg(figure).draw()

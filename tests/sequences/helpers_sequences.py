@@ -1,4 +1,4 @@
-"""Tiny images and videos that carry their number, so a wrong frame shows."""
+"""Make tiny images and videos that encode frame numbers, so that tests can detect a wrong frame."""
 
 from pathlib import Path
 
@@ -10,14 +10,14 @@ WIDTH, HEIGHT = 64, 48
 
 
 def coded(number: int, width: int = WIDTH, height: int = HEIGHT) -> NDArray[np.uint8]:
-    """An image of eight black or white columns: the bits of the number. Lossy coding leaves them readable."""
+    """Encode a number as eight black or white columns, which remain readable after lossy compression."""
     bits = (number >> np.arange(8)) & 1
     columns = np.repeat(bits * 255, -(-width // 8))[:width].astype(np.uint8)
     return np.ascontiguousarray(np.broadcast_to(columns[None, :, None], (height, width, 3)))
 
 
 def decoded(image: NDArray[np.uint8]) -> int:
-    """The number in an image by `coded`."""
+    """Decode the number in an image made by `coded`."""
     means = image.reshape(image.shape[0], 8, -1).mean(axis=(0, 2))
     return int(((means > 127) << np.arange(8)).sum())
 

@@ -1,4 +1,4 @@
-"""A small database with the definitions of Robot@Home2, and its pictures."""
+"""Make a small data set with the tables and pictures of Robot@Home2."""
 
 import sqlite3
 from collections.abc import Callable, Sequence
@@ -45,7 +45,7 @@ CREATE TABLE rh2_old2new_rgbd_files (id INT, old_path TEXT, old_file_1 TEXT, old
 
 
 class Seen(NamedTuple):
-    """A planned observation of a camera."""
+    """One observation of a camera."""
 
     home: str
     session: str
@@ -61,20 +61,21 @@ Picture = Callable[[str, str, int], NDArray[np.uint8]]
 
 
 def make(root: Path, picture: Picture, *, cameras: Sequence[int] = (1, 2), frames: int = 4) -> list[Seen]:
-    """Write ``rh.db`` and ``files/rgbd`` below a new folder.
+    """Write ``rh.db`` and ``files/rgbd`` to a new folder.
 
     Parameters
     ----------
     picture
-        Function of home, room and number of the frame among all, from 0.
+        Function that makes a picture from the home, the room, and the frame number in the data set, from 0.
     cameras
-        The cameras, from 1 to 4, that recorded.
+        Numbers of the cameras, from 1 to 4.
     frames
-        Number per room, camera and sub-session; the last one is discarded, and so are all of ``fullhouse1``.
+        Number of frames per room, camera and sub-session. The last one is discarded, as is every frame of
+        ``fullhouse1``.
 
     Returns
     -------
-    In the order of their times.
+    The observations in time order.
     """
     root.mkdir(parents=True)
     raw, labelled, files, seen = [], [], [], []
@@ -84,7 +85,7 @@ def make(root: Path, picture: Picture, *, cameras: Sequence[int] = (1, 2), frame
         for part, room in ((part, room) for part in parts for room in HOMES[home]):
             ticks += PAUSE
             for frame in range(frames):
-                # No two steps are equal, like the steps of a camera.
+                # No two steps are equal, as with a real camera.
                 ticks += STEP + frame
                 raw.append(_row(len(raw) + 1, home, session, part, room, 0, ticks, "scan.txt"))
                 for camera in cameras:
@@ -117,7 +118,7 @@ def make(root: Path, picture: Picture, *, cameras: Sequence[int] = (1, 2), frame
         rooms = [(_home(home), f"{home}_{room}", TYPES.index(room[:-1])) for home, room in _rooms()]
         _fill(connection, "rh_rooms", [(number, *room) for number, room in enumerate(rooms)])
         _fill(connection, "rh_sensors", [(number, number > 0, name) for number, name in enumerate(SENSORS)])
-        # Not in temporal order.
+        # Rows are not in time order.
         _fill(connection, "rh_raw", raw[::-1])
         _fill(connection, "rh_rgbd", [row for row in raw if row[6] > 0])
         _fill(connection, "rh_lblrgbd", labelled[::-1])
@@ -127,7 +128,7 @@ def make(root: Path, picture: Picture, *, cameras: Sequence[int] = (1, 2), frame
 
 
 def change(root: Path, statements: str) -> None:
-    """Change a made database with SQL."""
+    """Run SQL statements on the database."""
     connection = sqlite3.connect(root / "rh.db")
     connection.executescript(statements)
     connection.close()

@@ -1,4 +1,4 @@
-"""The layout of bags: floors, labels, and frames that are read again by their position."""
+"""Test the `bags` layout: floors, labels, and reading frames by position."""
 
 import numpy as np
 import pandas as pd
@@ -17,7 +17,7 @@ SECOND = 10**9
 
 
 def described(version=2):
-    """Rooms of ten seconds: unknown for one, then the kitchen, then another."""
+    """Make label messages: kitchen after one second, and bedroom after three."""
     return [
         (TOPIC, START + SECOND, string(version, "kitchen")),
         (TOPIC, START + 3 * SECOND, string(version, " bedroom ")),
@@ -26,7 +26,7 @@ def described(version=2):
 
 @pytest.fixture
 def root(tmp_path):
-    """Two floors, the lower one by two cameras, labelled by a CSV in seconds."""
+    """Create a home with two floors. Floor 1 has two cameras, and its labels are in seconds."""
     depth = [
         (
             "/depth",
@@ -43,7 +43,7 @@ def root(tmp_path):
     return tmp_path / "bags"
 
 
-def test_a_home_has_a_sequence_a_bag(root):
+def test_a_home_has_one_sequence_per_bag(root):
     home = open_home("bags", root, "Home1", topic=CAMERA)
     frames = home.frames
     assert frames["sequence"].tolist() == ["1"] * 40 + ["2"] * 20
@@ -61,11 +61,11 @@ def test_a_home_has_a_sequence_a_bag(root):
     assert (home.fps, home.width, home.height, home.note) == (pytest.approx(10), 64, 48, "")
 
 
-def test_frames_are_read_again_in_any_order(root):
+def test_frames_can_be_read_in_any_order(root):
     frames = open_home("bags", root, "Home1", topic=CAMERA).frames
     rows = frames.iloc[[3, 39, 7, 45, 59, 0]]
     assert [decoded(image) for image in read_frames(root, rows)] == [3, 39, 7, 5, 19, 0]
-    # The frames of the other camera are between them.
+    # Positions also count the frames of the other camera.
     assert frames["position"].iloc[39] > 39
     (root / "Home1/1.bag").unlink()
     walk(root / "Home1/1.bag", count=3)
@@ -75,7 +75,7 @@ def test_frames_are_read_again_in_any_order(root):
         list(read_frames(root, frames.iloc[[20]]))
 
 
-def test_labels_may_come_on_a_topic(tmp_path):
+def test_labels_from_a_topic(tmp_path):
     walk(tmp_path / "a/floor.mcap", count=40, fps=10.0, late=0, others=described())
     labels = open_home("bags", tmp_path, "a", labels_topic=TOPIC).frames["label"].tolist()
     assert labels == [""] * 10 + ["kitchen"] * 20 + ["bedroom"] * 10
@@ -112,12 +112,12 @@ def test_lost_frames_have_no_row_and_keep_their_labels(tmp_path):
         ({"topic": CAMERA, "labels_topic": "/words"}, r"labels_topic label the same frames"),
     ],
 )
-def test_mistakes_in_the_settings(root, settings, message):
+def test_invalid_settings(root, settings, message):
     with pytest.raises(PlacecatError, match=message):
         open_home("bags", root, "Home1", **settings)
 
 
-def test_mistakes_on_disk(root, tmp_path):
+def test_invalid_homes(root, tmp_path):
     walk(root / "Home2/1.bag", count=3)
     walk(root / "Home2/2.bag", count=3, size=(32, 24))
     with pytest.raises(PlacecatError, match=r"2\.bag: the frames are 32x24, but those of 1\.bag are 64x48"):
@@ -131,7 +131,7 @@ def test_mistakes_on_disk(root, tmp_path):
         open_home("bags", root, "Home4")
 
 
-def test_the_stage_lists_bags_with_the_settings_of_conf(root, tmp_path):
+def test_the_stage_lists_bags_with_the_settings_from_conf(root, tmp_path):
     dataset = yaml.safe_load((ROOT / "conf/dataset/bags.yaml").read_text())
     given = {"root": str(root), "homes": ["Home1"], "topic": CAMERA, "require_all_classes": False}
     assert dataset["topic"] is None and dataset["labels_topic"] is None

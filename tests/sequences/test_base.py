@@ -68,7 +68,7 @@ class TestOpenHome:
 
     @pytest.mark.parametrize("layout", LAYOUTS)
     @pytest.mark.parametrize("name", ["../Home1", "/etc", "a/../../b", "", "."])
-    def test_name_leads_out(self, layout: str, name: str, tmp_path: Path) -> None:
+    def test_name_leads_out_of_the_root(self, layout: str, name: str, tmp_path: Path) -> None:
         with pytest.raises(PlacecatError, match=r"dataset.homes: .*is not a path below the data folder"):
             open_home(layout, tmp_path, name, fps=5.0)
 
@@ -95,12 +95,12 @@ class TestReadFrames:
         images = read_frames(tmp_path, rows(["a.avi", "b.avi", "c.png", "b.avi", "a.avi"], [2, 8, -1, 3, 1]))
         assert [decoded(image) for image in images] == [2, 8, 77, 3, 1]
 
-    def test_turned_pictures_and_videos(self, tmp_path: Path) -> None:
+    def test_rotated_pictures_and_videos(self, tmp_path: Path) -> None:
         write_video(tmp_path / "a.avi", 9)
         write_image(tmp_path / "c.png", 77, width=HEIGHT, height=WIDTH)
         mixed = rows(["a.avi", "c.png", "a.avi"], [5, -1, 6]).assign(turn=[90, 0, 270])
         images = list(read_frames(tmp_path, mixed, size=(HEIGHT, WIDTH)))
-        # NumPy turns counter-clockwise.
+        # NumPy rotates counter-clockwise.
         back = [np.rot90(image, turn // 90) for image, turn in zip(images, mixed["turn"], strict=True)]
         assert [decoded(np.ascontiguousarray(image)) for image in back] == [5, 77, 6]
         with pytest.raises(PlacecatError, match=r"a\.avi frame 6: the frame is 64x48, but .* 48x64"):
@@ -108,7 +108,7 @@ class TestReadFrames:
         with pytest.raises(PlacecatError, match="cannot be rotated by 45 degrees; choose 0, 90, 180 or 270"):
             list(read_frames(tmp_path, mixed.assign(turn=45)))
 
-    def test_image_named_like_a_series_in_a_video_row(self, tmp_path: Path) -> None:
+    def test_numbered_images_are_not_read_as_a_video(self, tmp_path: Path) -> None:
         # OpenCV's image backend would read 00000001.png, 00000002.png, ... as one video.
         for number in (1, 2):
             write_image(tmp_path / f"{number:08d}.png", number)
@@ -143,7 +143,7 @@ class TestReadFrames:
         ):
             next(read_frames(tmp_path, rows(["1.png"], [-1]), size=(72, 40)))
 
-    def test_wrong_size_in_a_video_names_the_frame(self, tmp_path: Path) -> None:
+    def test_message_names_the_video_frame_with_the_wrong_size(self, tmp_path: Path) -> None:
         write_video(tmp_path / "a.avi", 3)
         with pytest.raises(PlacecatError, match=rf"a\.avi frame 3: the frame is {WIDTH}x{HEIGHT}"):
             list(read_frames(tmp_path, rows(["a.avi"], [2]), size=(8, 8)))
@@ -171,14 +171,14 @@ class TestPlaceLabels:
         )
         assert found.tolist() == [-1, 0]
 
-    def test_missing_values_are_no_label(self) -> None:
+    def test_missing_values_are_unlabelled(self) -> None:
         labels = pd.Series(["kitchen", None, float("nan")], dtype=object)
         assert place_labels(labels, CLASSES, [], {}).tolist() == [2, -1, -1]
 
     def test_no_labels(self) -> None:
         assert place_labels(pd.Series([], dtype=str), CLASSES, [], {}).shape == (0,)
 
-    def test_unknown_label_names_its_place(self) -> None:
+    def test_message_locates_an_unknown_label(self) -> None:
         home = make_home(["kitchen", "kitchen", "bedrom", "office"])
         with pytest.raises(PlacecatError) as caught:
             place_labels(home.frames["label"], CLASSES, ["transition"], {}, home=home)
@@ -188,7 +188,7 @@ class TestPlaceLabels:
             "add it to dataset.aliases if it is another name for a class."
         )
 
-    def test_unknown_label_in_chosen_rows(self) -> None:
+    def test_unknown_label_in_selected_rows(self) -> None:
         home = make_home(["kitchen", "hall", "kitchen", "zzz"])
         with pytest.raises(PlacecatError, match=r"frame 4 \(.* line 13\): unknown label 'zzz'; correct"):
             place_labels(home.frames["label"][[0, 3]], CLASSES, [], {}, home=home)
@@ -206,7 +206,7 @@ class TestPlaceLabels:
         with pytest.raises(PlacecatError, match=f"unknown label '{wrong}' .did you mean '{right}'"):
             place_labels(pd.Series([wrong]), CLASSES, ["transition"], {"2PO": "kitchen"})
 
-    def test_contradicting_settings(self) -> None:
+    def test_invalid_settings(self) -> None:
         labels = pd.Series(["kitchen"])
         with pytest.raises(PlacecatError, match=r"dataset.classes is empty"):
             place_labels(labels, [], [], {})

@@ -51,11 +51,11 @@ def test_codes(label: str, code: str) -> None:
 
 
 @pytest.mark.parametrize("label", ["", "12", "CR-C", "CR-AB", "cr", "CR A", "CR1A", "-A", "CR-", "CR\n"])
-def test_labels_of_another_form(label: str) -> None:
+def test_labels_that_are_not_from_cold_have_no_code(label: str) -> None:
     assert cold.code(label) is None
 
 
-def test_a_sequence(tmp_path: Path) -> None:
+def test_read_a_sequence(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR-A", "2PO1-A", "TL"])
     write_image(tmp_path / "town/seq1/std_cam/t1152000009.000000_x0_y0_a0.jpeg", 99)
     home = cold.read_home(tmp_path, "town-seq1", camera="robot")
@@ -72,7 +72,7 @@ def test_a_sequence(tmp_path: Path) -> None:
     assert cold.read_home(tmp_path, "town-seq1", fps=5.0).fps == 5.0
 
 
-def test_a_site_is_all_its_sequences(tmp_path: Path) -> None:
+def test_read_all_sequences_of_a_site(tmp_path: Path) -> None:
     for number in (10, 2):
         write_sequence(tmp_path, f"town/seq{number}", ["CR", "CR", "KT"], first=number)
     home = cold.read_home(tmp_path, "town")
@@ -115,7 +115,7 @@ def test_another_image_folder(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_messages(text: str, message: str, tmp_path: Path) -> None:
+def test_error_messages(text: str, message: str, tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
     write_list(tmp_path, "town/seq1", text)
     with pytest.raises(PlacecatError, match=message):
@@ -123,16 +123,14 @@ def test_messages(text: str, message: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("seconds", ["9" * 5000, "9" * 400, "1e308", "nan", "inf", "-5"])
-def test_times_that_no_sequence_has(seconds: str, tmp_path: Path) -> None:
+def test_absurd_times_are_rejected(seconds: str, tmp_path: Path) -> None:
     write_list(tmp_path, "town/seq1", f"t{seconds}.000000_x0_y0_a0.jpeg CR\n")
     with pytest.raises(PlacecatError, match=r"places\.lst line 1: .*not an image name") as caught:
         cold.read_home(tmp_path, "town-seq1")
     assert len(str(caught.value)) < 400
 
 
-def test_a_folder_that_may_not_be_read_is_not_passed_over(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_unreadable_folder_is_not_skipped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "CR"])
     before = Path.iterdir
 
@@ -146,7 +144,7 @@ def test_a_folder_that_may_not_be_read_is_not_passed_over(
         open_home("cold", tmp_path, "town")
 
 
-def test_image_is_a_link_elsewhere(tmp_path: Path) -> None:
+def test_image_is_a_link_out_of_the_sequence(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
     write_image(tmp_path / "secret.jpeg", 1)
     image = tmp_path / "town/seq1/std_cam" / NAMES[1]
@@ -156,13 +154,13 @@ def test_image_is_a_link_elsewhere(tmp_path: Path) -> None:
         cold.read_home(tmp_path, "town-seq1")
 
 
-def test_no_label_file(tmp_path: Path) -> None:
+def test_missing_label_file(tmp_path: Path) -> None:
     (tmp_path / "town/seq1").mkdir(parents=True)
     with pytest.raises(PlacecatError, match=r"seq1/localization/places\.lst: the label file is missing"):
         cold.read_home(tmp_path, "town-seq1")
 
 
-def test_one_frame_has_no_rate(tmp_path: Path) -> None:
+def test_a_single_frame_has_no_frame_rate(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
     write_list(tmp_path, "town/seq1", f"{NAMES[0]} CR\n")
     with pytest.raises(PlacecatError, match=r"the frame rate is not in the files; set dataset.fps"):
@@ -170,7 +168,7 @@ def test_one_frame_has_no_rate(tmp_path: Path) -> None:
     assert len(cold.read_home(tmp_path, "town-seq1", fps=5.0).frames) == 1
 
 
-def test_a_name_with_a_slash_is_refused(tmp_path: Path) -> None:
+def test_a_name_with_a_slash_is_rejected(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
     with pytest.raises(PlacecatError, match=r"'town/seq1' contains a slash; write 'town-seq1'"):
         cold.read_home(tmp_path, "town/seq1")

@@ -39,13 +39,13 @@ def test_without_labels(tmp_path: Path) -> None:
     assert (home.label_files, home.label_lines.tolist()) == ({}, [0] * 4)
 
 
-def test_a_folder_of_other_pictures_is_refused(tmp_path: Path) -> None:
+def test_unsupported_pictures_are_rejected(tmp_path: Path) -> None:
     write_image(tmp_path / "flat/1.webp", 1)
     with pytest.raises(PlacecatError, match=r"1\.webp: this kind of picture is not supported"):
         folder.read_home(tmp_path, "flat", fps=2.0)
 
 
-def test_messages(tmp_path: Path) -> None:
+def test_error_messages(tmp_path: Path) -> None:
     with pytest.raises(PlacecatError, match=r"flat does not exist; correct dataset.homes"):
         folder.read_home(tmp_path, "flat", fps=2.0)
     (tmp_path / "flat").mkdir()

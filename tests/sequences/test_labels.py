@@ -38,7 +38,7 @@ def read(text: str, count: int, fps: float = 25.0) -> tuple[list[str], list[int]
 
 
 @given(runs)
-def test_segments_expand_as_a_loop_would(lengths: list[tuple[int, str]]) -> None:
+def test_expanded_segments_equal_a_loop(lengths: list[tuple[int, str]]) -> None:
     segments = [Segment(a, b, label, 5 + i) for i, (a, b, label) in enumerate(intervals(lengths))]
     expected = naive(lengths)
     check_segments(segments, len(expected), Path("a"), "floor 1/", "line 2")
@@ -49,7 +49,7 @@ def test_segments_expand_as_a_loop_would(lengths: list[tuple[int, str]]) -> None
 
 
 @given(runs, st.data())
-def test_a_moved_bound_is_refused(lengths: list[tuple[int, str]], data: st.DataObject) -> None:
+def test_a_moved_bound_is_rejected(lengths: list[tuple[int, str]], data: st.DataObject) -> None:
     rows = intervals(lengths)
     moved = data.draw(st.integers(0, len(rows) - 1))
     which, step = data.draw(st.sampled_from([0, 1])), data.draw(st.integers(-70, 70).filter(bool))
@@ -77,7 +77,7 @@ def test_csv_in_rounded_seconds(lengths: list[tuple[int, str]], fps: float) -> N
     assert labels == naive(lengths)
 
 
-def test_csv_in_seconds_of_frames_that_come_unevenly(tmp_path: Path) -> None:
+def test_csv_in_seconds_with_uneven_frame_times(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     uneven = Timing(np.array([0.0, 0.1, 0.2, 100.2]), 100.3, 10.0, False)
     for start, expected in ((0.19, 2), (0.2, 2), (50.1, 2), (50.3, 3), (100.2, 3)):
@@ -93,7 +93,7 @@ def test_csv_in_seconds_of_frames_that_come_unevenly(tmp_path: Path) -> None:
         read_label_csv(path, even(4, 10.0), "the video")
 
 
-def test_csv_of_a_spreadsheet() -> None:
+def test_csv_from_a_spreadsheet() -> None:
     text = '\ufeffstart, end, label\r\n1, 2,"living room"\r\n\r\n,,\r\n3,3, hall \r\n'
     assert read(text, 3) == (["living room", "living room", "hall"], [2, 2, 5])
 
@@ -117,7 +117,7 @@ def test_csv_of_a_spreadsheet() -> None:
             "start,end,label\n1,4,a\n4,9,b\n",
             r"line 3: .* starts at frame 4, but line 2 ends at frame 4 \(an overlap\); start it at 5",
         ),
-        ("start,end,label\n0,9,a\n", r"line 2: the segment starts at frame 0, but frames count from 1"),
+        ("start,end,label\n0,9,a\n", r"line 2: the segment starts at frame 0, but frame numbers start at 1"),
         (
             "start,end,label\n1,8,a\n",
             r"line 2: the last segment of the video ends at frame 8, .* 9 frames \(0\.360 s .*label frame 9,",
@@ -142,7 +142,7 @@ def test_csv_of_a_spreadsheet() -> None:
         ("start_seconds,end_seconds,label\n0,0.36,a\n0.2,0.36,b\n", r"line 3: .*line 2 ends at frame 9"),
     ],
 )
-def test_messages(text: str, message: str) -> None:
+def test_error_messages(text: str, message: str) -> None:
     with pytest.raises(PlacecatError, match=message):
         read(text, 9)
 
@@ -152,13 +152,13 @@ def test_messages(text: str, message: str) -> None:
 )
 @pytest.mark.parametrize("header", ["start,end,label", "start_seconds,end_seconds,label"])
 @pytest.mark.parametrize("row", ["{},9,a", "0,{},a", "{},{},a"])
-def test_numbers_that_no_footage_has(number: str, header: str, row: str) -> None:
+def test_absurd_numbers_are_rejected(number: str, header: str, row: str) -> None:
     with pytest.raises(PlacecatError, match=r"^\S*a\.csv line 2: ") as caught:
         read(f"{header}\n{row.replace('{}', number)}\n", 9)
     assert len(str(caught.value)) < 300
 
 
-def test_the_ending_may_be_in_either_case(tmp_path: Path) -> None:
+def test_suffix_may_be_in_upper_or_lower_case(tmp_path: Path) -> None:
     (tmp_path / "flat").mkdir()
     for name in ("flat.CSV", "flats.csv", "flat.csv.txt", "flat/labels.Csv"):
         (tmp_path / name).write_text("")
@@ -172,9 +172,7 @@ def test_the_ending_may_be_in_either_case(tmp_path: Path) -> None:
         label_csv(tmp_path, "flat.csv")
 
 
-def test_a_label_file_that_may_not_be_read_gives_one_message(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_unreadable_label_file_gives_one_message(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(path: Path) -> bytes:
         raise PermissionError(13, "Permission denied", str(path))
 
@@ -200,7 +198,7 @@ def test_label_file_is_missing_or_a_folder(tmp_path: Path) -> None:
     ],
     ids=["utf-16", "latin-1", "quote", "huge"],
 )
-def test_a_file_that_is_no_csv_of_labels(tmp_path: Path, content: bytes, message: str) -> None:
+def test_files_that_are_not_label_csv_files(tmp_path: Path, content: bytes, message: str) -> None:
     (tmp_path / "a.csv").write_bytes(content)
     with pytest.raises(PlacecatError, match=rf"a\.csv.*{message}"):
         read_label_csv(tmp_path / "a.csv", even(9, 25.0), "the video")

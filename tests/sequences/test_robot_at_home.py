@@ -1,4 +1,4 @@
-"""Robot@Home2, on a small database with the same definitions."""
+"""Test the Robot@Home2 layout on a small database with the same tables."""
 
 import os
 import shutil
@@ -15,7 +15,7 @@ from placecat.footage.frames import read_frames
 from placecat.sequences import open_home
 from placecat.sequences.robot_at_home import read_home
 
-# The top is white, so a turn shows; the columns below are the number.
+# The top is white, so a rotation is visible. The columns below it encode the number.
 WIDTH, HEIGHT, TOP = 48, 64, 16
 
 
@@ -31,14 +31,17 @@ def number_of(image: np.ndarray) -> int:
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[Seen]]:
-    """A data set whose path has characters with a special meaning in an address."""
+    """Create a data set whose path contains characters with a special meaning in URLs."""
     root = tmp_path_factory.mktemp("data") / "a home?#%41"
     return root, make(root, picture)
 
 
 @pytest.fixture
 def copied(made: tuple[Path, list[Seen]], tmp_path: Path) -> Path:
-    """A copy to damage; its pictures are links, which tests replace but do not write to."""
+    """Make a copy that tests can damage.
+
+    Its pictures are hard links, so tests may replace them but must not write to them.
+    """
     copy = tmp_path / "copy"
     shutil.copytree(made[0] / "files", copy / "files", copy_function=os.link)
     return Path(shutil.copy(made[0] / "rh.db", copy)).parent
@@ -51,7 +54,7 @@ def expected(seen: list[Seen], home: str, camera: str) -> list[Seen]:
 @pytest.mark.parametrize("home", HOMES)
 @pytest.mark.parametrize("camera", ["RGBD_1", "RGBD_2"])
 @pytest.mark.parametrize("observations", ["labelled", "all"])
-def test_frames_in_order_of_time(
+def test_frames_are_in_time_order(
     made: tuple[Path, list[Seen]], home: str, camera: str, observations: str
 ) -> None:
     root, seen = made
@@ -71,7 +74,7 @@ def test_frames_in_order_of_time(
 
 def test_three_sessions_are_sequences_of_one_home(made: tuple[Path, list[Seen]]) -> None:
     frames = read_home(made[0], "sarmis").frames
-    # Two sub-sessions of four rooms.
+    # Two sub-sessions with four rooms and three frames each.
     assert frames.groupby("sequence").size().to_dict() == {f"sarmis-s{n}": 2 * 4 * 3 for n in (1, 2, 3)}
 
 
@@ -91,7 +94,7 @@ def test_times_come_from_the_database(made: tuple[Path, list[Seen]]) -> None:
 
 
 @pytest.mark.parametrize("turn", [90, 180, 270])
-def test_pictures_are_turned_clockwise(made: tuple[Path, list[Seen]], turn: int) -> None:
+def test_pictures_are_rotated_clockwise(made: tuple[Path, list[Seen]], turn: int) -> None:
     root, _ = made
     upright = read_home(root, "alma")
     home = read_home(root, "alma", turn=turn)  # type: ignore[arg-type]
@@ -99,13 +102,13 @@ def test_pictures_are_turned_clockwise(made: tuple[Path, list[Seen]], turn: int)
     assert home.frames["turn"].tolist() == [turn] * len(home.frames)
     both = zip(read_frames(root, home.frames), read_frames(root, upright.frames), strict=True)
     for image, before in both:
-        # NumPy turns counter-clockwise.
+        # NumPy rotates counter-clockwise.
         np.testing.assert_array_equal(image, np.rot90(before, -turn // 90))
     with pytest.raises(PlacecatError, match="other frames of this home are 48x64"):
         next(read_frames(root, read_home(root, "alma", turn=90).frames, size=(WIDTH, HEIGHT)))
 
 
-def test_the_places_of_both_are_settings(made: tuple[Path, list[Seen]], copied: Path) -> None:
+def test_database_and_picture_paths_are_settings(made: tuple[Path, list[Seen]], copied: Path) -> None:
     (copied / "rh.db").rename(copied / "other.db")
     (copied / "files").rename(copied / "pictures")
     home = read_home(copied, "anto", database="other.db", pictures="pictures/rgbd")
@@ -120,7 +123,7 @@ def test_a_frame_without_a_room_has_no_label(copied: Path) -> None:
     assert read_home(copied, "sarmis", camera="RGBD_2").frames["label"].iloc[-1] == ""
 
 
-def test_nothing_is_written(copied: Path) -> None:
+def test_reading_writes_no_files(copied: Path) -> None:
     change(copied, "PRAGMA journal_mode = WAL; VACUUM;")
     before = {path: path.stat().st_mtime_ns for path in copied.rglob("*")}
     assert not list(copied.glob("rh.db-*"))
@@ -145,7 +148,7 @@ ONE = "files/rgbd/session_1/alma/bathroom1/subsession_1"
         ),
         ("DELETE FROM rh_homes WHERE name = 'alma'", r"no home 'alma'.*\(it has 'anto, .*dataset\.homes"),
         ("DELETE FROM rh_sensors WHERE name = 'RGBD_1'", r"no camera 'RGBD_1'.*HOKUYO1, RGBD_2, .*RGBD_4'\)"),
-        ("DELETE FROM rh_lblrgbd WHERE sensor_id = 1", r"alma has no frame of the camera RGBD_1 in rh_lbl"),
+        ("DELETE FROM rh_lblrgbd WHERE sensor_id = 1", r"alma has no frames of camera RGBD_1 in rh_lbl"),
         ("DELETE FROM rh_room_types", r"\d+ of rh_lblrgbd refers to 0, which is not in rh_room_types"),
         ("DELETE FROM rh_home_sessions", r"refers to 0, which is not in rh_home_sessions"),
         ("DELETE FROM rh2_old2new_rgbd_files WHERE id = 100000", r"100000 of rh_lblrgbd has no picture"),
@@ -163,12 +166,12 @@ def test_a_damaged_database(copied: Path, statements: str, message: str) -> None
     assert len(str(caught.value)) < 400
 
 
-def test_the_column_of_a_picture_does_not_matter(made: tuple[Path, list[Seen]], copied: Path) -> None:
+def test_the_column_of_the_file_name_does_not_matter(made: tuple[Path, list[Seen]], copied: Path) -> None:
     change(copied, "UPDATE rh2_old2new_rgbd_files SET new_file_1 = new_file_2, new_file_2 = new_file_1")
     assert read_home(copied, "pare").frames.equals(read_home(made[0], "pare").frames)
 
 
-def test_files_that_are_no_database(copied: Path) -> None:
+def test_files_that_are_not_a_database(copied: Path) -> None:
     file = copied / "rh.db"
     content = file.read_bytes()
     for damaged, message in [(b"", "the table rh_homes is missing"), (b"x" * 9000, "not a database")]:
@@ -199,14 +202,14 @@ def test_missing_pictures(copied: Path) -> None:
         open_home("robot_at_home", copied, "alma")
 
 
-def test_links_that_lead_out(copied: Path, tmp_path: Path) -> None:
+def test_links_out_of_the_picture_folder(copied: Path, tmp_path: Path) -> None:
     secret = tmp_path / "secret.png"
     cv2.imwrite(str(secret), picture("", "", 1))
     (copied / ONE / "100002_intensity.png").unlink()
     (copied / ONE / "100002_intensity.png").symlink_to(secret)
     with pytest.raises(PlacecatError, match=r"100002_intensity\.png is a link that leads out of"):
         open_home("robot_at_home", copied, "alma")
-    # The folder of all pictures may be on another disk.
+    # The folder with all pictures may be on another disk.
     (copied / ONE / "100002_intensity.png").unlink()
     shutil.copy(secret, copied / ONE / "100002_intensity.png")
     (copied / "files").rename(tmp_path / "disk")

@@ -38,7 +38,7 @@ def test_every_frame_is_counted(ending: str, codec: str, tmp_path: Path) -> None
     assert [decoded(image) for image in read_frames(tmp_path, home.frames[::-7])] == list(range(39, -1, -7))
 
 
-def test_labels_whose_ending_is_in_capitals(tmp_path: Path) -> None:
+def test_label_file_with_upper_case_suffix(tmp_path: Path) -> None:
     write_video(tmp_path / "flat.avi", 4)
     (tmp_path / "flat.CSV").write_text("start,end,label\n1,4,kitchen\n")
     home = video.read_home(tmp_path, "flat")
@@ -63,12 +63,12 @@ def test_a_video_in_a_subfolder(tmp_path: Path) -> None:
     assert home.frames["label"].tolist() == ["kitchen"] * 3
 
 
-def test_messages(tmp_path: Path) -> None:
+def test_error_messages(tmp_path: Path) -> None:
     with pytest.raises(
-        PlacecatError, match=r"flat: there is no video of this name \(\.avi, .*\); correct dataset.homes"
+        PlacecatError, match=r"flat: there is no video with this name \(\.avi, .*\); correct dataset.homes"
     ):
         video.read_home(tmp_path, "flat")
-    with pytest.raises(PlacecatError, match=r"town/flat: there is no video of this name"):
+    with pytest.raises(PlacecatError, match=r"town/flat: there is no video with this name"):
         video.read_home(tmp_path, "town/flat")
     (tmp_path / "flat.avi").write_bytes(b"no video")
     with pytest.raises(PlacecatError, match=r"flat\.avi: not a readable video"):
@@ -81,7 +81,7 @@ def test_messages(tmp_path: Path) -> None:
         video.read_home(tmp_path, "flat")
 
 
-def test_cut_off_video_is_shorter_and_says_so(tmp_path: Path) -> None:
+def test_labels_past_the_end_of_a_truncated_video_are_rejected(tmp_path: Path) -> None:
     write_video(tmp_path / "flat.avi", 40)
     (tmp_path / "flat.csv").write_text("start,end,label\n1,40,kitchen\n")
     data = (tmp_path / "flat.avi").read_bytes()
@@ -116,21 +116,21 @@ def test_a_lost_frame_has_no_row_and_the_others_keep_their_numbers(tmp_path: Pat
         next(read_frames(tmp_path, frames))
 
 
-def test_times_of_labels_refer_to_the_file(tmp_path: Path) -> None:
+def test_label_times_refer_to_the_times_in_the_file(tmp_path: Path) -> None:
     write_clip(tmp_path / "flat.mp4", UNEVEN)
     (tmp_path / "flat.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,16.2,hall\n")
     home = video.read_home(tmp_path, "flat")
     assert home.frames["label"].tolist() == ["kitchen"] * 45 + ["hall"] * 45
     np.testing.assert_allclose(home.frames["seconds"], UNEVEN, atol=1e-4)
     assert (home.note, home.is_even) == ("", False)
-    # A given rate applies to all frames.
+    # An explicit rate applies to all frames.
     (tmp_path / "flat.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,9,hall\n")
     home = video.read_home(tmp_path, "flat", fps=10.0)
     assert home.frames["label"].tolist() == ["kitchen"] * 15 + ["hall"] * 75
     assert (home.frames["seconds"][45], home.is_even) == (4.5, True)
 
 
-def test_a_phone_turned_while_filming_is_refused(tmp_path: Path) -> None:
+def test_rotating_the_phone_while_filming_is_rejected(tmp_path: Path) -> None:
     turned_on_the_way(tmp_path / "flat.webm")
     (tmp_path / "wide.webm").unlink()
     with pytest.raises(

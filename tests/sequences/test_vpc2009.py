@@ -11,8 +11,8 @@ from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
 from placecat.sequences import vpc2009
 
-# Every irregularity of the real files: runs of spaces, an end line spaced otherwise, floors out of order, two
-# transitions in a row, a note after the end, no newline at the end.
+# This text has every irregularity of the real files: multiple spaces, unevenly spaced end lines, floors out
+# of order, two consecutive transitions, a note after the end, and no newline at the end of the file.
 TRAPS = (
     "1/\n5\n1       2     hall\n3   3     transition\n4\t5   transition\n-1      -1      end\n"
     "2/\n3\n1       3       kitchen\n-1      -1 end\n"
@@ -36,7 +36,7 @@ def floors_of(text: str) -> list[vpc2009.Floor]:
         return vpc2009.read_floors(path)
 
 
-def test_home_with_every_trap(tmp_path: Path) -> None:
+def test_home_with_every_irregularity(tmp_path: Path) -> None:
     write_home(tmp_path, TRAPS, {"0": 2, "1": 5, "2": 3})
     home = vpc2009.read_home(tmp_path, "Home1", fps=2.0, camera="phone")
     assert (home.name, home.root, home.fps, home.camera) == ("Home1", tmp_path, 2.0, "phone")
@@ -61,7 +61,7 @@ def test_home_with_every_trap(tmp_path: Path) -> None:
     assert [decoded(image) for image in images] == [33, 34, 35, 36, 37, 65, 66, 67, 1, 2]
 
 
-def test_windows_line_ends_and_byte_order_mark() -> None:
+def test_windows_line_endings_and_byte_order_mark() -> None:
     text = "\xef\xbb\xbf1/\r\n2\r\n1 2 kitchen\r\n-1 -1 end\r\n-1 -1 end\r\n"
     assert [(floor.name, floor.count, floor.segments[0].label) for floor in floors_of(text)] == [
         ("1", 2, "kitchen")
@@ -90,7 +90,7 @@ def test_images_are_read_in_numeric_order(tmp_path: Path) -> None:
     st.sampled_from([" ", "      ", "\t"]),
     st.booleans(),
 )
-def test_written_floors_are_read(floors: list[list[tuple[int, str]]], gap: str, newline: bool) -> None:
+def test_floors_round_trip(floors: list[list[tuple[int, str]]], gap: str, newline: bool) -> None:
     text = []
     for number, runs in enumerate(floors):
         text += [f"{number}/", str(sum(length for length, _ in runs))]
@@ -152,14 +152,14 @@ END = "-1 -1 end\n"
         ("1/\n9\n1 9 a\n-1 -1 end\nNOTES:\n", r"line 5: 'NOTES:' must be a floor such as '1/', or"),
     ],
 )
-def test_label_messages(text: str, message: str) -> None:
+def test_error_messages_for_labels(text: str, message: str) -> None:
     with pytest.raises(PlacecatError, match=message):
         floors_of(text)
 
 
 @pytest.mark.parametrize("number", ["9" * 5000, "1e308", "nan", "inf", "-5", "9" * 11])
 @pytest.mark.parametrize("text", ["1/\n{}\n1 2 hall\n", "1/\n2\n{} 2 hall\n", "1/\n2\n1 {} hall\n"])
-def test_numbers_that_no_home_has(number: str, text: str) -> None:
+def test_absurd_numbers_are_rejected(number: str, text: str) -> None:
     with pytest.raises(PlacecatError, match=r"label\.txt line [23]: ") as caught:
         floors_of(text.replace("{}", number) + "-1 -1 end\n-1 -1 end\n")
     assert len(str(caught.value)) < 300
@@ -172,7 +172,7 @@ class TestFrames:
         with pytest.raises(PlacecatError, match=message):
             vpc2009.read_home(root, "Home1", fps=5.0)
 
-    def test_missing_frames_name_the_first(self, tmp_path: Path) -> None:
+    def test_message_names_the_first_missing_frame(self, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"1": 4})
         (tmp_path / "Home1/1/00000002.jpg").unlink()
         (tmp_path / "Home1/1/00000003.jpg").unlink()
@@ -185,17 +185,17 @@ class TestFrames:
         self.fails(tmp_path, r"1/00000005\.jpg is past the end \(.*label\.txt line 2 declares 4 frames\)")
 
     @pytest.mark.parametrize("extra", ["cover.jpg", "00000000.jpg", "00000001 (2).jpg"])
-    def test_image_that_is_no_frame(self, extra: str, tmp_path: Path) -> None:
+    def test_image_without_a_frame_number(self, extra: str, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"1": 4})
         write_image(tmp_path / "Home1/1" / extra, 1)
         with pytest.raises(PlacecatError) as caught:
             vpc2009.read_home(tmp_path, "Home1", fps=5.0)
         assert (
             str(caught.value)
-            == f"{tmp_path}/Home1/1/{extra} has no frame number from 1; rename or remove it."
+            == f"{tmp_path}/Home1/1/{extra} has no frame number above 0; rename or remove it."
         )
 
-    def test_frame_twice(self, tmp_path: Path) -> None:
+    def test_duplicate_frame(self, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"1": 4})
         write_image(tmp_path / "Home1/1/2.jpg", 1)
         self.fails(tmp_path, r"1/2\.jpg is the same frame as 00000002\.jpg")
@@ -211,7 +211,7 @@ class TestFrames:
         (tmp_path / "Home1/1").mkdir()
         self.fails(tmp_path, r"1/00000001\.jpg: the frame is missing")
 
-    def test_floor_is_a_link_elsewhere(self, tmp_path: Path) -> None:
+    def test_floor_is_a_link_out_of_the_home(self, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"1": 4}, "elsewhere")
         write_home(tmp_path, self.TEXT, {})
         (tmp_path / "Home1/1").symlink_to(tmp_path / "elsewhere/1")
@@ -236,7 +236,7 @@ class TestFrames:
             vpc2009.read_home(tmp_path, "Home1", fps=fps)
 
 
-def test_floor_counts_restart() -> None:
+def test_frame_numbers_restart_on_each_floor() -> None:
     floors = floors_of(TRAPS)
     assert [(floor.name, floor.count, floor.line) for floor in floors] == [
         ("1", 5, 2),

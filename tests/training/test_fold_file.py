@@ -1,4 +1,4 @@
-"""Files of a test home and seed."""
+"""Test the result files for a test home and seed."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ import pytest
 from placecat.training import fold_file
 
 
-def test_written_results_are_read(tmp_path):
+def test_round_trip(tmp_path):
     path = fold_file.path_of(tmp_path, "flat.2", "seed-1")
     proba = np.random.default_rng(0).random((3, 2))
     fold_file.write(path, {"test": proba}, {"nu": [0.2]})
@@ -25,5 +25,5 @@ def test_homes_with_a_common_prefix_are_distinct(tmp_path):
     assert fold_file.seeds_in(tmp_path, "flat") == ["seed-0", "seed-1"]
     assert fold_file.seeds_in(tmp_path, "flat.2") == ["no-seed"]
     assert fold_file.seeded(tmp_path, "flat", 1).name == "flat.seed-1.npz"
-    # Nothing in it is random.
+    # This result is not random, so any seed finds it.
     assert fold_file.seeded(tmp_path, "flat.2", 1).name == "flat.2.no-seed.npz"

@@ -1,4 +1,4 @@
-"""Plans on made data: which homes train what on which frames, which are tested, and the names for seeds."""
+"""Test plans on synthetic data: training homes and frames, tested homes, and names that seeds depend on."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ def names(parts):
 
 
 @pytest.mark.parametrize("scheme", ["5-5-1", "4-5-1"])
-def test_a_plan_of_homes_is_the_fold(scheme):
+def test_of_homes_plans_one_fold_per_home(scheme):
     found = plans.of_homes(PARAMS, scheme)
     for number, (plan, home) in enumerate(zip(found, HOMES, strict=True)):
         cues, integration = training_homes(HOMES, scheme, [home])
@@ -27,20 +27,20 @@ def test_a_plan_of_homes_is_the_fold(scheme):
         assert plan.extra == ()
 
 
-def test_further_sequences_have_the_places_of_the_homes_by_name():
+def test_extra_sequences_match_places_by_name():
     (plan,) = plans.of_homes(PARAMS, "5-5-1", "H2", extra=True)
     (part,) = plan.extra
-    # Kitchen, office, bedroom and bathroom; the homes have no office.
+    # The places are kitchen, office, bedroom and bathroom. The homes have no office.
     assert (part.home, part.sequence, part.numbers) == ("site/flip", "flip", (1, -1, 0, 2))
 
 
-def test_a_released_system_trains_on_every_home_or_on_all_but_one():
+def test_a_release_trains_on_all_homes_and_folds_can_be_selected():
     everything = plans.of_release(PARAMS, "5-5-1")
     assert (names(everything.cues), everything.tested, everything.training_set) == (HOMES, (), "all")
     assert plans.of_homes(PARAMS, "4-5-1", ["H4", "H3"]) == plans.of_homes(PARAMS, "4-5-1")[2:]
 
 
-def test_a_training_home_is_judged_without_the_test_home():
+def test_training_homes_are_tested_without_the_test_home():
     (plan,) = plans.of_homes(PARAMS, "5-5-1", "H3")
     judged = plans.on_training_homes(plan)
     assert [one.test for one in judged] == ["H1", "H2", "H4"]
@@ -50,7 +50,7 @@ def test_a_training_home_is_judged_without_the_test_home():
     assert judged[1].with_cue_frames({"offset": 2, "step": 5}).cues[0].offset == 2
 
 
-def test_homes_that_are_left_out_have_no_part():
+def test_left_out_homes_are_only_tested():
     plan = plans.without_homes(PARAMS, ("H4", "H1"))
     assert names(plan.cues) == names(plan.integration) == ["H2", "H3"]
     assert (names(plan.tested), plan.training_set) == (["H4", "H1"], "without-H4-H1")
@@ -61,14 +61,14 @@ def split_params(places):
     return PARAMS | {"splits": {"site": own}}
 
 
-def test_a_split_is_fixed_and_seeds_derive_from_its_name():
+def test_a_split_is_fixed_and_names_its_training_set():
     plan = plans.of_split(split_params(None), "site")
     assert (names(plan.cues), plan.test) == (["site/flip"], "site/robot")
     assert (plan.dataset, plan.training_set) == ("site", "site")
     assert plan.classes == ("kitchen", "office", "bedroom", "bathroom")
 
 
-def test_places_that_a_part_does_not_train_do_not_count(tmp_path, monkeypatch):
+def test_places_that_are_not_listed_in_a_part_do_not_count(tmp_path, monkeypatch):
     make(tmp_path)
     monkeypatch.chdir(tmp_path)
     part = plans.of_split(split_params(["bathroom", "office"]), "site").cues[0]

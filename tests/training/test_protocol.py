@@ -18,13 +18,13 @@ def test_551_trains_cues_and_integration_on_the_same_five_homes():
     assert folds(HOMES, "5-5-1")[2] == (("A", "B", "D", "E", "F"),) * 2
 
 
-def test_451_keeps_one_home_from_the_cues_and_rotates_it():
+def test_451_withholds_one_home_from_the_cues_in_rotation():
     kept = [set(integration) - set(cues) for cues, integration in folds(HOMES, "4-5-1")]
     assert kept == [{"B"}, {"C"}, {"D"}, {"E"}, {"F"}, {"A"}]
 
 
 @given(st.integers(4, 9), st.sampled_from(["5-5-1", "4-5-1"]))
-def test_no_training_sees_the_test_home(count, scheme):
+def test_the_test_home_is_never_a_training_home(count, scheme):
     names = [f"h{number}" for number in range(count)]
     for name, (cues, integration) in zip(names, folds(names, scheme), strict=True):
         assert name not in {*cues, *integration}
@@ -35,7 +35,7 @@ def test_tested_homes_keep_their_order(tested, numbers):
     assert protocol.tested_homes(HOMES, tested) == tuple(HOMES[number] for number in numbers)
 
 
-def test_an_unknown_test_home_is_refused():
+def test_an_unknown_test_home_is_rejected():
     message = "there is no home 'Home1' in dataset.homes .there are: A, B, C, D, E, F; or all"
     with pytest.raises(PlacecatError, match=message):
         protocol.tested_homes(HOMES, ["A", "Home1"])
@@ -49,27 +49,27 @@ def test_an_unknown_test_home_is_refused():
         (HOMES, "6-6-6", "scheme '6-6-6' is unknown"),
     ],
 )
-def test_impossible_protocols_are_refused(homes, scheme, message):
+def test_invalid_protocols_are_rejected(homes, scheme, message):
     with pytest.raises(PlacecatError, match=message):
         folds(homes, scheme)
 
 
 @pytest.mark.parametrize("scheme", ["5-5-1", "4-5-1"])
-def test_homes_that_are_left_out_train_nothing(scheme):
+def test_left_out_homes_train_nothing(scheme):
     cues, integration = training_homes(HOMES, scheme, ["F", "A"])
     assert integration == ("B", "C", "D", "E")
     assert set(integration) - set(cues) == ({"B"} if scheme == "4-5-1" else set())
     assert training_homes(HOMES, scheme)[1] == tuple(HOMES)
 
 
-def test_too_few_homes_are_left():
+def test_leaving_out_too_many_homes_is_rejected():
     with pytest.raises(PlacecatError, match="at least 7 homes to leave 5 out"):
         training_homes(HOMES, "5-5-1", HOMES[:5])
     with pytest.raises(PlacecatError, match="no home 'G' to leave out: use one of A, B, C, D, E, F"):
         training_homes(HOMES, "5-5-1", ["G"])
 
 
-def test_every_third_frame_counts_all_frames_and_takes_labelled_ones():
+def test_the_step_counts_unlabelled_frames_but_does_not_select_them():
     labels = np.array([0, 1, 1, -1, 1, 1, 2, 2], dtype=np.int16)
     assert select_frames(labels, offset=0, step=3).tolist() == [0, 6]
     assert select_frames(labels, offset=1, step=3).tolist() == [1, 4, 7]

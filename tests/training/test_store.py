@@ -25,7 +25,7 @@ def folder(tmp_path, monkeypatch):
     return tmp_path / "data/features/H1"
 
 
-def test_shape_and_position_side_by_side(folder):
+def test_shape_and_position_are_concatenated(folder):
     read = store.read_descriptors("H1", HOG)
     hog, regions = np.load(folder / "local_hog.npy"), np.load(folder / "regions.npy")
     counts = np.minimum(np.load(folder / "count.npy"), 3)
@@ -61,12 +61,12 @@ def test_colour_is_appended(folder):
         ({"kind": "holistic"}, "no setting"),
     ],
 )
-def test_unknown_settings_of_a_descriptor_are_refused(folder, change, message):
+def test_unknown_descriptor_settings_are_rejected(folder, change, message):
     with pytest.raises(PlacecatError, match=message):
         store.read_descriptors("H1", HOG | change)
 
 
-def test_more_regions_than_there_are_is_refused(folder):
+def test_too_many_regions_are_rejected(folder):
     with pytest.raises(PlacecatError, match=r"9 regions.*regions\.max_regions is 4"):
         store.read_descriptors("H1", HOG | {"max_regions": 9})
 
@@ -85,7 +85,7 @@ VARIANT = HOG | {"variant": "other"}
 
 @pytest.fixture
 def variant(folder):
-    """Regions of a variant in every third frame: the regions of the next frame."""
+    """Write a variant for every third frame, with the regions of the frame after it."""
     rows = np.arange(0, 90, 3)
     for name in ("count", "regions", "local_hog"):
         files.write_array(folder / f"variant_other/{name}.npy", np.load(folder / f"{name}.npy")[rows + 1])
@@ -94,7 +94,7 @@ def variant(folder):
 
 
 @pytest.mark.usefixtures("variant")
-def test_a_variant_reads_its_regions_in_its_frames(folder):
+def test_a_variant_has_its_own_regions_and_frames(folder):
     read = store.read_descriptors("H1", VARIANT, np.array([3, 60]))
     same = store.read_descriptors("H1", HOG, np.array([4, 61]))
     np.testing.assert_array_equal(read.x, same.x)
@@ -105,11 +105,11 @@ def test_a_variant_reads_its_regions_in_its_frames(folder):
 
 @pytest.mark.usefixtures("variant")
 @pytest.mark.parametrize("rows", [None, np.array([3, 4])])
-def test_frames_that_a_variant_lacks_are_refused(rows):
+def test_frames_missing_from_a_variant_are_rejected(rows):
     with pytest.raises(PlacecatError, match="use region variants only in trials"):
         store.read_descriptors("H1", VARIANT, rows)
 
 
-def test_an_unknown_variant_is_refused(folder):
-    with pytest.raises(PlacecatError, match=r"variant_other/frames.npy is missing: name the variant"):
+def test_an_unknown_variant_is_rejected(folder):
+    with pytest.raises(PlacecatError, match=r"variant_other/frames.npy is missing: add the variant"):
         store.described("H1", VARIANT, np.arange(3))

@@ -1,4 +1,4 @@
-"""A system trained by a plan equals the system of the stages, and docs/usage.md trains one."""
+"""Test that training from a plan agrees with the stages, and that the code in docs/usage.md works."""
 
 import re
 import runpy
@@ -13,7 +13,7 @@ from placecat.training import system as systems
 from placecat.training.plan import of_homes
 
 ROOT = Path(__file__).resolve().parents[2]
-# Two small cues of the five.
+# Use only two of the five cues, with small codebooks.
 SMALL = [
     "dataset.fps=5.0",
     "dataset.homes=[Home1,Home2,Home3]",
@@ -31,8 +31,8 @@ def folder(tmp_path_factory):
 @pytest.mark.parametrize(
     ("name", "scheme"), [("das", "5-5-1"), ("das_451", "4-5-1"), ("vote", "5-5-1"), ("pool", "5-5-1")]
 )
-def test_a_system_equals_the_stages(folder, monkeypatch, name, scheme):
-    """To the bit: the vote has extra data, das_451 is tempered, the pool has held-out frames."""
+def test_system_results_equal_those_of_the_stages(folder, monkeypatch, name, scheme):
+    """Results are bitwise identical with extra data (vote), tempering (das_451) and held-out data (pool)."""
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     system = systems.System.of(PARAMS, name)
@@ -52,8 +52,8 @@ def test_a_system_equals_the_stages(folder, monkeypatch, name, scheme):
 
 
 @pytest.mark.slow
-def test_the_page_prints_a_table_of_homes(tmp_path, monkeypatch, capsys):
-    """The code of the page, on drawn homes and with small clusterings."""
+def test_usage_page_prints_a_table_of_homes(tmp_path, monkeypatch, capsys):
+    """Run the code in docs/usage.md on synthetic homes with small codebooks."""
     from sketch import draw_homes
 
     page = (ROOT / "docs/usage.md").read_text()

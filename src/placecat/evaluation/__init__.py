@@ -1,1 +1,1 @@
-"""Measure accuracy, probabilities and stays, and compute the intervals on which verdicts are based."""
+"""Measure the quality of decisions and probabilities, compute intervals, and judge claims."""

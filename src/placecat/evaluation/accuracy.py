@@ -7,8 +7,8 @@ from numpy.typing import ArrayLike, NDArray
 def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> NDArray[np.int64]:
     """Return an (n_classes, n_classes) matrix that counts scored frames by true and decided class.
 
-    Rows stand for true classes and columns for decided classes. `truth` holds (n,) integers, with -1 for
-    frames that are not scored. `decision` holds (n,) integers in [0, n_classes).
+    Rows are true classes, and columns are decided classes. `truth` contains (n,) integers, with -1 for frames
+    that are not scored. `decision` contains (n,) integers in [0, n_classes).
     """
     truth = np.asarray(truth, dtype=np.int64)
     decision = np.asarray(decision, dtype=np.int64)
@@ -20,8 +20,8 @@ def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> N
 def class_accuracies(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
     """Return the percentage of correct decisions for each class; NaN for a class without frames.
 
-    As in the thesis, a home's accuracy is the mean of these percentages over the classes present (see
-    :func:`home_accuracy`), so large classes cannot outweigh small ones.
+    As in the thesis, the accuracy of a home is the mean of these percentages over the classes present (see
+    :func:`home_accuracy`). So frequent classes do not outweigh rare ones.
     """
     totals = confusion.sum(axis=1)
     with np.errstate(invalid="ignore"):

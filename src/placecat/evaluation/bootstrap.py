@@ -1,4 +1,4 @@
-"""Bootstrap intervals from a handful of units."""
+"""Bootstrap intervals for a small number of units."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-# These are the normal and Student's t quantiles. Importing scipy.stats for them would take half a second.
+# Quantiles of the normal and Student's t distributions. Importing scipy.stats instead would take half a
+# second.
 from scipy.special import ndtri, stdtrit
 
 
@@ -19,8 +20,8 @@ class Interval:
     high: float
 
     def rounded(self, decimals: int = 2) -> "Interval":
-        """Return the interval with its numbers rounded, and 0 instead of -0."""
-        # Round twice, since numbers that differ only in their last bits may lie on different sides of a half.
+        """Return the interval with rounded numbers, and with 0 instead of -0."""
+        # Round twice, so that differences in the last bits cannot change the direction of rounding.
         return Interval(
             *(round(round(x, decimals + 6), decimals) + 0.0 for x in (self.estimate, self.low, self.high))
         )
@@ -34,22 +35,22 @@ def paired_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Compute the interval of a statistic over units, such as the mean difference over homes.
+    """Compute an interval for a statistic over units, such as the mean difference over homes.
 
     Units are drawn with replacement. Each unit is drawn with all its measurements, so effects that are common
     to both sides of a difference cancel out.
 
-    With six units the plain percentile interval is far too narrow. For a mean, both reasons are known
-    exactly: the bootstrap variance divides by n instead of n - 1, and the interval uses a normal quantile
-    instead of Student's t quantile with n - 1 degrees of freedom. So this function stretches both arms of the
-    percentile interval about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for both with more
-    extreme quantiles (the expanded percentile interval). But four or six units do not reach such quantiles,
-    because the resampled means cannot go beyond the smallest and the largest unit. BCa corrects for skewness,
-    but not for small n. The bootstrap-t divides by standard errors that vanish if units tie, as the seeds of
-    a home can. Its intervals are then infinite.
+    With six units, the plain percentile interval is far too narrow for two reasons. The bootstrap variance
+    divides by n instead of n - 1, and the interval uses a normal quantile instead of Student's t quantile
+    with n - 1 degrees of freedom. For a mean, both effects are known exactly. So this function stretches both
+    arms of the percentile interval about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for
+    both effects with more extreme quantiles (the expanded percentile interval). With four or six units, such
+    quantiles are out of reach, because the resampled means cannot go beyond the smallest and the largest
+    unit. BCa corrects for skewness, but not for small n. The bootstrap-t interval divides by standard errors.
+    If these are 0, the interval is infinite. This happens if units are equal, as the seeds of a home can be.
 
-    This table gives the coverage of the intervals for the mean of 4 units and of 6 units. `level` is 0.95,
-    with 4000 simulations each:
+    This table shows the coverage of intervals for the mean of 4 units and of 6 units, from 4000 simulations
+    with a `level` of 0.95:
 
     ============= ============= ============= =================
     method        normal units  exponential   Student, 3 df
@@ -62,12 +63,12 @@ def paired_bootstrap(
     ============= ============= ============= =================
 
     The median length of the stretched interval is 0.54 times that of the bootstrap-t interval for n = 4, and
-    0.85 times that for n = 6.
+    0.85 times for n = 6.
 
-    Two homes with two seeds each are four dependent units. If homes and seeds vary equally, the interval
-    covers the mean over these two homes with probability 0.96 in simulations, and more often if seeds matter
-    less. It covers the mean over all possible homes with probability 0.89 only, and 0.70 if seeds do not
-    matter. So the interval is valid for these homes only.
+    Two homes with two seeds each are four dependent units. In simulations where homes and seeds vary equally,
+    the interval covers the mean over these two homes with probability 0.96, and more often if seeds matter
+    less. It covers the mean over all possible homes with a probability of only 0.89, or 0.70 if seeds do not
+    matter. So the interval is valid only for these homes.
 
     Parameters
     ----------
@@ -76,12 +77,12 @@ def paired_bootstrap(
     n_units
         n, at least 2.
     seed, level, resamples
-        Seed in [0, 2**32), the interval's level between 0 and 1, and the number of draws.
+        Seed in [0, 2**32), level of the interval between 0 and 1, and number of resamples.
 
     Returns
     -------
-    The interval. Its `estimate` weighs all units equally and lies within the interval unless the statistic is
-    very biased. If all units are identical, the interval is a single point.
+    The interval. Its `estimate` gives all units equal weight. It lies within the interval unless the
+    statistic is very biased. If all units are identical, the interval is a single point.
 
     References
     ----------
@@ -102,15 +103,15 @@ def stratified_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Compute the interval of a statistic over blocks, such as stays, that are grouped into strata.
+    """Compute an interval for a statistic over blocks, such as stays, that are grouped into strata.
 
     For a mean over places, each place is a stratum. From the n blocks of a stratum, n - 1 are drawn with
-    replacement (Rao and Wu). The variance of the stratum's mean then divides by n - 1, which matters most for
-    strata of only two blocks. A stratum of one block adds no spread. Both arms of the interval are stretched
-    by t / z. The degrees of freedom of t are the number of blocks minus the number of strata.
+    replacement (Rao and Wu). The variance of the stratum mean then divides by n - 1. This matters most for
+    strata of only two blocks. A stratum of one block contributes no variance. Both arms of the interval are
+    stretched by t / z. The degrees of freedom of t are the number of blocks minus the number of strata.
 
-    This table gives the coverage of intervals for the mean of five stratum means. `level` is 0.95, with 2000
-    simulations each:
+    This table shows the coverage of intervals for the mean of five stratum means, from 2000 simulations with
+    a `level` of 0.95:
 
     ================================ ====== ===========
     blocks per stratum               normal exponential
@@ -126,7 +127,7 @@ def stratified_bootstrap(
         Function that takes (resamples, n) block weights, which sum to 1 in each stratum, and returns
         (resamples,) values.
     strata
-        (n,) number of each block's stratum, counted from 0.
+        (n,) stratum number of each block, counted from 0.
     seed, level, resamples
         As for :func:`paired_bootstrap`.
 
@@ -137,7 +138,7 @@ def stratified_bootstrap(
     sizes = np.bincount(strata)
     free = int((sizes - 1).sum())
     if free < 1:
-        raise ValueError("every stratum has a single block: an interval needs a stratum with at least 2")
+        raise ValueError("every stratum has a single block: at least one stratum needs 2 blocks or more")
     rng = np.random.default_rng(seed)
     weights = np.empty((resamples, len(strata)))
     for stratum, size in enumerate(sizes):
@@ -156,6 +157,6 @@ def _stretched(estimate: float, values: NDArray[np.float64], level: float, facto
 
 
 def stretch(n_units: int, level: float) -> float:
-    """Return sqrt(n / (n - 1)) t / z, the factor (at least 1) that stretches a percentile interval's arms."""
+    """Return the factor that stretches a percentile interval, sqrt(n / (n - 1)) t / z. It is at least 1."""
     upper = (1.0 + level) / 2.0
     return float(np.sqrt(n_units / (n_units - 1.0)) * stdtrit(n_units - 1, upper) / ndtri(upper))

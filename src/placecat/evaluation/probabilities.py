@@ -1,4 +1,4 @@
-"""Log-loss and calibration of distributions over places, where all places have equal weight."""
+"""Log-loss and calibration of distributions over places, with equal weight for all places."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Reliability(NamedTuple):
-    """The points of a reliability diagram, which shows how often decisions of similar confidence are right.
+    """The points of a reliability diagram, which shows how often decisions of similar confidence are correct.
 
     All three arrays have one entry per bin. `confidence` is the mean probability of the decided place, and
-    `accuracy` is the share of right decisions. Both range from 0 to 1, and are NaN in a bin without frames.
+    `accuracy` is the share of correct decisions. Both range from 0 to 1, and are NaN in a bin without frames.
     `weight` is the weighted share of frames. It sums to 1, or is all 0 if no frame is labelled.
     """
 
@@ -23,8 +23,8 @@ class Reliability(NamedTuple):
 def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
     """Return frame weights that give each place present the same total weight, as in thesis 4.2.
 
-    `truth` holds (n,) integers, with -1 for frames that are not scored. The (n,) weights sum to 1 and are 0
-    for frames that are not scored. If no frame is scored, all weights are 0.
+    `truth` contains (n,) integers, with -1 for frames that are not scored. The (n,) weights sum to 1 and are
+    0 for frames that are not scored. If no frame is scored, all weights are 0.
     """
     truth = np.asarray(truth, dtype=np.int64)
     scored = truth >= 0
@@ -37,10 +37,10 @@ def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
 def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
     """Average -ln p(true place), in nats, over the frames of each place and then over the places present.
 
-    `truth` holds (n,) integers, with -1 for frames that are not scored, and `proba` holds (n, n_classes)
-    distributions. The log-loss of uniform distributions over k places is ln k. The result is NaN if no frame
-    is scored. Probabilities below `smallest`, which is in (0, 1), are replaced by it. So a frame costs at
-    most -ln `smallest`, and a single 0 cannot make the mean infinite.
+    `truth` contains (n,) integers, with -1 for frames that are not scored, and `proba` contains
+    (n, n_classes) distributions. The log-loss of uniform distributions over k places is ln k. The result is
+    NaN if no frame is scored. Probabilities below `smallest`, which is in (0, 1), are replaced by it. So a
+    frame costs at most -ln `smallest`, and a single 0 cannot make the mean infinite.
     """
     truth = np.asarray(truth, dtype=np.int64)
     weights = balanced_weights(truth)
@@ -54,19 +54,19 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
 def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability:
     """Compare the confidence of decisions with their accuracy, giving all places equal weight.
 
-    `truth` holds (n,) integers, with -1 for frames that are not scored, and `proba` holds (n, n_classes)
-    distributions. The decision is the most probable class (the first in a tie), and its probability is the
-    confidence. Confidences in ((m - 1) / `bins`, m / `bins`] share a bin.
+    `truth` contains (n,) integers, with -1 for frames that are not scored, and `proba` contains
+    (n, n_classes) distributions. The decision is the most probable class (the first in a tie), and its
+    probability is the confidence. Confidences in ((m - 1) / `bins`, m / `bins`] share a bin.
 
     References
     ----------
-    C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017.
-    Unlike here, all frames have equal weight there.
+    C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017. In
+    that paper, all frames have equal weight.
     """
     truth, proba = np.asarray(truth, dtype=np.int64), np.asarray(proba, dtype=np.float64)
     confidence, right = proba.max(axis=1), proba.argmax(axis=1) == truth
     edges = np.linspace(0.0, 1.0, bins + 1)
-    # Rounding may lift a confidence above 1.
+    # Rounding errors may push a confidence above 1.
     own = np.clip(np.searchsorted(edges, confidence, side="left") - 1, 0, bins - 1)
     weights = balanced_weights(truth)
     weight = _sums(own, weights, bins)
@@ -88,7 +88,7 @@ def pooled(diagrams: Sequence[Reliability]) -> Reliability:
 
 
 def calibration_error(diagram: Reliability) -> float:
-    """Compute the expected calibration error (Guo et al., equation 3), in [0, 1].
+    """Compute the expected calibration error, in [0, 1] (Guo et al., equation 3).
 
     The result is NaN if no frame is scored.
     """

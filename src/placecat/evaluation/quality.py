@@ -1,4 +1,4 @@
-"""Quality measures of the distributions in a home."""
+"""Quality measures for the distributions in a home."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -18,14 +18,14 @@ class ProbabilityQuality(NamedTuple):
 
 
 class HomeQuality(NamedTuple):
-    """Quality measures of a home.
+    """Quality measures for a home.
 
-    `log_loss` is in nats (:func:`placecat.evaluation.probabilities.log_loss`) and `calibration_error` in
+    `log_loss` is in nats (:func:`placecat.evaluation.probabilities.log_loss`), and `calibration_error` is in
     percent (:func:`placecat.evaluation.probabilities.calibration_error`). `stays` is the number of stays, and
     `stays_right` is the number of stays that are named correctly
     (:func:`placecat.evaluation.stays.stays_by_class`). `stay_accuracy` is in percent
-    (:func:`placecat.evaluation.stays.stay_accuracy`). All places have equal weight in every measure
-    except the counts. Without labelled frames, these measures are NaN.
+    (:func:`placecat.evaluation.stays.stay_accuracy`). All places have equal weight in every measure except
+    the counts. Without labelled frames, these measures are NaN.
     """
 
     log_loss: float
@@ -38,7 +38,7 @@ class HomeQuality(NamedTuple):
 def probability_quality(
     truth: ArrayLike, proba: NDArray[np.float64], *, bins: int, smallest: float
 ) -> ProbabilityQuality:
-    """Measure the distributions of frames in any order, with parameters as for :func:`home_quality`."""
+    """Measure distributions of frames in any order. The parameters are those of :func:`home_quality`."""
     return ProbabilityQuality(
         log_loss(truth, proba, smallest=smallest),
         100.0 * calibration_error(reliability(truth, proba, bins=bins)),
@@ -50,9 +50,10 @@ def home_quality(
 ) -> HomeQuality:
     """Measure the distributions in a home.
 
-    `truth` holds (frames,) class indices in temporal order, with -1 for unlabelled frames. `proba` holds
-    (frames, n_classes) distributions. `sequences` are uncut stretches that together cover all frames. `bins`
-    and `smallest` are as in `reliability` and `log_loss` of `placecat.evaluation.probabilities`.
+    `truth` contains (frames,) class indices in temporal order, with -1 for unlabelled frames. `proba`
+    contains (frames, n_classes) distributions. `sequences` contains one slice of frames per sequence.
+    Together, the slices cover all frames. `bins` and `smallest` are as in `reliability` and `log_loss` of
+    `placecat.evaluation.probabilities`.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])
     stays, right = (int(count) for count in counts.sum(axis=0))

@@ -16,8 +16,8 @@ _ROUNDING = 1e-9
 class Decided(NamedTuple):
     """The confidence and weight of each decision on a home's n labelled frames, and whether it is wrong.
 
-    The weights sum to 1, so all homes have equal weight. The places in a home also have equal weight, as in
-    the accuracy.
+    The weights sum to 1, so all homes have equal weight. The places in a home also have equal weight, as they
+    do in the accuracy.
     """
 
     confidence: NDArray[np.float64]
@@ -39,10 +39,10 @@ class Selection(NamedTuple):
 
 
 def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
-    """Judge the decisions in a home.
+    """Return the confidence and weight of each decision in a home, and whether it is wrong.
 
-    `truth` holds (n,) integers, with -1 for frames that are not scored, and `proba` holds (n, n_classes)
-    distributions. The decision is the most probable class, or the first in a tie.
+    `truth` contains (n,) integers, with -1 for frames that are not scored, and `proba` contains
+    (n, n_classes) distributions. The decision is the most probable class, or the first in a tie.
     """
     truth, proba = np.asarray(truth, np.int64), np.asarray(proba, np.float64)
     scored = truth >= 0
@@ -53,14 +53,13 @@ def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
 def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
     """Choose the lowest threshold that keeps the share of wrong decisions at or below `risk`, in [0, 1].
 
-    `homes` holds, for each home, the decisions of a system that was not trained on it. Returns one of the
-    decisions' confidences, or infinity if none is high enough.
+    `homes` contains the decisions for each home, made by a system that was not trained on that home. Returns
+    the confidence of one of the decisions, or infinity if none is high enough.
 
     References
     ----------
-    Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. This function
-    does not use their bound, which assumes independent frames, because the frames of a walk are not
-    independent.
+    Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. Their bound
+    is not used here, because it assumes independent frames and the frames of a walk are dependent.
     """
     confidence, wrong, weight = (np.concatenate(parts) for parts in zip(*homes, strict=True))
     order = np.argsort(-confidence, kind="stable")
@@ -73,7 +72,7 @@ def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
 
 
 def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
-    """Measure the decisions at or above each home's threshold."""
+    """Measure the coverage and risk of the decisions at or above each home's threshold."""
     left = []
     for home, threshold in zip(homes, thresholds, strict=True):
         is_left = home.confidence >= threshold

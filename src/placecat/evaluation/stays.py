@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Stay(NamedTuple):
-    """A visit to a place, with its class index, its first frame, and the frame after its last."""
+    """A visit to a place, with its class index, its first frame, and the frame after its last one."""
 
     place: int
     start: int
@@ -18,8 +18,9 @@ class Stay(NamedTuple):
 def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
     """Find the maximal runs of frames with the same label, in temporal order.
 
-    `truth` holds (frames,) class indices in temporal order, with -1 for unlabelled frames and transitions,
-    which end a stay. `sequences` are uncut stretches that together cover all frames. A cut also ends a stay.
+    `truth` contains (frames,) class indices in temporal order, with -1 for unlabelled frames and transitions,
+    which end a stay. `sequences` contains one slice of frames per sequence. Together, the slices cover all
+    frames. The end of a sequence also ends a stay.
     """
     truth = np.asarray(truth, dtype=np.int64)
     if not len(truth):
@@ -38,11 +39,11 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
 def stays_by_class(
     truth: ArrayLike, decision: ArrayLike, sequences: Sequence[slice], n_classes: int
 ) -> NDArray[np.int64]:
-    """Return (n_classes, 2) counts of all stays of each class and of those that are named correctly.
+    """Count the stays of each class, and those that are named correctly, as (n_classes, 2) integers.
 
-    A stay is named correctly if more of its frames are assigned to the right place than to any other place. A
-    tie counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as for
-    :func:`find_stays`. `decision` holds (frames,) integers in [0, n_classes).
+    A stay is named correctly if more of its frames are assigned to the correct place than to any other place.
+    A tie counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as for
+    :func:`find_stays`. `decision` contains (frames,) integers in [0, n_classes).
     """
     decision = np.asarray(decision, dtype=np.int64)
     counts = np.zeros((n_classes, 2), np.int64)

@@ -19,13 +19,13 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
     A unit, such as a home, has several cases, such as the gains of some methods. The estimate is in [0, 1].
     Cases are modelled as normally distributed. The mean is the mean of the unit means, and the variance is
     the variance of the unit means plus the mean variance within units. Merely counting cases could never show
-    that a share is small: even if none of six homes had such a case, the upper limit would be 46 % (Clopper
+    that a share is small. Even if none of six homes had such a case, the upper limit would be 46 % (Clopper
     and Pearson). The interval's limits come from the noncentral t distribution. They are exact if the cases
     within each unit are identical. Otherwise the interval is wide, because each unit still counts as only one
     case.
 
-    `units` holds at least 2 arrays of (cases,) values. If all values are identical, the interval is a single
-    point, 0 or 1. `level` is the interval's level, between 0 and 1.
+    `units` contains at least 2 arrays of (cases,) values. If all values are identical, the interval is a
+    single point, 0 or 1. `level` is the level of the interval, between 0 and 1.
 
     References
     ----------
@@ -49,7 +49,7 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
 
 def _noncentrality(t: float, freedom: int, below: float) -> float:
     """Find the noncentrality for which a t variable is at most `t` with probability `below`."""
-    # scipy's distribution function fails far from 0, so average over the scale instead.
+    # The distribution function in SciPy fails far from 0, so average over the scale instead.
     scale, weights = _scales(freedom)
     reach = 10.0 + 5.0 * abs(t)
     return float(
@@ -63,6 +63,6 @@ def _noncentrality(t: float, freedom: int, below: float) -> float:
 
 @lru_cache
 def _scales(freedom: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return scales of a t distribution, with root mean square 1, and their weights, which sum to 2."""
+    """Return scales of a t distribution, with root mean square 1, and their weights, with sum 2."""
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     return np.sqrt(2.0 * special.gammaincinv(freedom / 2.0, (nodes + 1.0) / 2.0) / freedom), weights

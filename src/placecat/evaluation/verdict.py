@@ -37,7 +37,7 @@ def corrected_level(level: float, comparisons: int) -> float:
     The level was checked in 12000 simulations, with intervals over four or six units, and with every
     comparison exactly on the edge of failing. At least one of 2, 5 or 14 independent comparisons fails in 3
     to 5 % of the simulations if units are normal, and in 2 to 4 % if they follow Student's t with 3 degrees
-    of freedom. The share is 15 to 36 % if units are exponential with the long tail on the claim's side,
+    of freedom. The share is 15 to 36 % if units are exponential with the long tail on the side of the claim,
     because intervals over so few skewed units are too short.
     """
     return 1.0 - (1.0 - level) / comparisons
@@ -59,11 +59,11 @@ def judge(interval: Interval, claimed: Range, corrected: Interval | None = None)
 
 
 def combine(verdicts: Collection[str]) -> str:
-    """Combine the verdicts on a claim's comparisons. The claim holds if all hold, and fails if any fails.
+    """Combine the verdicts on the comparisons of a claim. It holds if all hold, and fails if any fails.
 
-    "All hold" needs no correction for the number of comparisons. The conclusion is wrong only if the
-    comparison that is false holds by chance (an intersection-union test). "Any fails" does need a correction,
-    because each of k true comparisons may fail by chance. So `judge` uses the corrected interval.
+    "All hold" needs no correction for the number of comparisons. The conclusion is wrong only if a false
+    comparison holds by chance (an intersection-union test). "Any fails" does need a correction, because each
+    of k true comparisons may fail by chance. So `judge` uses the corrected interval.
     """
     if FAILS in verdicts:
         return FAILS

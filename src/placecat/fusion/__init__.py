@@ -1,1 +1,1 @@
-"""Integrate the cues' distributions and smooth the result over time, which yields one decision per frame."""
+"""Integrate the distributions of the cues, and smooth the result over time to decide on a place per frame."""

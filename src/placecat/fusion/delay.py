@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 
 class Delay:
-    """Let the output follow the set point with a lag, by p(t+1) = p(t) + h (p*(t) - p(t)), equation (16).
+    """Let the output follow the set point with a lag: p(t+1) = p(t) + h (p*(t) - p(t)), equation (16).
 
     The thesis sets alpha = -1 in equation (14) and leaves h open, so its lag depends on the frame rate. Here
     alpha = -1 / tau with a time constant tau. The step h = 1 - exp(-dt / tau) solves equation (14) exactly if

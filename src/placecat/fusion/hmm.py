@@ -25,11 +25,11 @@ def transition_matrix(
     sequence with a lower frame rate counts as if its frames were repeated: it has the same number of changes
     of place, but proportionally more frames without a change.
 
-    Each of the `sequences` holds (frames,) class indices in temporal order, with -1 for unlabelled frames.
-    `frame_rates` are in frames per second, above 0, or None if they are all equal. `smoothing`, which the
-    thesis does not give, is added to every count. Without it, a transition that does not occur in training
-    would have probability 0. Returns an (n_classes, n_classes) matrix with p(l_t = q | l_{t-1} = q') in row
-    q' and column q. Rows sum to 1.
+    Each of the `sequences` contains (frames,) class indices in temporal order, with -1 for unlabelled frames.
+    `frame_rates` are in frames per second, above 0, or None if they are all equal. `smoothing` is added to
+    every count, so that transitions that do not occur in training have a probability above 0. The thesis does
+    not give its value. Returns an (n_classes, n_classes) matrix with p(l_t = q | l_{t-1} = q') in row q' and
+    column q. Rows sum to 1.
     """
     counts = np.full((n_classes, n_classes), float(smoothing))
     rates = [1.0] * len(sequences) if frame_rates is None else frame_rates
@@ -51,12 +51,12 @@ def emission_matrix(
     reliability: str = "hard",
     smoothing: float = 1.0,
 ) -> Float:
-    """Estimate from the integrator's cross-validated outputs how it decides in each place, p(o | l).
+    """Estimate p(o | l), the probability of each decision o in each place l, from cross-validated outputs.
 
-    `truth` holds the (n,) class indices of training frames. `proba` holds the integrator's (n, n_classes)
-    distributions, each from a model that saw neither the frame nor its home. If `reliability` is "hard",
-    decisions (the most probable classes) are counted. If it is "soft", the distributions are added up.
-    `smoothing`, above 0, is added to every count. The thesis gives neither setting. Returns an
+    `truth` contains the (n,) class indices of training frames. `proba` contains the integrator's
+    (n, n_classes) distributions, each from a model that saw neither the frame nor its home. If `reliability`
+    is "hard", decisions (the most probable classes) are counted. If it is "soft", the distributions are added
+    up. `smoothing`, above 0, is added to every count. The thesis specifies neither setting. Returns an
     (n_classes, n_classes) matrix with p(o | l = q) in row q and column o. Rows sum to 1.
     """
     if reliability == "hard":
@@ -71,11 +71,11 @@ def emission_matrix(
 def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Float:
     """Return the (frames, n_classes) likelihoods p(o_t | l_t = q) of the observations in each place.
 
-    `proba` holds the integrator's (frames, n_classes) distributions, and `emission` comes from
+    `proba` contains the integrator's (frames, n_classes) distributions, and `emission` comes from
     :func:`emission_matrix`. The result is positive wherever the emission is positive. If `evidence` is
     "hard", the observation is the decision, so p(o_t | q) = emission[q, argmax]. If it is "soft", the
     decision is uncertain, so p(o_t | q) = sum_o emission[q, o] proba[o]. Equation (6) treats the outputs of
-    the two-class classifiers in the same way. The thesis does not say which kind it uses.
+    the two-class classifiers in the same way. The thesis does not say which kind of evidence it uses.
     """
     if evidence == "hard":
         return emission.T[np.argmax(proba, axis=1)]
@@ -85,9 +85,9 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
 class ForwardFilter:
     """Filter one sequence forwards, frame by frame, by equation (13).
 
-    The result for frame t uses only frames up to t. `transition` holds the (n_classes, n_classes) transition
-    probabilities from one frame to the next, at the frame rate for which they were estimated. Each row sums
-    to 1. The initial distribution over places is uniform, since the thesis does not give it.
+    The result for frame t uses only frames up to t. `transition` contains the (n_classes, n_classes)
+    transition probabilities from one frame to the next, at the frame rate for which they were estimated. Each
+    row sums to 1. The initial distribution over places is uniform, because the thesis does not specify one.
     """
 
     def __init__(self, transition: Float) -> None:
@@ -97,7 +97,7 @@ class ForwardFilter:
     def step(self, likelihood: Float, *, steps: float = 1.0, weight: float = 1.0) -> Float:
         """Return the (n_classes,) distribution p(l_t = q | o_1 .. o_t) for the next frame.
 
-        `likelihood` holds the (n_classes,) values p(o_t | l_t = q). None may be negative, and at least one
+        `likelihood` contains the (n_classes,) values p(o_t | l_t = q). None may be negative, and at least one
         must be above 0. `steps` is the time since the last frame, 0 or more, in steps of the transition
         matrix P. The place changes according to P^steps. `weight` is the number of frames that this frame
         counts as, 0 or more, and serves as the exponent of the likelihood. If `steps` and `weight` are both

@@ -30,7 +30,7 @@ class Integrator:
     `model` is the classifier that SVM-DAS uses for integration. `weights` are the (cues,) weights of the
     logarithmic opinion pool, and `smallest` is the lower limit of its probabilities
     (:func:`placecat.fusion.log_pool.pool`). Each of these is None for other methods. `temperatures` are
-    (cues,) numbers with which the cues' distributions are tempered first
+    (cues,) numbers used to temper the distributions of the cues first
     (:func:`placecat.fusion.temperature.temper`). If they are None, the distributions stay unchanged.
     """
 
@@ -53,11 +53,11 @@ class Integrator:
 
 @dataclass(frozen=True)
 class Trained:
-    """A trained integration, with facts about its training in JSON types.
+    """A trained integration, with facts about its training that can be written as JSON.
 
-    `cross_validated` holds (n, n_classes) distributions for the training frames, home by home, or None if
-    they were not requested. Each comes from a model that saw neither the frame nor its home. `truth` holds
-    the (n,) class indices of these frames.
+    `cross_validated` contains (n, n_classes) distributions for the training frames, home by home, or is None
+    if they were not requested. Each comes from a model that saw neither the frame nor its home. `truth`
+    contains the (n,) class indices of these frames.
     """
 
     integrator: Integrator
@@ -107,7 +107,7 @@ def fit(
     if method == "log_pool":
         return _fit_pool(tempered, labels, homes, own, shrinkage, smallest)
     if method != "das":
-        # A vote is not trained, so its statistics need no cross-validation.
+        # A vote is not trained, so its statistics do not need cross-validation.
         vote = Integrator(method, None, own)
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     assert classifier is not None

@@ -1,4 +1,4 @@
-"""Smooth a home's decisions first with the hidden Markov model, then with the delay (thesis 3.4)."""
+"""Smooth the decisions in a home with the hidden Markov model and then with the delay (thesis 3.4)."""
 
 import math
 from collections.abc import Sequence
@@ -17,12 +17,12 @@ _ROUNDING = 1e-6
 
 @dataclass(frozen=True)
 class SmoothingModel:
-    """The training homes' statistics, and the smoothing settings.
+    """The statistics of the training homes, and the smoothing settings.
 
-    `transition` and `emission` are (n_classes, n_classes). They and `evidence` are explained in
-    `placecat.fusion.hmm`. `evidence_seconds` is the longest time for which one frame counts as evidence (see
-    :class:`Smoother`). `delay_seconds` is explained in :class:`placecat.fusion.delay.Delay`. `frame_rate` is
-    the frame rate, in frames per second, to which the transitions apply.
+    `transition` and `emission` are (n_classes, n_classes). See `placecat.fusion.hmm` for these and for
+    `evidence`. `evidence_seconds` is the longest time for which one frame counts as evidence (see
+    :class:`Smoother`). `delay_seconds` is the time constant of :class:`placecat.fusion.delay.Delay`.
+    `frame_rate` is the frame rate, in frames per second, to which the transitions apply.
     """
 
     transition: NDArray[np.float64]
@@ -34,12 +34,12 @@ class SmoothingModel:
 
 
 class Smoother:
-    """Smooth one sequence frame by frame, where the result for frame t uses only frames up to t.
+    """Smooth one sequence frame by frame. The result for frame t uses only frames up to t.
 
     Any frame rate works, even one that changes, because transitions, evidence and delay are measured in
     seconds. A frame counts as the number of frames at the model's rate that fit into the time since the last
-    frame. So doubling the rate adds no evidence, since it only repeats the same views. One frame is not
-    enough evidence for the whole of a long gap, so it counts for at most `evidence_seconds`, or for one frame
+    frame. Doubling the rate therefore adds no evidence, because it only repeats the same views. A single
+    frame is not enough evidence for a long gap, so it counts for at most `evidence_seconds`, or for one frame
     of the model if that is longer.
     """
 
@@ -51,7 +51,7 @@ class Smoother:
     def step(
         self, proba: NDArray[np.float64], seconds: float | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return the filter's and the delay's distributions for the next frame.
+        """Return the distributions of the filter and of the delay for the next frame.
 
         `proba` is the integrator's (n_classes,) distribution. `seconds` is the time since the last frame, or
         the duration of the first frame. A negative or non-finite time raises PlacecatError. None means the
@@ -90,7 +90,7 @@ def fit(
     transition_counts: float,
     emission_counts: float,
 ) -> SmoothingModel:
-    """Estimate the training homes' statistics.
+    """Estimate the statistics of the training homes.
 
     The transitions are estimated from `training_sequences` and `training_frame_rates`. These are the labels
     of the training homes in temporal order (-1 for unlabelled frames) and their frame rates in frames per
@@ -126,10 +126,11 @@ def apply(
 ) -> dict[str, NDArray[np.float64]]:
     """Smooth one home with a model.
 
-    `proba` holds (frames, n_classes) distributions for all frames of the home, labelled or not. `sequences`
-    are uncut stretches of frames, and the filter restarts at each. `frame_rate` is in frames per second.
-    `times` holds (frames,) seconds since the start of the sequence, or is None if frames are evenly spaced.
-    Returns (frames, n_classes) distributions under the keys ``hmm`` and ``delayed``.
+    `proba` contains (frames, n_classes) distributions for all frames of the home, labelled or not.
+    `sequences` contains one slice of frames per sequence, and the filter restarts at each slice. `frame_rate`
+    is in frames per second. `times` contains (frames,) seconds since the start of the sequence, or is None if
+    frames are evenly spaced. Returns (frames, n_classes) distributions under the keys ``hmm`` and
+    ``delayed``.
     """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:

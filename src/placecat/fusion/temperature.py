@@ -1,10 +1,10 @@
-"""Adjust how certain a cue's distributions are by means of a temperature."""
+"""Adjust the confidence of a cue's distributions with a temperature."""
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-# Range of the exponents 1 / T to try.
+# Range of the exponents 1 / T in the search.
 _EXPONENTS = (0.01, 100.0)
 
 
@@ -33,8 +33,8 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
     The thesis does not use temperatures. Naive Bayes multiplies probabilities as if codewords were
     independent, so it is far too confident. The parallel scheme averages them, so it is not confident enough.
 
-    `proba` holds (n, n_classes) distributions from a model that saw neither the frame nor its home. `truth`
-    holds (n,) class indices. All classes present have equal weight.
+    `proba` contains (n, n_classes) distributions from a model that saw neither the frame nor its home.
+    `truth` contains (n,) class indices. All classes present have equal weight.
 
     References
     ----------

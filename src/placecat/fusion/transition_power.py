@@ -1,4 +1,4 @@
-"""Real powers of a transition matrix, which adapt it to any frame rate."""
+"""Real powers of a transition matrix, used to adapt it to any frame rate."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,7 +8,7 @@ Float = NDArray[np.float64]
 
 
 def generator(transition: Float) -> Float:
-    """Return the rates Q of changing place per step, where exp(Q) equals the transition matrix P or is close.
+    """Return rates Q of place changes per step, with exp(Q) equal or close to the transition matrix P.
 
     P is (n, n) without negative entries, and its rows sum to 1. Q is (n, n) without negative entries off the
     diagonal, and its rows sum to 0. Q is the logarithm of P if that is a rate matrix. Some stochastic

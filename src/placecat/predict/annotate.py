@@ -1,4 +1,4 @@
-"""Draw a frame with its salient regions, beside the places and their probabilities."""
+"""Draw a frame with its salient regions next to the places and their probabilities."""
 
 from collections.abc import Sequence
 
@@ -25,7 +25,7 @@ class Annotator:
     """Draws frames that all have the same size.
 
     The parameter `size` is the (width, height) of the frames. The attribute `size` is the (width, height) of
-    the pictures that are drawn; both numbers are even, as videos require.
+    the drawn pictures. Width and height are even because video encoders require it.
     """
 
     def __init__(self, classes: Sequence[str], size: tuple[int, int]) -> None:
@@ -59,13 +59,13 @@ class Annotator:
         line = max(2, round(self._height / 360))
         sizes = radius(regions[:, 2], self._width)
         for (x, y, *_), size in zip(regions[::-1], np.atleast_1d(sizes)[::-1], strict=True):
-            # OpenCV reads these as sixteenths of a pixel.
+            # OpenCV interprets these coordinates as sixteenths of a pixel.
             centre = (round((float(x) + 0.5) * self._times * 16), round((float(y) + 0.5) * self._times * 16))
             for color, thickness in ((_RIM, line + 2), (_REGION, line)):
                 cv2.circle(image, centre, round(float(size) * 16), color, thickness, cv2.LINE_AA, 4)
 
     def _decision(self, picture: NDArray[np.uint8], decision: Decision, label: str | None) -> None:
-        """Draw the place beside its colour, the confidence as a number and a bar, and the label."""
+        """Draw the place and its colour, the confidence as a number and as a bar, and the label."""
         unit, left, right = self._unit, self._left, self._right
         top = unit
         corner, swatch = (left, top + unit // 4), round(1.1 * unit)
@@ -85,7 +85,7 @@ class Annotator:
             write(picture, text, (left, top + unit), _fitting(text, unit, right - left), _GREY)
 
     def _places(self, picture: NDArray[np.uint8], decision: Decision) -> None:
-        """Draw a bar for each place's probability, and a thin bar below it for this frame alone."""
+        """Draw a bar for the probability of each place, and a thin bar below it for this frame alone."""
         unit, left, right = self._unit, self._left, self._right
         top, bottom = round(7.9 * unit), self._height - round(4.2 * unit)
         row = min(round(3.0 * unit), (bottom - top) // max(1, len(self._classes)))
@@ -112,12 +112,12 @@ class Annotator:
 
 
 def _fitting(text: str, size: int, width: int) -> int:
-    """Return the largest font size, up to `size`, at which the text fits into `width` pixels; at least 6."""
+    """Return the largest font size from 6 to `size` at which the text fits into `width` pixels."""
     return max(6, min(size, size * width // max(1, mask(text, size, bold=True).shape[1])))
 
 
 def _bar(picture: NDArray[np.uint8], box: tuple[int, int, int, int], share: float, color: Color) -> None:
-    """Draw a bar in `box`, (left, top, right, bottom), and fill it up to `share`, from 0 to 1."""
+    """Draw a bar in `box` (left, top, right, bottom), filled to `share`, from 0 to 1."""
     left, top, right, bottom = box
     picture[top:bottom, left:right] = _LIGHT
     picture[top:bottom, left : left + round(share * (right - left))] = color

@@ -12,13 +12,13 @@ from placecat.errors import PlacecatError
 from placecat.footage.timing import MOST_RATE
 from placecat.predict.frame import Frame, Source
 
-# Used if a camera reports no rate or an implausible one; some streams report 90,000.
+# The frame rate if a camera reports none or an implausible one. Some streams report 90,000.
 USUAL_FPS = 30.0
-# After this many failed reads in a row, the camera counts as gone. The second number is the pause after each
-# failed read, in seconds.
+# The camera is considered disconnected after this many failed reads in a row. The second number is the pause
+# after each failed read, in seconds.
 _FAILURES, _PAUSE = 10, 0.05
 PATIENCE = 10.0
-"""The camera counts as gone after this many seconds without a frame."""
+"""The camera is considered disconnected after this many seconds without a frame."""
 
 
 class Camera(Source):
@@ -30,7 +30,7 @@ class Camera(Source):
 
     `address` is the number of a camera or the address of a stream. `name` is used for the results folder, and
     `title` in messages. `fps` replaces the frame rate that the camera reports, in frames per second. `size`
-    is the (width, height) requested from a numbered camera, but its frames may have another size. The
+    is the (width, height) requested from a numbered camera, which may still deliver a different size. The
     attribute `arrived` is the number of frames that the camera had delivered when the last used frame
     arrived.
     """
@@ -43,19 +43,19 @@ class Camera(Source):
         self.name = name
         self.arrived = 0
         if isinstance(address, int):
-            question = "is it connected, and not in use? Other cameras are camera:1, camera:2, ..."
+            question = "is it connected and not in use? Other cameras are camera:1, camera:2, ..."
             self._capture = cv2.VideoCapture(address)
             self._capture.set(cv2.CAP_PROP_FRAME_WIDTH, size[0])
             self._capture.set(cv2.CAP_PROP_FRAME_HEIGHT, size[1])
         else:
-            question = "is the address right, and the stream running?"
+            question = "is the address correct, and is the stream running?"
             self._capture = cv2.VideoCapture(address, cv2.CAP_FFMPEG)
         if not self._capture.isOpened():
             raise PlacecatError(f"{title} cannot be opened: {question}")
         done, first = self._capture.read()
         if not done or first is None:
             self._capture.release()
-            raise PlacecatError(f"{title} can be opened, but delivers no frame: is another program using it?")
+            raise PlacecatError(f"{title} opens but delivers no frames: is another program using it?")
         self.size = (first.shape[1], first.shape[0])
         known = self._capture.get(cv2.CAP_PROP_FPS)
         self.fps = fps if fps is not None else known if 0 < known <= MOST_RATE else USUAL_FPS
@@ -65,7 +65,7 @@ class Camera(Source):
         self._is_over = False
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Wait for new frames and yield the newest. `every` is ignored, since it applies only to files."""
+        """Wait for new frames and yield the newest. `every` applies only to files and is ignored."""
         thread = threading.Thread(target=self._read, name="camera", daemon=True)
         thread.start()
         start: float | None = None

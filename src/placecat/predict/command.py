@@ -28,7 +28,7 @@ from placecat.progress import Progress
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
-# Number of segments to print; the file lists all of them.
+# Number of segments to print. The file lists all segments.
 SHOWN_SEGMENTS = 12
 # Largest valid --every.
 MOST_EVERY = 1_000_000
@@ -62,7 +62,7 @@ class Options:
 
 @dataclass(frozen=True)
 class _Job:
-    """The footage, the system, how to fit frames to it, and the labels of all frames (or None)."""
+    """The footage, the system, a function that fits frames to it, and the labels of all frames or None."""
 
     options: Options
     source: Source
@@ -86,16 +86,12 @@ def predict_command(options: Options) -> int:
     categorizer = Categorizer.load(options.model)
     source = _open(options, categorizer)
     if source.is_live and options.every != 1:
-        raise PlacecatError(
-            "--every is only for files, since a camera always uses its newest frame: leave it out"
-        )
+        raise PlacecatError("--every is only for files, not for cameras: leave it out")
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
     if options.labels is None:
         labels = source.truth(categorizer.classes, options.ignore)
     elif source.timing is None:
-        raise PlacecatError(
-            "--labels is only for files, since a camera's frames have no labels yet: leave it out"
-        )
+        raise PlacecatError("--labels is only for files, not for cameras: leave it out")
     else:
         labels = truth.read(options.labels, source.timing, categorizer.classes, options.ignore)
     read = [options.model, *([options.labels] if options.labels else [])]
@@ -154,13 +150,13 @@ def _write(folder: Path, job: _Job) -> None:
                 truth=labels,
             )
         if was_stopped:
-            print("Stopped; the results so far are written.")
+            print("Stopped. Writing the results so far.")
         shown = None if labels is None else labels[prediction.numbers - 1]
         agreement = None if shown is None else truth.agreement(prediction, shown)
         tables.write_frames(temporary / tables.FRAMES, prediction)
         tables.write_segments(temporary / tables.SEGMENTS, prediction)
         tables.write_visits(temporary / tables.VISITS, prediction)
-        # Imported late: Matplotlib takes longer to import than to draw.
+        # Imported late because importing Matplotlib takes longer than drawing.
         from placecat.drawing.style import house_style, save
         from placecat.predict import timeline
 
@@ -187,24 +183,24 @@ def _write(folder: Path, job: _Job) -> None:
 
 def _check(options: Options) -> None:
     if not options.source:
-        raise PlacecatError("SOURCE is empty: give a video, a folder of images or a camera")
+        raise PlacecatError("SOURCE is empty: use a video, a folder of images or a camera")
     if not 1 <= options.every <= MOST_EVERY:
-        raise PlacecatError(f"--every is {options.every}: give 1 to {MOST_EVERY}")
+        raise PlacecatError(f"--every is {options.every}: use 1 to {MOST_EVERY}")
     is_home = options.source.startswith(PREFIX)
     if options.ignore and options.labels is None and not is_home:
-        raise PlacecatError("--ignore has no effect without labels: give --labels too")
+        raise PlacecatError("--ignore has no effect without labels: add --labels")
     if options.overrides and not is_home:
-        raise PlacecatError("--set chooses the data set of home:NAME: give home:NAME as SOURCE")
+        raise PlacecatError("--set chooses the data set for home:NAME: use home:NAME as SOURCE")
     if options.labels is not None and is_home:
         raise PlacecatError(
-            "--labels is for other footage, since a data set has its own labels: leave it out"
+            "--labels is for other footage, not for a data set with its own labels: leave it out"
         )
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
-        raise PlacecatError(f"--seconds is {options.seconds:g}: give more than 0")
+        raise PlacecatError(f"--seconds is {options.seconds:g}: use a number above 0")
 
 
 def _quiet() -> None:
-    """Silence FFmpeg and OpenCV; placecat reports their errors itself."""
+    """Silence FFmpeg and OpenCV, because placecat reports their errors."""
     os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     # The title may contain characters that the timeline's font lacks.
@@ -226,10 +222,10 @@ def _announce(job: _Job) -> None:
             f"A folder has no frame rate: using the model's {source.fps:g} frames/s (change it with --fps)."
         )
     if source.is_live:
-        end = f"after {options.seconds:g} s" if options.seconds is not None else "with Ctrl-C"
+        end = f"after {options.seconds:g} s" if options.seconds is not None else "when you press Ctrl-C"
         print(
-            f"Only the newest frame is used; older ones are dropped. The prediction ends {end}; the "
-            "results are written then."
+            f"Only the newest frame is used; older ones are dropped. The prediction ends {end}, and "
+            "then the results are written."
         )
     sys.stdout.flush()
 
@@ -266,7 +262,7 @@ def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None
 
 
 def _print(folder: Path, job: _Job, prediction: Prediction, speed: Speed, content: dict[str, Any]) -> None:
-    """Print the notes, then the summary."""
+    """Print the notes and then the summary."""
     for note in content.get("notes", []):
         print(f"placecat: note: {note}", file=sys.stderr)
     print("\nShare of time:", *report.shares(prediction), sep="\n")

@@ -16,7 +16,7 @@ from placecat.predict.tables import TABLES
 
 SUMMARY = "summary.json"
 CHECKED = "sha256"
-"""The entry of the summary that holds the checksums of the tables. They reveal whether a table was edited
+"""The summary lists the checksums of the tables under this key. They reveal whether a table was edited
 later."""
 
 
@@ -28,15 +28,15 @@ def reserved(
 
     The folder is `output` or, by default, predictions/NAME. For a camera, the default is the first of NAME,
     NAME_2, ... that does not exist and is not being written by another prediction. The other parameters are
-    as for :func:`check`. Raises PlacecatError in the same cases as :func:`check`, and also if the folder is
+    those of :func:`check`. Raises PlacecatError in the same cases as :func:`check`, and also if the folder is
     in use.
     """
-    # Only dots are left of a file name such as `...mp4`.
+    # Without its suffix, a file name such as `...mp4` consists only of dots.
     name = name if name.strip(". ") else "footage"
     is_numbered = is_live and output is None
     for number in count(1):
         folder = output or Path("predictions") / (name if number == 1 else f"{name}_{number}")
-        # Keep a link and write to its target.
+        # Keep a symbolic link and write to its target.
         folder = folder.resolve() if folder.is_symlink() else folder
         if is_numbered and folder.exists():
             continue
@@ -53,7 +53,7 @@ def reserved(
             if is_numbered:
                 continue
             raise PlacecatError(
-                f"{folder} is being written by another prediction: wait for it, or give another --output"
+                f"{folder} is being written by another prediction: wait for it, or choose another --output"
             ) from None
         except OSError as error:
             raise PlacecatError(f"cannot write {refusal(error, folder)}") from None
@@ -77,42 +77,42 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     Only a prediction is ever replaced. Without `force`, it must be unedited and come from the same `source`,
     and the source must not be a camera. With `force`, any prediction is replaced, and :func:`keep` saves what
     a user added or edited. `source` is the footage as the user typed it, but without any password. None of
-    the input files `read` may be in `folder`. The PlacecatError says what prevents the replacement.
+    the input files in `read` may be in `folder`. The PlacecatError says what prevents the replacement.
     """
     files.check_target(folder)
     for path in read:
         if path.resolve().is_relative_to(folder.resolve()):
             raise PlacecatError(
-                f"{path} is in {folder}, which would be replaced: move it, or give another --output"
+                f"{path} is in {folder}, which would be replaced: move it, or choose another --output"
             )
     if not folder.exists() and not folder.is_symlink():
         return
     if not folder.is_dir():
-        raise PlacecatError(f"{folder} is a file: give another --output")
+        raise PlacecatError(f"{folder} is a file: choose another --output")
     if not any(folder.iterdir()):
         return
     summary = _summary(folder)
     if summary is None:
-        raise PlacecatError(f"{folder} holds something other than a prediction: give another --output")
+        raise PlacecatError(f"{folder} contains something other than a prediction: choose another --output")
     if force:
         return
     if summary.get("source") != source or summary.get("camera"):
         raise PlacecatError(
-            f"{folder} holds the prediction of {summary.get('source')}: give another --output, or --force to "
-            "replace it"
+            f"{folder} contains the prediction of {summary.get('source')}: choose another "
+            "--output, or use --force to replace it"
         )
     changed = _changed(folder, summary)
     if changed:
         raise PlacecatError(
-            f"{folder / changed[0]} was added or edited: move it away, or give --force, which keeps a "
+            f"{folder / changed[0]} was added or edited: move it away, or use --force, which keeps a "
             "copy of it"
         )
 
 
 def keep(folder: Path, new: Path) -> dict[str, str]:
-    """Copy the files that a user added to a prediction, or edited in it, into its replacement.
+    """Copy the files that a user added or edited from an old prediction to its replacement.
 
-    `folder` is the old prediction, and `new` the one that replaces it. Returns a dictionary from the name of
+    `folder` is the old prediction, and `new` is its replacement. Returns a dictionary that maps the name of
     each copied file or folder to the name of its copy. A copy keeps its name unless the new prediction uses
     that name. In that case, it is called ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... The summary does not
     list copies, so the next prediction keeps them too.

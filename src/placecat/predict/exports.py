@@ -29,27 +29,26 @@ def _kind(option: str) -> "type[McapFile] | type[RerunFile]":
 
 
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
-    """Before any work starts, raise an error for files that must not or cannot be written.
+    """Check that the files can be written, before any work starts.
 
     `wanted` maps each option, one of `OPTIONS`, to its file. `folder` is the results folder, which will be
-    replaced. An existing file is replaced only with `force`. The input files, which `read` lists, are never
-    replaced. Raises PlacecatError if a package is missing, a suffix is wrong, or a file must not or cannot be
-    written.
+    replaced. An existing file is replaced only with `force`. The input files in `read` are never replaced.
+    Raises PlacecatError if a package is missing, a suffix is wrong, or a file must not or cannot be written.
     """
     for option, path in wanted.items():
         ending = _ENDINGS[option]
         _kind(option).require()
         given = f"--{option} is {path}"
         if path.suffix != ending:
-            raise PlacecatError(f"{given}: give a name that ends with {ending}")
+            raise PlacecatError(f"{given}: choose a name that ends with {ending}")
         if any(path.resolve().is_relative_to(other.resolve()) for other in read):
-            raise PlacecatError(f"{given}, which is an input of the prediction: give another name")
+            raise PlacecatError(f"{given}, which is an input of the prediction: choose another name")
         if path.resolve().is_relative_to(folder.resolve()):
             raise PlacecatError(
-                f"{given}, but the prediction replaces the folder {folder}: give another name"
+                f"{given}, but the prediction replaces the folder {folder}: choose another name"
             )
         if path.exists() and not force:
-            raise PlacecatError(f"{given}, which already exists: give another name, or --force")
+            raise PlacecatError(f"{given}, which already exists: choose another name, or use --force")
         files.check_writable(path)
 
 

@@ -17,7 +17,7 @@ class Frame:
 
     `number` counts from 1 and skips the unused frames of a camera. `seconds` is the time since the first
     frame. `file` is the name of the image file, or "" if there is none. `image` is (H, W, 3) uint8 BGR. If
-    `begins` is true, a cut precedes the frame, and the system restarts.
+    `begins` is true, the frame follows a cut and the system restarts.
     """
 
     number: int
@@ -30,20 +30,20 @@ class Frame:
 def nanoseconds(seconds: float) -> int:
     """Convert seconds to whole nanoseconds.
 
-    Times that were measured in nanoseconds are converted exactly up to a hundred days.
+    The conversion is exact for times up to a hundred days that were measured in nanoseconds.
     """
     return round(seconds * 1e9)
 
 
 def clock(seconds: float) -> str:
-    """Format a time as minutes and seconds, and as hours if needed, such as "0:07" or "1:02:03"."""
+    """Format a time as minutes and seconds, with hours if needed, such as "0:07" or "1:02:03"."""
     minutes, rest = divmod(int(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02d}:{rest:02d}" if hours else f"{minutes}:{rest:02d}"
 
 
 class Damage(NamedTuple):
-    """The numbers of the lost and the damaged frames, and a note for the user.
+    """The numbers of the lost and damaged frames, and a note for the user.
 
     A lost frame cannot be decoded. A damaged frame was decoded with errors.
     """
@@ -57,11 +57,11 @@ class Source(ABC):
     """Base class for footage.
 
     `name` is the default name of the results folder, and `fps` is in frames per second. `size` is the (width,
-    height) of the first frame in pixels; later frames may differ if a phone was rotated. `timing` has the
-    times of all frames, including lost ones, or is None for a camera. If `is_live` is true, frames that are
-    not read in time are lost. `reached` is the number of the last frame that was read, counted from 1, or 0
-    before the first frame. `start` is the time of the first frame in nanoseconds since 1970, or 0 if it is
-    unknown. `topic` is the image topic of a bag, or "" for other footage.
+    height) of the first frame in pixels; later frames may differ if a phone was rotated. `timing` contains
+    the times of all frames, including lost ones, or is None for a camera. If `is_live` is true, frames that
+    are not read in time are lost. `reached` is the number of the last frame that was read, counted from 1. It
+    is 0 before the first frame. `start` is the time of the first frame in nanoseconds since 1970, or 0 if it
+    is unknown. `topic` is the image topic of a bag, or "" for other footage.
     """
 
     name: str
@@ -75,7 +75,7 @@ class Source(ABC):
 
     @abstractmethod
     def frames(self, every: int) -> Iterator[Frame]:
-        """In each run of `every` frames, decode the first that is not lost; a camera ignores `every`."""
+        """Decode the first frame that is not lost in each group of `every` frames. Cameras ignore `every`."""
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
         """Return the true place of each frame, or None if there are no labels.

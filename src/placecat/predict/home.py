@@ -15,15 +15,16 @@ from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import open_home_of, place_labels
 
 PREFIX = "home:"
-"""Prefix of a source that is a home from a data set; the name of the home follows."""
+"""Prefix of a source that is a home from a data set. The name of the home follows it."""
 
 
 class DataSetHome(Source):
     """The frames of a home, floor by floor.
 
     The system restarts at each floor and at any other cut. Times continue from the previous floor. `name` is
-    a home of `dataset`, which has the settings of a file in conf/dataset. Raises PlacecatError if the home is
-    unknown or cannot be read. `fps` replaces the data set's rate in frames per second.
+    the name of the home. `dataset` contains the settings of its data set, from a file in conf/dataset. `fps`
+    replaces the frame rate of the data set, in frames per second. Raises PlacecatError if the home is unknown
+    or cannot be read.
     """
 
     timing: Timing
@@ -53,7 +54,7 @@ class DataSetHome(Source):
         self.timing = Timing(seconds, float(seconds[-1] + 1 / home.fps), home.fps, home.is_even)
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode every `every`-th frame of each floor, beginning with its first."""
+        """Decode every `every`-th frame of each floor, starting with the first."""
         place = np.arange(len(self._begins))
         rows = np.flatnonzero((place - np.maximum.accumulate(np.where(self._begins, place, 0))) % every == 0)
         table = self._home.frames.iloc[rows]
@@ -88,7 +89,7 @@ class DataSetHome(Source):
             if own[number] not in classes:
                 raise PlacecatError(
                     f"{self.name}: the label {own[number]!r} is not a place of the model "
-                    f"({', '.join(classes)}): leave such frames unscored with --ignore {own[number]}"
+                    f"({', '.join(classes)}): exclude such frames from scoring with --ignore {own[number]}"
                 )
         numbers = [classes.index(name) if name in classes else -1 for name in own]
         return np.array([*numbers, -1], np.int16)[labels]

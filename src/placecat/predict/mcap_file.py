@@ -14,19 +14,19 @@ from placecat.predict.annotate import Annotator
 from placecat.predict.frame import Frame, nanoseconds
 
 PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classification", "/placecat/place"
-"""The topics. The first two carry one message per frame. The last one is latched, and carries a message
+"""The topics. The first two carry one message per frame. The last one is latched and carries a message
 whenever the place changes or becomes `unknown`."""
 JPEG_QUALITY = 90
 """JPEG quality of the pictures, from 0 to 100. Our choice."""
 
 _IMAGE, _STRING = "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 _HYPOTHESIS, _CLASSIFICATION = "vision_msgs/msg/ObjectHypothesis", "vision_msgs/msg/Classification"
-# Message definitions from vision_msgs 4, which rosbags lacks.
+# Message definitions from vision_msgs 4. The rosbags package does not include them.
 _DEFINITIONS = {
     _HYPOTHESIS: "string class_id\nfloat64 score\n",
     _CLASSIFICATION: "std_msgs/Header header\nvision_msgs/ObjectHypothesis[] results\n",
 }
-# The newest bag format that ROS 2 Humble reads.
+# The newest bag format that ROS 2 Humble can read.
 _VERSION = 8
 # The bag stores its file name, so it is written under its final name in a temporary folder.
 _WORK = ".folder"

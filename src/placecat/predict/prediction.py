@@ -17,12 +17,12 @@ class Prediction:
     `classes` are the names of the K places. The footage has `fps` frames per second, and `length` is the
     number of the last frame that was read. `numbers`, (n,) int64, are the numbers of the categorized frames
     in the footage, counted from 1. `seconds`, (n,) float64, are their times since the first frame. `names`
-    has their image files, or is empty if there are none.
+    lists the names of their image files, or is empty if there are none.
 
     `proba`, (n, K) float64, are the smoothed probabilities, which decide the place. `integrated` are the
     probabilities of each frame alone. The last frame ends at `end` seconds; None means that it lasts as long
-    as the median frame. `turned` are the numbers of the frames whose size differs from that of the first
-    frame. `cuts` are the indices of the frames that follow a cut, such as a change of floor. Decisions with a
+    as the median frame. `turned` are the numbers of the frames that differ in size from the first frame.
+    `cuts` are the indices of the frames that follow a cut, such as a change of floor. Decisions with a
     confidence below `threshold` are unknown.
     """
 
@@ -85,8 +85,9 @@ class Prediction:
     def segments(self) -> list[Segment]:
         """List the segments of the footage: runs of frames in the same place, with no gaps between them.
 
-        The start and end of a segment are frame numbers of the footage. A frame that was not categorized
-        belongs to the segment of the frame before it. `line` is the line of the segment in segments.csv.
+        The start and end of a segment are frame numbers in the footage. A frame that was not categorized
+        belongs to the segment of the frame before it. `line` is the line number of the segment in
+        segments.csv.
         """
         decision = self.decision
         firsts = np.flatnonzero(np.r_[True, decision[1:] != decision[:-1]])

@@ -14,8 +14,8 @@ from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed
 
 SLOW = 0.95
-"""A frame rate below this share of the model's frame rate counts as slow; 4.995 instead of 5 frames/s does
-not. Our choice."""
+"""A frame rate is considered slow below this fraction of the model's frame rate. For example, 4.995 frames/s
+is not slow for a model at 5 frames/s. Our choice."""
 
 
 def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> list[str]:
@@ -27,7 +27,7 @@ def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> l
             "first frame (was the phone rotated?): only their centre is used"
         )
     data = categorizer.card["data"]
-    # Data sets with equal titles count as the same.
+    # Data sets with the same title are considered identical.
     is_same = isinstance(source, DataSetHome) and source.title == data.get("title")
     if is_same and source.name in map(str, data["homes"]):
         found.append(
@@ -38,8 +38,8 @@ def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> l
         period = float(np.median(np.diff(prediction.seconds)))
         if period * categorizer.frame_rate * SLOW > 1:
             found.append(
-                f"{1 / period:.3g} frames/s are used, but the confidence for `unknown` was chosen at "
-                f"{categorizer.frame_rate:.3g} frames/s: each frame now counts for more, so "
+                f"{1 / period:.3g} frames/s are used, but the threshold for `unknown` was chosen at "
+                f"{categorizer.frame_rate:.3g} frames/s: each frame now has more weight, so "
                 "`unknown` is too rare"
             )
     return [note for note in found if note]
@@ -67,7 +67,7 @@ def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[s
 
 
 def shares(prediction: Prediction) -> list[str]:
-    """Return one line with the share of time for each place that was seen, the largest share first.
+    """Return one line for each place that was seen, with its share of time. The largest share comes first.
 
     If the place is unknown for part of the time, another line gives that share.
     """
@@ -79,13 +79,13 @@ def shares(prediction: Prediction) -> list[str]:
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Return lines with the accuracy, the share of named frames, and a confusion table (a row per label)."""
+    """Return lines with the accuracy, the share of named frames, and a confusion table (rows are labels)."""
     if agreement["accuracy"] is None:
         return ["No categorized frame is labelled with one of the model's places, so nothing is scored."]
     table = pd.DataFrame(agreement["confusion"], list(classes), pd.Index(classes, name="label"))
     percents = [agreement["by_place"][name] for name in classes]
     correct = ["-" if percent is None else f"{percent:.1f} %" for percent in percents]
-    # A place may be called "correct" too.
+    # A place may also be called "correct".
     table.insert(len(classes), "correct", correct, allow_duplicates=True)
     lines = [
         f"Accuracy (mean over the labelled places): {agreement['accuracy']:.2f} %; "
@@ -94,7 +94,7 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
     ]
     if agreement["named"] < 100:
         wrong = agreement["named_wrongly"]
-        wrongly = "" if wrong is None else f", of which {wrong:.2f} % wrongly"
+        wrongly = "" if wrong is None else f", of which {wrong:.2f} % are wrong"
         lines.append(
             f"Named (mean over the labelled places): {agreement['named']:.2f} %{wrongly}; the rest is unknown"
         )
@@ -107,7 +107,7 @@ def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = No
     The footage has `fps` frames per second, and one frame out of `every` is used. `dropped` is the number of
     camera frames that were not used.
     """
-    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} frames/s that are used out of the footage's"
+    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} frames/s used out of the footage's"
     text = (
         f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
         f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"

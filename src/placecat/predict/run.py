@@ -60,12 +60,12 @@ def run(
 
     The system must not have seen any frames yet. `fit` fits frames to a size that the system accepts, and
     `shown` is called after each frame. If `film_path` is given, an annotated video is written there; it plays
-    `pace` times as fast as the footage. The video also shows the labels in
-    `truth`: one int16 class index for each frame of the footage, or -1 if the frame is unlabelled.
+    `pace` times as fast as the footage. The video also shows the labels in `truth`, which has one int16 class
+    index for each frame of the footage, or -1 if the frame is unlabelled.
 
-    Returns the prediction (which has at least one frame), the speed, and whether Ctrl-C ended the footage.
-    Ctrl-C ends the footage of a camera as soon as one frame has been categorized. In all other cases, Ctrl-C
-    raises KeyboardInterrupt. Raises PlacecatError if a frame cannot be read, or if no frame is used.
+    Returns the prediction, the speed, and whether Ctrl-C ended the footage. The prediction has at least one
+    frame. Once a frame from a camera has been categorized, Ctrl-C ends the footage. In all other cases,
+    Ctrl-C raises KeyboardInterrupt. Raises PlacecatError if a frame cannot be read, or if no frame is used.
     """
     rows: list[tuple[int, float, str, NDArray[np.float64], NDArray[np.float64]]] = []
     speed = Speed(source.fps / every)
@@ -73,7 +73,7 @@ def run(
     with ExitStack() as stack:
         film = None
         if film_path is not None:
-            # Imported late: it imports Matplotlib for its colours.
+            # Imported late because it imports Matplotlib for its colours.
             from placecat.predict.annotate import Annotator
 
             annotator = Annotator(system.classes, fit.target)
@@ -102,7 +102,7 @@ def run(
                 if film is not None:
                     label = true_label(truth, frame.number, system.classes)
                     film.add(annotator(frame, decision, label), frame.seconds / pace)
-                # Append in one step: Ctrl-C must not leave half a row.
+                # Append the row in one step, so that Ctrl-C cannot leave half of it.
                 rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
                 speed.frames, speed.seconds = len(rows), time.perf_counter() - start
                 shown(frame, decision, speed)
@@ -111,7 +111,7 @@ def run(
                 raise
             was_stopped = True
     if not rows:
-        raise PlacecatError("no frame was used: give a longer --seconds")
+        raise PlacecatError("no frame was used: increase --seconds")
     numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
     last = source.reached if limit is None else numbers[-1]
     timing = source.timing
@@ -134,7 +134,7 @@ def run(
 
 
 def true_label(truth: NDArray[np.int16] | None, number: int, classes: tuple[str, ...]) -> str | None:
-    """Return the true place of a frame: "" if it is not scored, and None if there are no labels."""
+    """Return the true place of a frame, "" if it is not scored, or None if there are no labels."""
     if truth is None:
         return None
     place = int(truth[number - 1])

@@ -14,7 +14,8 @@ from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import video
 
-# Limits in frames per second. The upper limit is that of dataset.fps, and the lower limit is our choice.
+# Limits in frames per second. The upper limit is the same as for dataset.fps, and the lower limit is our
+# choice.
 SLOWEST, FASTEST = 0.001, 1000.0
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
@@ -35,10 +36,10 @@ def open_source(
 
     `fps` replaces the frame rate of the footage, in frames per second. A folder has no frame rate, so its
     default is `usual_fps`. `size` is the (width, height) requested from a camera. `topic` is the image topic
-    of a bag; None uses the only one.
+    of a bag. It may be None if the bag has only one.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
-        raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
+        raise PlacecatError(f"--fps is {fps:g}: use {SLOWEST:g} to {FASTEST:g}")
     path = Path(text)
     with reading(path):
         if is_bag(path):
@@ -61,9 +62,9 @@ def open_source(
         number = int(camera[1] or 0)
         return Camera(number, f"camera_{number}", fps, size, title=f"camera {number}")
     if path.exists():
-        raise PlacecatError(f"{text} is not an ordinary file: give a video or a folder of images")
+        raise PlacecatError(f"{text} is not an ordinary file: use a video or a folder of images")
     raise PlacecatError(
-        f"there is no file or folder {text}: give a video, a folder of images, a bag, camera, camera:NUMBER, "
+        f"there is no file or folder {text}: use a video, a folder of images, a bag, camera, camera:NUMBER, "
         "or the address of a stream (rtsp://..., http://...)"
     )
 
@@ -90,7 +91,7 @@ class Recorded(Source):
             self.topic, self.start = recording.topic, recording.start
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """In each run of `every` frames, decode the first that is not lost."""
+        """Decode the first frame that is not lost in each group of `every` frames."""
         last = -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number
@@ -105,7 +106,7 @@ class Recorded(Source):
 
 
 class Folder(Source):
-    """A folder of JPEG and PNG files, ordered as in the layout `folder`."""
+    """A folder of JPEG and PNG files, in the same order as in the layout `folder`."""
 
     timing: Timing
 
@@ -113,7 +114,7 @@ class Folder(Source):
         self._images, self._path = list_frames(path), path
         if not self._images:
             raise PlacecatError(
-                f"{path}: the folder has no images ({', '.join(SUFFIXES)}); give a folder of frames, "
+                f"{path}: the folder has no images ({', '.join(SUFFIXES)}); use a folder of frames, "
                 "or a video"
             )
         self.name, self.fps, self.timing = path.resolve().name, fps, even(len(self._images), fps)

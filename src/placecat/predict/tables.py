@@ -16,8 +16,8 @@ TABLES = (FRAMES, SEGMENTS, VISITS)
 def write_frames(path: Path, prediction: Prediction) -> None:
     """Write one row per frame: the smoothed decision and probabilities, and those of the frame alone.
 
-    ``name`` is the place, or ``unknown`` if the confidence is too low. Probabilities have enough digits that
-    reading them back gives exactly the same numbers.
+    ``name`` is the place, or ``unknown`` if the confidence is too low. Probabilities are written with enough
+    digits to be read back exactly.
     """
     classes = prediction.classes
     columns = {

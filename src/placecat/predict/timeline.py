@@ -1,4 +1,4 @@
-"""Draw a prediction as a timeline: strips of places, with the confidence below them."""
+"""Draw a prediction as a timeline, with strips of places and the confidence below them."""
 
 import textwrap
 from collections.abc import Sequence
@@ -26,7 +26,7 @@ LINE = 96
 def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
     """Draw the timeline of a prediction, which must have at least one frame.
 
-    `truth` holds (n,) int16 class indices, or -1 for unlabelled frames; None omits the label strip.
+    `truth` contains (n,) int16 class indices, or -1 for unlabelled frames; None omits the label strip.
     """
     colors = palette.place_colors(prediction.classes)
     strips: dict[str, NDArray[np.integer]] = {} if truth is None else {"label": truth}
@@ -79,7 +79,7 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.fill_between(times, 0.0, values, step="post", color="#e3e3e3", linewidth=0)
     axes.step(times, values, where="post", color=palette.INK, linewidth=0.8)
     axes.axhline(chance, color=palette.MUTED, linewidth=0.6, linestyle=(0, (3, 2)))
-    lines = "dashed: a guess"
+    lines = "dashed: chance"
     if 0.0 < prediction.threshold <= 1.0:
         axes.axhline(prediction.threshold, color=palette.INK, linewidth=0.6, linestyle=(0, (1, 2)))
         lines += "; dotted: unknown below"

@@ -33,7 +33,7 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
         if label not in numbers:
             raise PlacecatError(
                 f"{path} line {line}: {label!r} is not a place of the model ({', '.join(classes)}): correct "
-                f"the label, or leave such frames unscored with --ignore {label}"
+                f"the label, or exclude such frames from scoring with --ignore {label}"
             )
     return np.array([numbers[label] for label in labels], dtype=np.int16)
 
@@ -41,13 +41,13 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
 def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, object]:
     """Score the categorized frames in the same way as the frames of a home (thesis 4.2).
 
-    `truth` has the (n,) class indices of these frames, or -1 for unscored frames.
+    `truth` contains the (n,) class indices of these frames, or -1 for unscored frames.
 
     In the returned dictionary, ``accuracy`` is the accuracy of the decisions, and ``frame_accuracy`` is that
     of each frame alone. Both are means over the labelled places, in percent, or None if nothing is scored.
-    ``by_place`` has the percentage of correct frames for each place. ``confusion`` has counts, with one row
-    per true place. ``named`` is the percentage of scored frames that are not unknown, and ``named_wrongly``
-    is the percentage of these frames that are wrong. In both, all places have equal weight.
+    ``by_place`` contains the percentage of correct frames for each place. ``confusion`` contains counts, with
+    one row per true place. ``named`` is the percentage of scored frames that are not unknown, and
+    ``named_wrongly`` is the percentage of these frames that are wrong. In both, all places have equal weight.
     """
     n_classes = len(prediction.classes)
     confusion = confusion_matrix(truth, prediction.decision, n_classes)

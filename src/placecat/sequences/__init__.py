@@ -1,7 +1,7 @@
-"""Read homes and their labels; each module of this package reads one layout on disk.
+"""Read homes and their labels. Each layout on disk has a module in this package.
 
 A layout is a module that defines ``read_home(root, name, *, fps, camera)``, as documented by `open_home`.
-Settings refer to it by its file name. To add a layout, add a file.
+Settings refer to it by the name of the module. To add a layout, add a module.
 """
 
 from collections.abc import Mapping
@@ -28,19 +28,19 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
     """List the frames of a home, without decoding them (see `read_frames`), and read their labels.
 
     Raises PlacecatError if the layout is unknown, the home cannot be read, or its labels do not match its
-    frames; the message names the file and, if possible, the line.
+    frames. The message names the file and, if possible, the line.
 
     Parameters
     ----------
     layout
         A module of this package.
     root
-        The folder that holds the homes.
+        The folder with the homes.
     name
-        A home in `root`.
+        Name of a home in `root`.
     **settings
         Keyword parameters of the layout's ``read_home``: ``fps`` (frames per second, or None to take the rate
-        from the files), ``camera`` (its name) and others.
+        from the files), ``camera`` (the name of the camera), and others.
     """
     reader = lookup.module(__name__, layout, "dataset.layout", "read_home")
     with reading(Path(root) / name):
@@ -48,16 +48,17 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
 
 
 def open_home_of(dataset: Mapping[str, Any], name: str, **changed: Any) -> Home:
-    """Read a home with the settings of its data set; the settings in `changed` replace them.
+    """Read a home with the settings of its data set. Settings in `changed` take precedence.
 
-    `dataset` has the settings of a file in conf/dataset. Its ``camera`` is one name for all homes, or maps
-    each home to a name. Raises the same errors as :func:`open_home`.
+    `dataset` contains the settings from a file in conf/dataset. Its ``camera`` is one name for all homes, or
+    maps each home to a name. Raises the same errors as :func:`open_home`.
     """
     layout, camera = dataset["layout"], dataset["camera"]
     if not isinstance(camera, str):
         if name not in camera:
             raise PlacecatError(
-                f"dataset.camera lists no camera for {name}: add dataset.camera.{name}, or one for all homes"
+                f"dataset.camera lists no camera for {name}: add dataset.camera.{name}, or set one for all "
+                "homes"
             )
         camera = camera[name]
     taken = lookup.parameters(__name__, layout, "read_home")

@@ -1,4 +1,4 @@
-"""Layout with one folder per home, ``<name>``, and one bag per floor in it.
+"""Layout with one folder per home, ``<name>``, which contains one bag per floor.
 
 A bag is a file ``<floor>.bag``, ``<floor>.mcap`` or ``<floor>.db3``, or a folder. The labels of a floor are
 in ``<name>/<floor>.csv``, or on a string topic of the bag. Without labels, every frame is unlabelled.
@@ -32,11 +32,11 @@ def read_home(
     Parameters
     ----------
     fps
-        Frames per second; None takes the times from the pictures' stamps.
+        Frames per second; None uses the timestamps of the pictures.
     topic
         Topic of the pictures; None uses the only picture topic of each bag.
     labels_topic
-        Topic of the labels (std_msgs/String). Each frame takes the last label received before it; frames
+        Topic of the labels (std_msgs/String). Each frame gets the last label received before it. Frames
         before the first label are unlabelled. None uses the label files.
     """
     folder = home_folder(root, name)
@@ -63,12 +63,12 @@ def read_home(
 
 
 def _bags(folder: Path) -> dict[str, Path]:
-    """Map each floor to its bag, in natural order."""
+    """Map the floors to their bags, in natural order."""
     return by_name(path for path in folder.iterdir() if not path.name.startswith(".") and is_bag(path))
 
 
 def _labels_on_topic(recording: BagRecording, topic: str) -> Labels:
-    """Match labels with frames by the time at which each was received, since strings have no stamps."""
+    """Match labels to frames by the time of reception, because strings have no timestamps."""
     bag = Bag(recording.path)
     bag.require(topic, (STRING,), "dataset.labels_topic")
     times, labels = zip(*bag.strings(topic), strict=True)

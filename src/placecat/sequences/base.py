@@ -1,4 +1,4 @@
-"""The type `Home`, which every layout returns: a home and its frames in order."""
+"""The type `Home`, which every layout returns, and functions that build it."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ TURN = "turn"
 
 @dataclass(frozen=True, eq=False)
 class Home:
-    """A home: the label of each frame and where its picture is stored, but not the pixels.
+    """A home, with the label of each frame and the location of its picture, but without pixels.
 
     Attributes
     ----------
@@ -28,7 +28,7 @@ class Home:
     fps
         Frames per second.
     camera
-        Name of the camera; homes with the same name have the same camera height, lens and colour response.
+        Name of the camera. Homes with the same camera name share the camera height, lens and colour response.
     width, height
         Size of every frame in pixels after rotation, measured on the first frame.
     frames
@@ -38,19 +38,20 @@ class Home:
           folder.
         - ``number`` (int32): the number of the frame in its sequence, counted from 1.
         - ``source`` (str): the image, the video file or the bag, as a POSIX path relative to `root`.
-        - ``position`` (int32): the index of the frame in its video, where lost frames count, or the index of
-          the message among the picture messages of its bag. It starts at 0, and is -1 for an image file.
+        - ``position`` (int32): the index of the frame in its video, including lost frames, or the index of
+          the message among the picture messages of its bag. It starts at 0. For an image file, it is -1.
         - ``seconds`` (float64): the time since the start of the sequence.
         - ``label`` (str): the label as in the label file, or "" for none.
         - ``turn`` (int32), only if pictures must be rotated: 0, 90, 180 or 270 degrees clockwise.
     label_files
         Maps each sequence to its label file, relative to `root`; empty without labels.
     label_lines
-        Each frame's line in the label file, (frames,) int32, counted from 1; 0 for a frame without a label.
+        Line of each frame in the label file, (frames,) int32, counted from 1, or 0 for a frame without a
+        label.
     lost, damaged, note
-        `lost` has the numbers of the frames that cannot be decoded and therefore have no row. `damaged` has
-        the numbers of the frames that were decoded with errors. `note` describes the damage, or is "" if
-        there is none.
+        `lost` lists the numbers of the frames that cannot be decoded and therefore have no row. `damaged`
+        lists the numbers of the frames that were decoded with errors. `note` describes the damage, or is ""
+        if there is none.
     """
 
     name: str

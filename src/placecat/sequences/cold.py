@@ -1,7 +1,7 @@
 """The COLD database: ``<site>/<sequence>/localization/places.lst`` and images in ``<sequence>/std_cam``.
 
-Each line of the label file has the form ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. Labels are
-kept as codes; the data set's setting ``aliases`` maps each code to a class.
+Each line of the label file has the form ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. Labels
+remain codes. The setting ``aliases`` of the data set maps each code to a class.
 
 A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. The name of a
 site alone stands for a home with all sequences of that site. Sequences of one site show the same rooms, so
@@ -66,7 +66,7 @@ def read_home(
         check_listed(folder, sequence, str(file), listed, "restore it, or remove the line")
         where = sequence.relative_to(root).as_posix()
         sources = [f"{where}/{images}/{one.image}" for one in entries]
-        # Differences of whole microseconds are exact; differences of seconds since 1970 are not.
+        # Differences between microseconds are exact, unlike differences between seconds since 1970.
         seconds = [(one.time - entries[0].time) / 1e6 for one in entries]
         numbers, labels = range(1, len(entries) + 1), [one.code for one in entries]
         tables.append(frame_table(sequence.name, sources, -1, numbers, seconds, labels))
@@ -79,7 +79,7 @@ def read_home(
 
 
 class Entry(NamedTuple):
-    """A line of a ``places.lst``: its image name, its code, its time in microseconds, and its number."""
+    """A line of a ``places.lst``, with its image name, code, time in microseconds, and line number."""
 
     image: str
     code: str
@@ -99,8 +99,8 @@ def code(label: str) -> str | None:
 def read_places(file: Path) -> list[Entry]:
     """Read the entries of a ``places.lst``. Their times must increase from line to line.
 
-    Raises PlacecatError, naming the line, if a line does not consist of an image name and a label, or if its
-    image is not later than the previous one.
+    Raises PlacecatError with the line number if a line does not consist of an image name and a label, or if
+    its image is not later than the previous one.
     """
     entries: list[Entry] = []
     for line, text in enumerate(read_text(file).split("\n"), start=1):

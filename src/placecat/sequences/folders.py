@@ -13,7 +13,7 @@ from placecat.footage.names import natural, relative
 def inside(path: Path, folder: Path, origin: str) -> None:
     """Raise an error if a path leaves a folder through a symbolic link.
 
-    `origin` is where the path is listed; the message names it.
+    `origin` is where the path is listed, for the message.
     """
     if not path.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
@@ -38,7 +38,7 @@ def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, st
 
 def data_folder(root: Path) -> Path:
     """Return the folder with the homes. Raises PlacecatError if it is missing or not a folder."""
-    return existing(root, "set dataset.root to the folder that holds the homes.")
+    return existing(root, "set dataset.root to the folder that contains the homes.")
 
 
 def home_folder(root: Path, name: str) -> Path:
@@ -59,9 +59,9 @@ def existing(folder: Path, advice: str) -> Path:
 
 
 def by_name(paths: Iterable[Path]) -> dict[str, Path]:
-    """Map the names of folders, and of files without their suffixes, to their paths in natural order.
+    """Map folder names, and file names without their suffixes, to paths in natural order.
 
-    Raises PlacecatError if two of the names are equal.
+    Raises PlacecatError if two names are equal.
     """
     named: dict[str, Path] = {}
     for path in sorted(paths, key=lambda one: natural(one.name)):

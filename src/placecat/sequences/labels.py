@@ -1,4 +1,4 @@
-"""Check and expand labels that are given as intervals of frames, and read label files (CSV)."""
+"""Check and expand labels for intervals of frames, and read label files (CSV)."""
 
 import codecs
 import csv
@@ -15,10 +15,10 @@ from placecat.errors import PlacecatError
 from placecat.footage.timing import Timing
 
 FRAME_HEADER = ("start", "end", "label")
-"""CSV columns for intervals of frames, which are counted from 1. Both ends are included, as in VPC-2009."""
+"""CSV columns for intervals of frame numbers, counted from 1. Both ends are included, as in VPC-2009."""
 SECOND_HEADER = ("start_seconds", "end_seconds", "label")
 """CSV columns for intervals in seconds from 0. The end is excluded."""
-# Both limits are above the number of frames of any footage.
+# Both limits are above the number of frames in any footage.
 _WHOLE = re.compile(r"-?[0-9]{1,10}")
 _MOST_FRAMES = 1e10
 MOST_BYTES = 16 << 20
@@ -26,7 +26,7 @@ MOST_BYTES = 16 << 20
 
 
 class Segment(NamedTuple):
-    """Frames `start` to `end`, counted from 1 and both included, with their label and the label's line."""
+    """Frames `start` to `end` (counted from 1, both included), with their label and its line in the file."""
 
     start: int
     end: int
@@ -37,10 +37,10 @@ class Segment(NamedTuple):
 def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence: str, counted: str) -> None:
     """Check that segments, in file order, cover frames 1 to `count` exactly once.
 
-    Raises PlacecatError, naming the line, if there is a gap or an overlap, if a segment ends before it starts
-    or after the last frame, or if frames at the end are unlabelled. The other parameters are for the message:
-    `file` is the label file, `sequence` is what the frames belong to (``floor 1`` or ``the video``), and
-    `counted` says where `count` comes from (``line 2``).
+    Raises PlacecatError with the line number if there is a gap or an overlap, if a segment ends before it
+    starts or after the last frame, or if frames at the end are unlabelled. The other parameters are used in
+    the message. `file` is the label file, `sequence` names what the frames belong to (``floor 1`` or
+    ``the video``), and `counted` says where `count` comes from (``line 2``).
     """
     if not segments:
         raise PlacecatError(f"{file}: {sequence} has no labels; label its frames 1 to {count}.")
@@ -60,7 +60,9 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
             )
         if segment.start <= last:
             before = (
-                f"line {segments[number - 1].line} ends at frame {last}" if number else "frames count from 1"
+                f"line {segments[number - 1].line} ends at frame {last}"
+                if number
+                else "frame numbers start at 1"
             )
             raise PlacecatError(
                 f"{where}: the segment starts at frame {segment.start}, but {before} (an overlap); start it "
@@ -81,9 +83,9 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
 
 
 def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.int32]]:
-    """Expand segments that `check_segments` has accepted into one label per frame.
+    """Expand segments accepted by `check_segments` into one label per frame.
 
-    Returns each frame's label and its segment's line, (frames,) int32.
+    Returns the label of each frame, and the line of its segment, (frames,) int32.
     """
     lengths = [segment.end - segment.start + 1 for segment in segments]
     labels = [segment.label for segment, length in zip(segments, lengths, strict=True) for _ in range(length)]
@@ -91,10 +93,10 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
 
 
 def label_csv(root: Path, *names: str) -> str | None:
-    """Find the label file that has one of these names, which end with ``.csv`` and are relative to `root`.
+    """Find the label file with one of the given names, which end with ``.csv`` and are relative to `root`.
 
-    Returns its relative path as it is spelled on disk, where the suffix may be in upper or lower case.
-    Returns None if there is no such file. Raises PlacecatError if there are several.
+    Returns its relative path as spelled on disk, or None if there is no such file. The suffix may be in upper
+    or lower case. Raises PlacecatError if there are several.
     """
     found: list[Path] = []
     for wanted in (root / name for name in names):
@@ -108,9 +110,9 @@ def label_csv(root: Path, *names: str) -> str | None:
 class Labels(NamedTuple):
     """The labels of n frames, and where they come from.
 
-    `names` has the label of each frame, or "" for none. `lines`, (n,) int32, has the line of each label in
-    the label file, or 0 for none. `file` is the path of that file relative to the folder of the homes, or
-    None.
+    `names` contains the label of each frame, or "" for none. `lines`, (n,) int32, contains the line of each
+    label in the label file, or 0 for none. `file` is the path of that file relative to the folder of the
+    homes, or None.
     """
 
     names: list[str]
@@ -133,15 +135,15 @@ def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str)
 def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str], NDArray[np.int32]]:
     """Read the UTF-8 label CSV of a video or a folder of frames.
 
-    With the header ``start,end,label``, the rows hold frame numbers from 1, and both ends are included. With
-    the header ``start_seconds,end_seconds,label``, the rows hold times from 0. A time selects the nearest
-    boundary between frames, so a few decimals are enough. Every frame must be in exactly one row.
+    With the header ``start,end,label``, the rows contain frame numbers from 1, and both ends are included.
+    With the header ``start_seconds,end_seconds,label``, the rows contain times from 0. A time selects the
+    nearest boundary between frames, so a few decimal places are enough. Every frame must be in exactly one
+    row.
 
-    `timing` covers all frames. Messages call the frames `sequence`, which is ``the video`` or ``the folder``.
-    Returns the label of each frame without surrounding spaces, and the line numbers of the frames' rows,
-    (frames,) int32. Raises
-    PlacecatError, naming the line, if the header, a number or a label is wrong, or if a frame is in no row or
-    in several.
+    `timing` covers all frames. Messages refer to the frames as `sequence`, such as ``the video`` or
+    ``the folder``. Returns the label of each frame without surrounding spaces, and the line number of its
+    row, (frames,) int32. Raises PlacecatError with the line number if the header, a number or a label is
+    wrong, or if a frame is in no row or in several rows.
     """
     rows = read_rows(path)
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
@@ -171,7 +173,7 @@ def read_text(path: Path) -> str:
     """Read a UTF-8 label file, without its byte order mark.
 
     Invalid bytes become U+FFFD, because some real files end with free text in another encoding. Raises
-    PlacecatError if the file is missing, too large, empty, UTF-16, or cannot be opened.
+    PlacecatError if the file is missing, too large, empty or UTF-16, or if it cannot be opened.
     """
     try:
         if path.is_file() and path.stat().st_size > MOST_BYTES:
@@ -194,8 +196,8 @@ def read_text(path: Path) -> str:
 def read_rows(path: Path) -> list[tuple[int, list[str]]]:
     """Read the line number and cells of each non-empty row of a CSV file.
 
-    Raises PlacecatError in the same cases as `read_text`. Also raises it, and names the line, if the file is
-    not UTF-8 or not a CSV file.
+    Raises PlacecatError in the same cases as `read_text`. If the file is not UTF-8 or not valid CSV, the
+    PlacecatError names the line.
     """
     lines = read_text(path).splitlines()
     for number, line in enumerate(lines, start=1):
@@ -213,9 +215,9 @@ def read_rows(path: Path) -> list[tuple[int, list[str]]]:
 
 
 def whole(text: str, path: Path, line: int) -> int:
-    """Read a whole number: up to ten digits with an optional minus sign.
+    """Read a whole number with up to ten digits and an optional minus sign.
 
-    For any other text, raises a PlacecatError that names `path` and `line`.
+    Raises a PlacecatError that names `path` and `line` for any other text.
     """
     if not _WHOLE.fullmatch(text):
         raise PlacecatError(f"{path} line {line}: {shown(text)} is not a whole number; write a frame number.")
@@ -223,7 +225,7 @@ def whole(text: str, path: Path, line: int) -> int:
 
 
 def shown(text: str) -> str:
-    """Quote text from a file for a message; long text is shortened."""
+    """Quote text from a file for a message, and shorten long text."""
     return repr(text) if len(text) <= 80 else f"{text[:80]!r}... ({len(text)} characters)"
 
 
@@ -257,7 +259,7 @@ def _boundary(seconds: float, starts: NDArray[np.float64], fps: float) -> int:
     Beyond the last frame, further frames are assumed at the rate `fps`.
     """
     if seconds > starts[-1]:
-        # Assume frames for one more day at most.
+        # Assume at most one more day of frames.
         return len(starts) - 1 + math.floor(min(seconds - float(starts[-1]), 86400.0) * fps + 0.5)
     after = int(np.searchsorted(starts, seconds))
     return after - 1 if after and seconds - starts[after - 1] < starts[after] - seconds else after

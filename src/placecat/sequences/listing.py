@@ -1,4 +1,4 @@
-"""Read a home's frames and labels, as listed by the `sequences` stage."""
+"""Read the frames and labels of a home, as listed by the `sequences` stage."""
 
 from itertools import pairwise
 from typing import Any
@@ -11,7 +11,7 @@ from placecat import files, paths
 
 
 def read_labels(home: str) -> NDArray[np.int16]:
-    """Return the class index of each frame of a home in time order, (frames,); -1 if it is unlabelled."""
+    """Return the class indices of a home's frames in time order, (frames,); -1 for unlabelled frames."""
     return files.read_table(paths.sequences(home) / "labels.csv")["class"].to_numpy(np.int16)
 
 
@@ -23,7 +23,7 @@ def read_frames(home: str) -> pd.DataFrame:
 
 
 def sequence_slices(home: str) -> list[slice]:
-    """Return one slice of a home's frames for each of its sequences, which may be floors."""
+    """Return one slice of frames for each sequence of a home, such as each floor."""
     names = read_frames(home)["sequence"].to_numpy()
     cuts = np.flatnonzero(names[1:] != names[:-1]) + 1
     return [slice(start, end) for start, end in pairwise([0, *cuts.tolist(), len(names)])]
@@ -35,7 +35,7 @@ def frame_rate(home: str) -> float:
 
 
 def uneven_times(home: str) -> NDArray[np.float64] | None:
-    """Return each frame's seconds since the start of its sequence; None if the frame rate is constant."""
+    """Return each frame's time in its sequence, in seconds, or None if the frame rate is constant."""
     return None if _facts(home).get("is_even", True) else read_frames(home)["seconds"].to_numpy(np.float64)
 
 

@@ -22,15 +22,15 @@ def place_labels(
     """Convert label names to class numbers, (len(labels),) int16; unlabelled frames get -1.
 
     Frames without a label, or with a label in `ignored` (``transition``, ``corridor``, ...), stay in the
-    sequence as unlabelled frames. They are neither scored nor trained on, but the smoothing filter does not
-    skip them (thesis 3.3.2). Raises PlacecatError if a label is neither a class nor an ignored label nor an
-    alias, or if an alias stands for neither a class nor an ignored label.
+    sequence as unlabelled frames. They are not used for scoring or training, but the smoothing filter does
+    not skip them (thesis 3.3.2). Raises PlacecatError if a label is not a class, an ignored label or an
+    alias, or if an alias does not stand for a class or an ignored label.
 
     Parameters
     ----------
     labels
-        The ``label`` column of `Home.frames`, or some of its rows with their index. A missing value counts as
-        an empty label, because pandas reads empty cells as missing values.
+        The ``label`` column of `Home.frames`, or some of its rows with their index. A missing value is
+        treated as an empty label, because pandas reads empty cells as missing values.
     classes, ignored
         The classes, numbered by their position, and the labels that have no class.
     aliases
@@ -60,17 +60,18 @@ def place_labels(
 
 
 def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str) -> None:
-    """Check that a home has frames of every class; the PlacecatError lists the classes without frames.
+    """Check that a home has frames of every class.
 
-    `labels` is (frames,) int16 from `place_labels`; `home` is its name, for messages.
+    `labels` is (frames,) int16 from `place_labels`, and `home` is the name of the home. Raises PlacecatError
+    with the names of the missing classes.
     """
     present = np.bincount(labels[labels >= 0], minlength=len(classes)) > 0
     absent = [name for name, there in zip(classes, present, strict=True) if not there]
     if absent:
         raise PlacecatError(
             f"{home}: no frame is labelled {' or '.join(absent)}; label some, remove the home from "
-            "dataset.homes or the class from dataset.classes, or set dataset.require_all_classes=false, "
-            "which scores the home over the classes that it has."
+            "dataset.homes or the class from dataset.classes, or set dataset.require_all_classes=false "
+            "to score the home only on the classes that it has."
         )
 
 

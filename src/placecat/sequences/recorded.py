@@ -1,4 +1,4 @@
-"""Homes that consist of recordings (videos or bags), each of which is a sequence."""
+"""Homes that consist of recordings (videos or bags), with one sequence per recording."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -21,7 +21,7 @@ def home_of(name: str, root: Path, camera: str, parts: Iterable[Part], kind: str
     """Decode all frames of a home's recordings to find the lost ones, and list the rest.
 
     A lost frame has no row but keeps its number, because labels refer to frame numbers. The frame rate of the
-    home is the median of the recordings' rates. Messages call a recording `kind`, which is ``video`` or
+    home is the median rate of its recordings. Messages refer to a recording as `kind`, which is ``video`` or
     ``bag``. Raises PlacecatError if no frame of a recording can be decoded, or if frames differ in size.
     """
     rates, tables, lines, label_files = [], [], [], {}

@@ -1,8 +1,9 @@
 """Robot@Home2: the database ``rh.db`` and the pictures in ``files/rgbd``, as unpacked from the archive.
 
 A robot with four cameras drove through five homes. A home has one sequence per session, with the frames of
-one camera in order of time. The label of a frame is the type of its room, such as ``livingroom``; the data
-set's setting ``aliases`` maps each type to a class. Recordings of several rooms have the type ``fullhouse``.
+one camera in time order. The label of a frame is the type of its room, such as ``livingroom``. The setting
+``aliases`` of the data set maps each type to a class. Recordings of several rooms have the type
+``fullhouse``.
 
 References
 ----------
@@ -28,11 +29,11 @@ from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
 DATABASE, PICTURES = "rh.db", "files/rgbd"
 OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
-"""The tables for each value of `observations`: only frames with labelled objects, or all frames, even those
-that were discarded."""
+"""The tables for each value of `observations`. ``labelled`` selects only frames with labelled objects, and
+``all`` also selects the other frames, even discarded ones."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
-"""Suffix of colour pictures; other files hold depth and labels."""
+"""Suffix of colour pictures; other files contain depth and labels."""
 TICKS = 10_000_000
 """Ticks per second of the clock in the database."""
 
@@ -54,7 +55,7 @@ _TABLES: dict[str, Columns] = {
 
 
 class _Observation(NamedTuple):
-    """A frame: its session, time, number in the database, room type ("" for none), and picture."""
+    """A frame, with its session, time, number in the database, room type ("" for none), and picture."""
 
     session: str
     ticks: int
@@ -75,7 +76,7 @@ def read_home(
     database: str = DATABASE,
     pictures: str = PICTURES,
 ) -> Home:
-    """Read the frames of one camera in one home, with a sequence per session.
+    """Read the frames of one camera in one home, with one sequence per session.
 
     See `placecat.sequences.open_home`.
 
@@ -91,8 +92,8 @@ def read_home(
     turn
         Clockwise rotation of the pictures in degrees.
     longest_gap
-        Longest time between two frames of a session, in seconds; longer gaps (between rooms) are shortened to
-        this time.
+        Longest time between two frames of a session, in seconds. Longer gaps occur between rooms and are
+        shortened to this time.
     database, pictures
         Paths of the database and of the folder with colour pictures, relative to `root`.
     """
@@ -109,7 +110,7 @@ def read_home(
         )
     if not frames:
         raise PlacecatError(
-            f"{file}: {name} has no frame of the camera {camera} in {' or '.join(tables)}; choose another "
+            f"{file}: {name} has no frames of camera {camera} in {' or '.join(tables)}; choose another "
             "dataset.camera or dataset.observations."
         )
     sources = [f"{pictures}/{one.picture}" for one in frames]
@@ -123,7 +124,7 @@ def read_home(
 
 
 def _number(rows: Iterable[tuple[int, str]], name: str, missing: str, setting: str) -> int:
-    """Look up the number of a name in a table's rows."""
+    """Look up the number that belongs to a name in the rows of a table."""
     numbers = {named: number for number, named in rows}
     if name not in numbers:
         question, there = did_you_mean(name, numbers), shown(", ".join(numbers))
@@ -143,7 +144,7 @@ def _observations(data: SqliteFile, file: Path, table: str, home: int, sensor: i
     for number, session, room, ticks, *_ in data.rows(table, home_id=home, sensor_id=sensor):
         where = f"{file}: observation {number} of {table}"
         if number not in pictures:
-            # rh_raw repeats labelled observations, but FILES lists their pictures by their numbers in
+            # rh_raw repeats the labelled observations, but FILES lists their pictures under the numbers from
             # rh_lblrgbd.
             if table == "rh_raw":
                 continue
@@ -167,7 +168,7 @@ def _known(named: Mapping[int, Any], number: int, where: str, table: str) -> Any
 def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], list[float], float | None]:
     """Return each frame's number and time in its session, and the frame rate from the median step.
 
-    Times are in seconds. The rate is None if there is no step.
+    Times are in seconds. The rate is None if there are no steps.
     """
     # Whole ticks are exact; seconds since 1601 are not.
     longest = round(longest_gap * TICKS)

@@ -1,4 +1,4 @@
-"""Read untrusted SQLite files in read-only mode, and check their tables and the types of values."""
+"""Read untrusted SQLite files in read-only mode, and check their tables and the types of their values."""
 
 import sqlite3
 from collections.abc import Iterator, Mapping
@@ -49,7 +49,7 @@ def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
     for ending in ("-journal", "-wal"):
         if Path(f"{path}{ending}").exists():
             raise PlacecatError(
-                f"{path}: a program is writing to it, or was stopped while it wrote ({path.name}{ending}); "
+                f"{path}: a program is writing to it, or was stopped while writing ({path.name}{ending}); "
                 "close the program, or restore the file."
             )
     try:
@@ -65,7 +65,7 @@ def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
 
 
 def _check(path: Path, connection: sqlite3.Connection, tables: Mapping[str, Columns]) -> None:
-    # Ignore views: a malicious view may never finish.
+    # Ignore views, because a malicious view may run forever.
     there = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     for table, columns in tables.items():
         if table not in there:

@@ -28,7 +28,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
     videos = by_name(path for path in beside if path.stem == wanted.name)
     if not videos:
         raise PlacecatError(
-            f"{wanted}: there is no video of this name ({', '.join(SUFFIXES)}); correct dataset.homes."
+            f"{wanted}: there is no video with this name ({', '.join(SUFFIXES)}); correct dataset.homes."
         )
     recording = Recording(videos[wanted.name])
     timing = recording.timing(None if fps is None else frame_rate(fps, name))

@@ -1,9 +1,9 @@
 """The VPC-2009 home database: ``HomeN/<floor>/%08d.jpg`` and ``HomeN/label.txt``.
 
-For each floor in turn, the label file lists the folder, the number of frames, the segments, and an end line.
-A segment is a line ``first last label``. Its frames are counted from 1 on every floor, and both ends are
-included. A second end line ends the labels, and free text may follow. Columns are separated by spaces or
-tabs.
+For each floor, the label file lists the folder, the number of frames, the segments, and an end line. A
+segment is a line ``first last label``. Frame numbers start at 1 on every floor, and segments include both
+ends. A second end line marks the end of the labels, and free text may follow. Columns are separated by spaces
+or tabs.
 
 References
 ----------
@@ -31,7 +31,7 @@ _FRAME = re.compile(r"([0-9]{1,10})\.jpe?g", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Floor:
-    """A floor: its folder, its declared number of frames, the line of that number, and its segments."""
+    """A floor, with its folder, its declared number of frames, the line of that number, and its segments."""
 
     name: str
     count: int
@@ -63,7 +63,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
 def read_floors(file: Path) -> list[Floor]:
     """Read the floors of a ``label.txt`` in file order; there is at least one.
 
-    Raises PlacecatError, naming the line, if anything but floors precedes the second end line.
+    Raises PlacecatError with the line number if anything other than floors precedes the second end line.
     """
     floors: list[Floor] = []
     name, count, count_line = "", 0, 0
@@ -124,7 +124,7 @@ def _images(folder: Path, floor: Floor, file: Path) -> list[str]:
         number = int(match[1]) if match else 0
         if number < 1 or number in found:
             what = (
-                f"is the same frame as {found[number]}" if number in found else "has no frame number from 1"
+                f"is the same frame as {found[number]}" if number in found else "has no frame number above 0"
             )
             raise PlacecatError(f"{path / image} {what}; rename or remove it.")
         found[number] = image

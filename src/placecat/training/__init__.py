@@ -1,1 +1,1 @@
-"""Plan which frames train a system, and train and apply systems according to such plans."""
+"""Plan which frames train a system, and train and apply systems according to these plans."""

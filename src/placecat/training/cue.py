@@ -43,7 +43,7 @@ class Cue:
 
 @dataclass(frozen=True)
 class TrainingFrames:
-    """The n training frames, part by part: their descriptors, classes (n,) and sequence names (n,)."""
+    """Descriptors, classes (n,) and sequence names (n,) of the n training frames, part by part."""
 
     described: Descriptors
     truth: NDArray[np.int16]
@@ -54,7 +54,7 @@ class TrainingFrames:
 class TrainedCue:
     """A trained cue, with the classes and sequence names of its training frames.
 
-    `cross_validated` holds (n, n_classes) distributions for these frames from
+    `cross_validated` contains (n, n_classes) distributions for these frames from
     :func:`placecat.cues.cross_validate`, or is None.
     """
 
@@ -89,7 +89,7 @@ class TrainedCue:
 def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> TrainingFrames:
     """Read the parts' chosen frames, in order.
 
-    Raises the errors of :func:`placecat.training.store.read_descriptors`.
+    Raises the same errors as :func:`placecat.training.store.read_descriptors`.
     """
     chosen = {part.home: part.chosen() for part in parts}
     rows = {home: frames for home, (frames, _) in chosen.items()}
@@ -106,8 +106,8 @@ def cluster(
     """Cluster a cue's training frames.
 
     The seed of the clustering is derived from the plan, the cue, and `seed`, which is one of
-    ``protocol.seeds``. `numbers` are the numbers of clusters that will be used; None means those in the
-    settings of the codebook.
+    ``protocol.seeds``. `numbers` are the numbers of clusters that will be used. None means the numbers in the
+    codebook settings.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]
@@ -131,7 +131,8 @@ def fit(
     """Train a cue on frames, with a codebook if it needs one.
 
     With `cross_validate`, the frames of each sequence are also predicted, by a cue that was trained on the
-    other sequences. `classes` are the names of the places. Raises the errors of :func:`placecat.cues.fit`.
+    other sequences. `classes` are the names of the places. Raises the same errors as
+    :func:`placecat.cues.fit`.
     """
     data = frames.described, frames.truth, frames.home_of_frame
     options: dict[str, Any] = {"classifier": cue.classifier, "classes": classes, "codebook": codebook}
@@ -150,8 +151,8 @@ def train(
 ) -> TrainedCue:
     """Train a cue according to a plan: read the plan's frames, cluster them if needed, and learn.
 
-    `seed` and `numbers` are as in :func:`cluster`, and are not needed without clusters. `cross_validate` is
-    as in :func:`fit`. Raises the errors of :func:`read_frames` and :func:`fit`.
+    `seed` and `numbers` are as in :func:`cluster`. They are not needed without clusters. `cross_validate` is
+    as in :func:`fit`. Raises the same errors as :func:`read_frames` and :func:`fit`.
     """
     frames = read_frames(plan.cues, cue.descriptor)
     codebook = None

@@ -39,7 +39,7 @@ def write(path: Path, arrays: Mapping[str, NDArray[Any]], facts: Mapping[str, An
 
 
 def has(path: Path, name: str) -> bool:
-    """Return whether the file exists and has an array of this name."""
+    """Return whether the file exists and contains an array with this name."""
     if not path.exists():
         return False
     with np.load(path, allow_pickle=False) as archive:

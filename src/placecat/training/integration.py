@@ -41,8 +41,8 @@ def fuse(
 ) -> integrate.Trained:
     """Train an integration on `parts`.
 
-    `outputs` has one dictionary per cue, which maps the name of each part to the distributions for the part's
-    chosen frames. `classes` are the names of the places. The other parameters are as in
+    `outputs` has one dictionary per cue. It maps the name of each part to the distributions for the chosen
+    frames of that part. `classes` are the names of the places. The other parameters are as in
     :func:`placecat.fusion.integrate.fit`.
     """
     train = {part.home: np.stack([proba[part.home] for proba in outputs], axis=1) for part in parts}
@@ -60,8 +60,8 @@ def fit_smoothing(
 ) -> smoothing.SmoothingModel:
     """Fit the smoothing: estimate its statistics on the frames of `parts`.
 
-    `proba` holds (n, n_classes) cross-validated distributions for the frames of the parts, and `truth` holds
-    the classes of these frames, (n,). `options` are as in :func:`placecat.fusion.smoothing.fit`.
+    `proba` contains (n, n_classes) cross-validated distributions for the frames of the parts, and `truth`
+    contains the classes of these frames, (n,). `options` are as in :func:`placecat.fusion.smoothing.fit`.
     """
     walks, rates = training_walks(parts)
     return smoothing.fit(walks, proba, truth, proba.shape[1], training_frame_rates=rates, **options)
@@ -84,7 +84,7 @@ def apply_smoothing(
 
 
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
-    """Return the labels and the frame rate of each stretch between cuts, for counting transitions.
+    """Return the labels and the frame rate of each sequence, for counting transitions.
 
     If frames have uneven times, they are resampled as if a camera had recorded them at this frame rate.
     """

@@ -18,9 +18,9 @@ from placecat.training import protocol
 class Part:
     """Frames of one sequence.
 
-    `home` names the sequence, as in :func:`placecat.paths.sequences`. `numbers` has the class index of each
-    place in the sequence's data set, or -1 if the place does not count. `offset` and `step` select frames;
-    see :func:`placecat.training.protocol.select_frames`.
+    `home` names the sequence, as in :func:`placecat.paths.sequences`. `numbers` contains the class index of
+    each place in the data set of the sequence, or -1 if the place does not count. `offset` and `step` select
+    frames; see :func:`placecat.training.protocol.select_frames`.
     """
 
     home: str
@@ -38,7 +38,7 @@ class Part:
         return np.array([*self.numbers, -1], dtype=np.int16)[listing.read_labels(self.home)]
 
     def chosen(self) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
-        """Return the ascending indices (n,) and the classes (n,) of the chosen frames; each has a class."""
+        """Return the ascending indices (n,) and the classes (n,) of the chosen frames. All have a class."""
         labels = self.labels()
         rows = protocol.select_frames(labels, offset=self.offset, step=self.step)
         return rows, labels[rows]
@@ -49,10 +49,10 @@ class Plan:
     """The training sequences and the tested sequences.
 
     `classes` are the names of the places, and `dataset` is the name of the data set. The parts in `cues`
-    train codebooks, scalings and cues. Those in `integration` train the integration and the smoothing. If a
-    system asks for it, those in `extra` also train the integration (thesis 4.5). No trained component has
-    seen the parts in `tested`. `left_out` has the homes that do not train the cues, or is None for a fixed
-    split.
+    train codebooks, scalings and cues. Those in `integration` train the integration and the smoothing. Those
+    in `extra` also train the integration if a system uses additional data (thesis 4.5). No trained component
+    has seen the parts in `tested`. `left_out` lists the homes that do not train the cues, or is None for a
+    fixed split.
     """
 
     classes: tuple[str, ...]
@@ -87,7 +87,7 @@ def of_homes(
     *,
     extra: bool = False,
 ) -> list[Plan]:
-    """Plan one fold of the main data set for each home of `tested`, as in :func:`of_release`.
+    """Plan one fold of the main data set for each home in `tested`, as in :func:`of_release`.
 
     `tested` is as in :func:`placecat.training.protocol.tested_homes`.
     """
@@ -100,7 +100,7 @@ def of_release(
 ) -> Plan:
     """Plan a system for other footage: test the homes in `without`, and train on all others.
 
-    `params` holds all settings; `scheme`, `without` and the errors are as in
+    `params` contains all settings; `scheme`, `without` and the errors are as in
     :func:`placecat.training.protocol.training_homes`. `extra` adds the sequences of ``protocol.extra``.
     """
     cues, integration = protocol.training_homes(settings.get(params, "dataset.homes"), scheme, without)
@@ -119,13 +119,13 @@ def of_release(
 
 
 def without_homes(params: Mapping[str, Any], tested: Sequence[str]) -> Plan:
-    """Plan a test on the homes `tested` after training on all others."""
+    """Plan a test on the homes in `tested` after training on all others."""
     homes = [home for home in settings.get(params, "dataset.homes") if home not in tested]
     return _of_main(params, homes, homes, tested, tuple(tested))
 
 
 def of_split(params: Mapping[str, Any], split: str) -> Plan:
-    """Plan a fixed split; it may train on only some places of a sequence (thesis 4.9 and 4.10)."""
+    """Plan a fixed split, which may train on only some places of a sequence (thesis 4.9 and 4.10)."""
     own = settings.get(params, f"splits.{split}")
     classes = own["dataset"]["classes"]
 
@@ -148,9 +148,9 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
 
 
 def on_training_homes(plan: Plan) -> list[Plan]:
-    """For each training home, plan a test on this home after training on the plan's other training homes.
+    """Plan to test each training home after training on the other training homes of `plan`.
 
-    The sequence that the plan itself tests is not used.
+    The tested sequence of `plan` is not used.
     """
     training = [part for part in plan.cues if part.home != plan.test]
     return [

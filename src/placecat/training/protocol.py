@@ -1,4 +1,4 @@
-"""Choose training and test homes by the protocols 5-5-1 and 4-5-1 (thesis 4.5), for any number of homes."""
+"""Choose training and test homes with protocol 5-5-1 or 4-5-1 (thesis 4.5), for any number of homes."""
 
 from collections.abc import Sequence
 
@@ -78,10 +78,10 @@ def least_homes(scheme: str) -> int:
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:
     """Take every `step`-th frame from `offset` on, and return the indices of those that are labelled.
 
-    `labels` are (frames,) class indices, or -1 for unlabelled frames. The returned indices, (n,), ascend. The
-    step counts all frames, and unlabelled frames are dropped afterwards. Selections with the same step and
-    different offsets therefore never share a frame (thesis 4.2 and 4.5). Raises PlacecatError unless `offset`
-    is at least 0 and less than `step`.
+    `labels` are (frames,) class indices, or -1 for unlabelled frames. The returned indices, (n,), are in
+    ascending order. The step counts all frames, and unlabelled frames are dropped afterwards. Selections with
+    the same step and different offsets therefore never share a frame (thesis 4.2 and 4.5). Raises
+    PlacecatError unless `offset` is at least 0 and less than `step`.
     """
     if not 0 <= offset < step:
         raise PlacecatError(

@@ -1,4 +1,4 @@
-"""Read saved results of cues and systems, to train on them."""
+"""Read saved results of cues and systems as training data."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -18,7 +18,7 @@ from placecat.training.plan import Part, Plan
 class CueResults:
     """Results of a system's cues, as saved by the `cues` stage for one test home and one seed.
 
-    `system` holds the settings of the system, and `test` is the test home. `seed` is one of
+    `system` contains the settings of the system, and `test` is the test home. `seed` is one of
     ``protocol.seeds``, or None if no cue has clusters.
     """
 
@@ -54,7 +54,7 @@ class CueResults:
     def training(
         self, plan: Plan, parts: Sequence[Part], method: str
     ) -> list[dict[str, NDArray[np.float64]]]:
-        """Return the same as `outputs`, for the parts that train an integration (see `fused_parts`).
+        """Like `outputs`, but for the parts that train an integration (see `fused_parts`).
 
         If the method learns from held-out frames, the distributions come from cues that have not seen the
         part.

@@ -1,4 +1,4 @@
-"""Read a home's descriptors, which the stages `features` and `tracks` write."""
+"""Read the descriptors of a home, as written by the stages `features` and `tracks`."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -31,7 +31,7 @@ def read_descriptors(
         path = folder / f"{name}.npy"
         if not path.exists():
             raise PlacecatError(
-                f"{path} is missing: name the descriptor in a file of conf/cue, then run `placecat params` "
+                f"{path} is missing: add the descriptor to a file in conf/cue, then run `placecat params` "
                 "and `dvc repro`"
             )
         array = files.read_array(path)
@@ -74,9 +74,7 @@ def folder_of(home: str, descriptor: Mapping[str, Any]) -> Path:
 def _described(folder: Path) -> NDArray[np.int64]:
     path = folder / paths.VARIANT_FRAMES
     if not path.is_file():
-        raise PlacecatError(
-            f"{path} is missing: name the variant in conf/region_variants and run `dvc repro`"
-        )
+        raise PlacecatError(f"{path} is missing: add the variant to conf/region_variants and run `dvc repro`")
     return files.read_array(path, memory_map=False)
 
 

@@ -80,8 +80,8 @@ class Trained:
 def train(plan: Plan, system: System, seed: int) -> Trained:
     """Train a system according to a plan, with its cues in parallel.
 
-    `seed` is the seed of the clusterings; it is one of ``protocol.seeds``. Raises PlacecatError for missing
-    features or invalid settings.
+    `seed` is the seed for clustering, one of ``protocol.seeds``. Raises PlacecatError for missing features or
+    invalid settings.
     """
     method = system.integrator["method"]
     parts = fused_parts(plan, method=method, extra=system.extra)
@@ -104,7 +104,7 @@ def train(plan: Plan, system: System, seed: int) -> Trained:
 def _train_cue(
     plan: Plan, cue: Cue, seed: int, parts: Sequence[Part] | None, tempered: bool
 ) -> tuple[TrainedCue, Probabilities, float]:
-    """Train one cue; return it, its distributions for the integration's frames, and its temperature.
+    """Train one cue, and return it with its distributions for the integration and its temperature.
 
     If `parts` is None, the integration trains on the frames that the cue was cross-validated on.
     """

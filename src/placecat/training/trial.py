@@ -1,4 +1,4 @@
-"""Try cues: train them according to a plan, and count their decisions on the tested sequence."""
+"""Train cues according to a plan, and count their decisions on the tested sequence."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -26,7 +26,7 @@ def of_settings(settings: Mapping[str, Any]) -> Cue:
 
 
 def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
-    """Train cues that share a descriptor and clusters; count their decisions on the tested sequence.
+    """Train cues that share a descriptor and clusters, and count their decisions on the tested sequence.
 
     Parameters are as in :func:`predict`.
     """
@@ -39,11 +39,12 @@ def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
 
 
 def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[np.int16], list[Prediction]]:
-    """Train cues that share a descriptor and codebook settings; predict the plan's only tested sequence.
+    """Train cues that share a descriptor and codebook settings, and apply them to the tested sequence.
 
-    Returns the true classes of the scored frames, and the distributions of each cue for these frames. The
-    labelled frames of the sequence are scored; with a region variant, only those that have a descriptor.
-    `seed` is one of ``protocol.seeds``, or None without clusters.
+    The plan must have exactly one tested sequence. Returns the true classes of the scored frames, and the
+    distributions of each cue for these frames. The labelled frames of the sequence are scored. With a region
+    variant, only those that have a descriptor are scored. `seed` is one of ``protocol.seeds``, or None
+    without clusters.
     """
     descriptor = cues[0].descriptor
     frames = read_frames(plan.cues, descriptor)
