@@ -106,7 +106,7 @@ def test_a_nu_without_margin_is_raised_or_refused():
     assert model.nu_ == pytest.approx(0.8)
     assert np.isfinite(model.dual_coef_).all()
     assert model.predict([[1.0, 1.0], [-1.0, 1.0]]).tolist() == [0, 1]
-    with pytest.raises(PlacecatError, match=r"nu = 0\.2 leaves no margin.*use a nu nearer 1"):
+    with pytest.raises(PlacecatError, match=r"nu = 0\.2 leaves no margin.*use a nu closer to 1"):
         NuSVM(gamma=1.0, nu=0.2, nu_policy="refuse").fit(X, y)
 
 

@@ -77,14 +77,14 @@ class Problem:
 class FittedProblem:
     """The fitted machines for one two-class problem, and their outputs for held-out samples."""
 
-    #: Fitted base classifiers: one for all members, or one per home left out, whose probabilities are
-    #: averaged.
+    #: Fitted base classifiers: one fitted on all members, or one per home left out. The probabilities of the
+    #: latter are averaged.
     machines: list[Any]
     #: (machines, 2): A <= 0 and B in p = 1 / (1 + exp(A d + B)).
     sigmoids: NDArray[np.float64]
     #: (n,) held-out p(o|x).
     outputs: NDArray[np.float64]
-    #: nu of each machine that leaves out a part; NaN if the base classifier has no nu.
+    #: nu of each machine that leaves out a part, or NaN if the base classifier has no nu.
     nu: NDArray[np.float64]
     #: Number of sigmoids that are flat because the decision values were uninformative or reversed.
     flat: int
@@ -98,7 +98,7 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
     y
         (n,) class indices, where each class occurs at least twice.
     groups
-        (n,) home of each sample, or None. Raises PlacecatError if `kind` needs homes but there is not exactly
+        (n,) home of each sample, or None. Raises PlacecatError if `kind` needs homes and there is not exactly
         one per sample.
     kind
         The `kind` of a :class:`Calibration`. If it holds out homes but there is only one home, consecutive
@@ -149,8 +149,9 @@ def fit_problems(
     Each (problem, fold) pair is a separate task, so that threads can share the work.
 
     The training part of a fold may lack positives or negatives, for example if only one home has the class.
-    Then a warning is logged, and stratified parts of consecutive samples are held out instead. `shared` comes
-    from ``base.prepare``, and `folds` comes from :func:`make_folds`. `base` itself is not fitted.
+    In that case, a warning is logged, and stratified parts of consecutive samples are held out instead.
+    `shared` comes from ``base.prepare``, and `folds` comes from :func:`make_folds`. `base` itself is not
+    fitted.
     """
     n = len(problems[0].positive)
     everything = np.arange(n)
@@ -177,7 +178,7 @@ def fit_problems(
         fitted.append(FittedProblem(kept, sigmoids, outputs, nu, flat))
     flat_names = [problem.name for problem, one in zip(problems, fitted, strict=True) if one.flat]
     if flat_names:
-        # A stage may have thousands of these, so the caller logs one warning with their total.
+        # A stage may log thousands of these messages, so the caller logs one warning with the total.
         logger.info(
             "the held-out decision values of %s are uninformative or reversed, so the sigmoid is flat",
             ", ".join(flat_names),
@@ -209,8 +210,8 @@ def _fit_missing(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int
 def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
     """Make decision values comparable between machines that each leave out a different home.
 
-    `values` and the result have one array per home. Each array is shifted so that its mean equals the average
-    of all the arrays' means, which is the expected mean for an unseen home.
+    `values` and the result have one array per home. Each array is shifted to the same mean, which is the
+    average of the original means. This is the expected mean for an unseen home.
 
     Examples
     --------

@@ -28,10 +28,10 @@ class FlatKMeans(BaseEstimator):
     numbers : sequence of int
         Numbers of clusters to compute.
     max_iter : int
-        Maximum number of Lloyd iterations, which the thesis does not give. The default is 11, as in the
+        Maximum number of Lloyd iterations. The thesis does not specify this. The default, 11, is that of
         hierarchical clustering, so that the two differ only in the hierarchy.
     seed : int
-        Random seed, at least 0. Random draws are independent for each number of clusters.
+        Random seed, at least 0. The random draws for each number of clusters are independent.
 
     Attributes
     ----------

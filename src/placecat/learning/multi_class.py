@@ -1,4 +1,4 @@
-"""Common base class of the multi-class schemes, which have a two-class classifier p(o_k|x) per class."""
+"""Base class of the multi-class schemes, which have a two-class classifier p(o_k|x) per class."""
 
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
@@ -54,7 +54,7 @@ class MultiClass:
         y
             (n,) labels, where every class occurs at least twice.
         groups
-            (n,) home of each sample. It is needed if the calibration holds out homes.
+            (n,) home of each sample. Required if the calibration holds out homes.
         class_names
             Name of each integer label, for messages only.
 
@@ -134,11 +134,11 @@ class MultiClass:
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Return the final fits, where a subclass may fit some problems again."""
+        """Return the final fits. A subclass may refit some problems."""
         return fitted
 
     def _fit_combination(self, index: NDArray[np.intp]) -> None:
-        """Fit the combination, where `index` holds the class index of each sample."""
+        """Fit the combination. `index` contains the class index of each sample."""
 
 
 def encode_classes(

@@ -18,8 +18,8 @@ KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 class KernelScaling(TransformerMixin, BaseEstimator):
     """Scale descriptors so that the same gamma suits descriptors of any unit and length.
 
-    The thesis gives gamma = 2 but not its scale. In the following list of kinds, m is the resulting mean of
-    ||x - y||^2 over pairs of different training samples, and D is the number of dimensions that vary:
+    The thesis specifies gamma = 2 but not its scale. In the following list of kinds, m is the resulting mean
+    of ||x - y||^2 over pairs of different training samples, and D is the number of dimensions that vary:
 
     - ``none``: leave x unchanged.
     - ``minmax``: scale each dimension to [0, 1] on the training data; m depends on the data.
@@ -37,7 +37,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     kind
         One of the kinds above.
     gamma_scale
-        Additional factor for squared distances, > 0. With 1, the values of m above hold.
+        Additional factor for squared distances, > 0. The values of m above are for a factor of 1.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         (D,) float64, which is subtracted first.
     factor_
         (D,) float64, by which the difference is multiplied. It is 0 for a dimension that is constant in
-        training, because its test values could dominate. But ``none``, ``distance`` and ``unit`` keep
+        training, because its test values could dominate. The kinds ``none``, ``distance`` and ``unit`` keep
         constant dimensions.
     n_features_in_
         D.

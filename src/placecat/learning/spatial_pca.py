@@ -1,4 +1,4 @@
-"""A separate PCA for each image cell, which is plain PCA if there is only one cell."""
+"""A separate PCA for each image cell. With only one cell, this is plain PCA."""
 
 from typing import Self
 
@@ -26,12 +26,11 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     cells
         Number of equal, consecutive parts into which the D dimensions are divided.
     components
-        Number of dimensions that are kept per cell. The thesis keeps 64 of 256.
+        Number of dimensions to keep per cell. The thesis keeps 64 of 256.
     factor
-        Alternative to `components`, which keeps 1 / factor of each cell's dimensions, rounded to a whole
-        number.
+        Alternative to `components`: keep 1 / factor of each cell's dimensions, rounded to an integer.
     whiten
-        Whether to divide each component by its standard deviation. The thesis does not give this.
+        Whether to divide each component by its standard deviation. The thesis does not specify this.
 
     Attributes
     ----------

@@ -23,7 +23,7 @@ class TwoClass:
     Attributes
     ----------
     classes_
-        The two labels in sorted order, where the second is the positive class. `fit` sets this.
+        The two labels in sorted order. The second is the positive class. `fit` sets this.
     n_features_in_
         D.
     """
@@ -55,7 +55,7 @@ class TwoClass:
 
     @abstractmethod
     def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> Any:
-        """Compute in `n_jobs` threads what depends only on the (n, D) samples, for all classes and folds."""
+        """Precompute what all classes and folds share about the (n, D) samples, in `n_jobs` threads."""
 
     @abstractmethod
     def fit_rows(
@@ -76,7 +76,7 @@ class TwoClass:
         positive
             (n,) bool, true for positive samples.
         rows
-            Ascending indices of the training samples, all by default.
+            Ascending indices of the training samples. By default, all samples are used.
         context
             The problem's name in messages.
         """
@@ -108,7 +108,7 @@ class TwoClass:
 
 
 class _GenericBase(TwoClass):
-    """Adapter for any two-class classifier of scikit-learn, whose fits share no preparation."""
+    """Adapter for any two-class classifier of scikit-learn. Its fits share no preparation."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
@@ -157,7 +157,7 @@ class _GenericScorer:
 
 
 def as_two_class(base: Any) -> TwoClass:
-    """Check the settings of `base` and return it, or return an adapter if its fits share no preparation."""
+    """Check the settings of `base` and return it, or return an adapter if it has no `fit_rows`."""
     if not hasattr(base, "fit_rows"):
         return _GenericBase(base)
     check_parameters(base)
