@@ -9,7 +9,7 @@ from placecat.learning.contingency import maximum_spanning_tree, mutual_informat
 
 
 def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> np.ndarray:
-    """Codes; half of each variable depends on an earlier one."""
+    """Return random codes. About half of the values of each variable are copied from an earlier variable."""
     rng = np.random.default_rng(seed)
     codes = rng.integers(0, n_values, (n_samples, n_variables))
     for variable in range(1, n_variables):
@@ -18,7 +18,7 @@ def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> 
     return codes
 
 
-# Binary; few cells for the samples (bincount); more cells than samples (sorted).
+# Binary variables, tables with few cells for the samples (bincount), and tables with many (sorted).
 @pytest.mark.parametrize(("n_samples", "n_values"), [(200, 2), (500, 5), (60, 200), (40, 70_000)])
 def test_mutual_information_against_scikit_learn(n_samples, n_values):
     codes = linked_codes(n_samples, 6, n_values, 0)

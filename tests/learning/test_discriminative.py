@@ -7,7 +7,7 @@ from placecat.learning.discriminative import discriminative_codewords
 
 
 def information(active, y):
-    """Mutual information in nats, by its definition."""
+    """Compute the mutual information in nats from its definition."""
     total = 0.0
     for value in (0, 1):
         for label in np.unique(y):

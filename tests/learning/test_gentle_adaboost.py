@@ -30,7 +30,7 @@ def opencv(X, y, rounds, trim, test):
 
 
 def smallest_error(X, target, weight):
-    """Weighted squared error of the best stump, from every midpoint of every feature."""
+    """Return the smallest weighted squared error of a stump, trying every midpoint of every feature."""
     errors = []
     for column in X.T:
         values = np.unique(column)
@@ -93,7 +93,7 @@ def test_bins_and_histograms():
 
 
 def test_machines_fitted_together_equal_those_fitted_alone():
-    """Also with a memory, after other numbers of rounds."""
+    """This is also true inside `remembering`, after fits with other numbers of rounds."""
     rng = np.random.default_rng(5)
     X = rng.normal(size=(150, 70)).astype(np.float32)
     tasks = [

@@ -19,7 +19,7 @@ from placecat.learning.hierarchical_kmeans import HierarchicalKMeans, check_clus
 
 
 def blobs() -> tuple[np.ndarray, np.ndarray]:
-    """Three far groups of three near groups of 20 points, and the group of each point."""
+    """Return three distant clusters of three nearby groups of 20 points each, and the group of each point."""
     rng = np.random.default_rng(0)
     far = np.array([[0, 0], [1000, 0], [0, 1000]])
     near = np.array([[0, 0], [30, 0], [0, 30]])
@@ -63,7 +63,7 @@ def test_splits_match_scikit_learn():
     X = np.random.default_rng(3).gamma(1.0, size=(500, 6)).astype(np.float32)
     tree = grown(X, branching=8, max_clusters=8, max_iter=200, seed=4)
     labels = tree.labels(8)
-    # A converged k-means is a fixed point of any k-means.
+    # A converged clustering is a fixed point of any k-means implementation.
     means = np.array([X[labels == label].mean(axis=0) for label in range(8)])
     other = KMeans(8, init=means, n_init=1, max_iter=1, tol=0).fit(X)
     np.testing.assert_array_equal(other.labels_, labels)
@@ -90,7 +90,7 @@ def test_lazy_growth_equals_the_definition(kind):
     }[kind].astype(np.float32)
     tree = grown(X, branching=3, max_clusters=41, seed=7)
 
-    # Split everything, then search all open nodes for the greatest gain, as defined.
+    # Split all nodes in advance, then search all open nodes for the greatest gain, as the definition says.
     def split_all(node: kmeans_split.Node) -> None:
         seeds = np.random.SeedSequence(7, spawn_key=node.path)
         node.children = kmeans_split.split_node(node, 3, 11, np.random.default_rng(seeds))
@@ -181,14 +181,14 @@ def test_the_global_generator_is_left_alone():
 
 
 def test_seeds_are_drawn_by_squared_distance():
-    # Distances 1 and 3 from the first seed: drawn as 1 : 9.
+    # The distances from the first seed are 1 and 3, so the probabilities are in the ratio 1 : 9.
     X = np.array([[0.0], [1.0], [3.0]], np.float32)
     counts = np.zeros(3)
     for seed in range(4000):
         labels = kmeans_split.seed_clusters(X, 2, np.random.default_rng(seed))
         if labels[0] == 0 and np.random.default_rng(seed).integers(3) == 0:
             counts[1 if labels[1] == 1 and labels[2] == 1 else 2] += 1
-    # A second seed at 1 takes both other points; one at 3 takes only itself.
+    # A second seed at 1 attracts both other points, and a second seed at 3 attracts only itself.
     assert counts.sum() > 1000
     assert counts[1] / counts.sum() == pytest.approx(0.1, abs=0.03)
 

@@ -81,7 +81,7 @@ def test_blas_limit_is_restored_after_nested_use():
         return {info["num_threads"] for info in threadpool_info() if info["user_api"] == "blas"}
 
     with threadpool_limits(limits=2, user_api="blas"):
-        # Some libraries never use more than one.
+        # Some libraries never use more than one thread.
         before = threads()
         assert 2 in before
         with single_blas_thread(), single_blas_thread():

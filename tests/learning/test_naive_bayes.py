@@ -111,7 +111,7 @@ def test_wrong_codes():
         model.predict([[-1, 0]])
     with pytest.raises(PlacecatError, match="3 features, but NaiveBayes is expecting 2"):
         model.predict([[0, 0, 0]])
-    with pytest.raises(PlacecatError, match="whole numbers"):
+    with pytest.raises(PlacecatError, match="non-negative integers"):
         model.predict([[0.5, 0.0]])
     with pytest.raises(PlacecatError, match=r"y has shape \(1,\) for 2 samples"):
         NaiveBayes().fit([[0], [1]], ["a"])

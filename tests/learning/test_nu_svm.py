@@ -39,7 +39,7 @@ def test_rows_equal_a_fit_on_these_rows_alone():
     np.testing.assert_allclose(
         part.decide_rows(shared, np.arange(len(X))), alone.decision_function(shared[:, rows]), atol=1e-9
     )
-    # A run of rows takes the path without a copy.
+    # Consecutive rows are not copied.
     np.testing.assert_allclose(
         part.decide_rows(shared, np.arange(10, 30)), alone.decision_function(shared[10:30, rows]), atol=1e-9
     )
@@ -99,7 +99,7 @@ def test_other_messages():
 
 
 def test_a_nu_without_margin_is_raised_or_refused():
-    """Three quarters of both classes coincide: a small nu leaves no margin, and libsvm divides by it."""
+    """Three quarters of both classes coincide. A small nu leaves a margin of 0, and libsvm divides by it."""
     X = np.array([[0.0, 0.0]] * 6 + [[1.0, 1.0]] * 2 + [[0.0, 0.0]] * 6 + [[-1.0, 1.0]] * 2)
     y = np.repeat([0, 1], 8)
     model = NuSVM(gamma=1.0, nu=0.2).fit(X, y)

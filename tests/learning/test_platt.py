@@ -49,7 +49,7 @@ def test_balanced_is_the_weighted_logistic_regression():
     d, positive = draw(4000, 1)
     a, b = fit_sigmoid(d, positive, balanced=True)
     model = LogisticRegression(C=1e9, class_weight="balanced").fit(d[:, None], positive)
-    # Smoothed targets differ from 0 and 1 by 1/4000.
+    # The smoothed targets differ from 0 and 1 by less than 1/1000.
     assert [-a, -b] == pytest.approx([model.coef_[0, 0], model.intercept_[0]], abs=0.02)
 
 

@@ -38,7 +38,7 @@ def test_a_row_is_as_if_it_were_alone(n, m, k, dtype, seed):
 
 @pytest.mark.parametrize("lost", [(), (48,), (240, 12)])
 def test_kernels_that_look_at_a_rows_place_are_found_out(monkeypatch, lost):
-    """A multiplication with a wrong bit in the fifth row of some sizes is not used for these sizes."""
+    """If products of some sizes have a wrong bit in row 5, these sizes are not used."""
     genuine = products._multiply
 
     def off(block, tile):

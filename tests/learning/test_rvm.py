@@ -17,7 +17,7 @@ def ring(n=200, seed=0):
 
 
 def slow_evidence(basis, target, alpha):
-    """Log evidence in the Laplace approximation, with the mode from a general optimiser."""
+    """Return the log evidence in the Laplace approximation, finding the mode with a general optimiser."""
 
     def loss(w):
         f = basis @ w
@@ -30,7 +30,7 @@ def slow_evidence(basis, target, alpha):
 
 
 def tipping_2001(basis, target, rounds=120):
-    """Dense evidence maximisation: all functions at once, alpha = gamma / w^2, pruned at 1e6."""
+    """Maximise the evidence over all functions at once, with alpha = gamma / w^2, pruned at 1e6."""
     alpha, kept = np.ones(basis.shape[1]), np.arange(basis.shape[1])
     w = np.zeros(basis.shape[1])
     for _ in range(rounds):
@@ -53,7 +53,7 @@ def test_against_dense_evidence_maximisation():
     kept, alpha, w = tipping_2001(basis, y.astype(float))
     assert model.evidence_ >= slow_evidence(basis[:, kept], y, alpha) - 0.1
     theirs = expit(basis[:, kept] @ w)
-    # Both are local optima; ours has the higher evidence.
+    # Both are local optima, so their predictions differ slightly.
     assert np.abs(model.predict_proba(X)[:, 1] - theirs).mean() < 0.04
     assert (model.predict(X) == (theirs > 0.5)).mean() > 0.95
     assert len(model.support_) <= 15
@@ -71,7 +71,7 @@ def test_evidence_follows_the_definition():
 
 
 def test_rank_one_steps_have_the_stated_gain():
-    """In the Gaussian problem, the summed gains are the difference of two directly computed evidences."""
+    """In the Gaussian problem, the summed gains equal the difference of two directly computed evidences."""
     X, y = ring(60)
     gram = rbf_gram(X, 0.5)
     target, active = y.astype(float), np.array([3, 60])
@@ -164,7 +164,7 @@ def test_messages():
 
 
 def test_frames_that_are_nearly_alike():
-    # Like in a video: kernels that differ by less than float32 resolves.
+    # As in a video, kernels differ by less than float32 can resolve.
     rng = np.random.default_rng(2)
     places = rng.normal(size=(40, 3))
     X = np.repeat(places, 20, axis=0) + rng.normal(size=(800, 3)) * 1e-3

@@ -1,4 +1,4 @@
-"""Every public estimator passes scikit-learn's checks; exceptions are listed with their reasons."""
+"""Every public estimator passes scikit-learn's checks. Exceptions are listed with their reasons."""
 
 import ast
 from pathlib import Path
@@ -40,7 +40,7 @@ NOT_PASSED = {
 
 
 class OfNumbers:
-    """A learner of codes that accepts any numbers, as in the checks: each falls into one of 8 bins."""
+    """An estimator for codes that accepts the arbitrary numbers of the checks, binned into 8 codes."""
 
     def __sklearn_tags__(self):
         tags = super().__sklearn_tags__()
@@ -116,7 +116,7 @@ def test_complex_samples_and_labels_that_are_none_are_refused(estimator, samples
 
 
 def test_a_list_decides_for_its_largest_output():
-    """By default; with other settings `output` and `decision` may differ."""
+    """This is true by default. With other settings, `predict` may choose another class."""
     X = np.random.default_rng(0).normal(size=(300, 2))
     y = (X[:, 0] > 0).astype(int) + (X[:, 1] > 0)
     scheme = Sequential(folds=2, n_jobs=1).fit(X, y)
