@@ -1,4 +1,4 @@
-"""The streaming object alone; tests/test_pipeline.py compares it with the batch pipeline."""
+"""The categorizer without the pipeline. tests/test_pipeline.py compares it with the batch pipeline."""
 
 from dataclasses import replace
 
@@ -65,7 +65,7 @@ def test_frames_come_at_the_rate_of_the_model_unless_their_times_are_given(categ
         first, second, third = ([getattr(one, attribute) for one in run] for run in (own, same, fast))
         np.testing.assert_array_equal(first, second)
         assert not np.allclose(first, third)
-    # Each frame says less, and less time has passed.
+    # Each frame carries less evidence, and less time has passed.
     np.testing.assert_array_equal(own[-1].integrated, fast[-1].integrated)
     assert np.abs(fast[0].hmm - 1 / 3).max() < np.abs(own[0].hmm - 1 / 3).max()
 
@@ -115,8 +115,8 @@ def test_invalid_frames_are_refused_and_skipped(categorizer):
         ({"time": float("inf")}, "time of a frame is inf"),
         ({"seconds": -0.1}, "the time between two frames is"),
         ({"seconds": 0.1, "time": 3.0}, "not both"),
-        ({"seconds": "0.1"}, "'0.1': give it as a number of seconds"),
-        ({"time": "now"}, "'now': give it as a number of seconds"),
+        ({"seconds": "0.1"}, "'0.1': pass a number of seconds"),
+        ({"time": "now"}, "'now': pass a number of seconds"),
     ],
 )
 def test_a_frame_of_an_impossible_time_is_left_out(categorizer, times, message):
@@ -133,7 +133,7 @@ def test_a_frame_of_an_impossible_time_is_left_out(categorizer, times, message):
 
 
 def test_a_decision_is_about_the_times_that_the_delay_mixes(categorizer):
-    """Equation (16) by hand: weights of the filter's outputs, and the mean of their times."""
+    """Compute equation (16) by hand: the weights of the filter's outputs, and the mean of their times."""
     steps = [0.2, 0.4, 0.1, 2.0]
     weights, times = np.zeros(0), np.zeros(0)
     for frame, step in zip(frames(4), steps, strict=True):
@@ -201,7 +201,7 @@ def test_frames_of_other_sizes_are_scaled_if_asked():
     system = make_system()
     plain, scaling = Categorizer(system), Categorizer(system, resize=True)
     seen = frames(3)
-    # Twice the size and twice the relative height: the middle remains, with each pixel four times.
+    # Each pixel is repeated four times, and borders are added above and below. Only the middle remains.
     large = [
         np.pad(np.kron(frame, np.ones((2, 2, 1), np.uint8)), ((100, 100), (0, 0), (0, 0))) for frame in seen
     ]

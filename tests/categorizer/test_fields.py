@@ -1,4 +1,4 @@
-"""The schema of trained models: every learner that can be stored passes, and unfit content is refused."""
+"""The schema of trained models accepts every estimator that can be stored, and rejects invalid content."""
 
 import json
 
@@ -120,7 +120,7 @@ def tree(**changes):
         (lambda: expansion(intercept=np.ones(2)), "intercept .*a side of length 2"),
         (lambda: expansion(coef=np.ones((4, 3), np.int64)), "coef of a KernelExpansion.*must be an array"),
         (lambda: tree(split_nodes_=np.array([0, 99, 1], np.int32)), "split_nodes_ .*out of range"),
-        # A node that is split before it exists.
+        # A node is split before it exists.
         (lambda: tree(split_nodes_=np.array([3, 0, 1], np.int32)), "HierarchicalKMeans do not match"),
         (lambda: tree(max_clusters_=10**6), "HierarchicalKMeans do not match"),
         (lambda: changed(fitted("knn")[0].estimator, n_neighbors=17), "ModifiedKNN do not match"),

@@ -33,7 +33,7 @@ def test_the_size_that_keeps_most_is_chosen():
 
 
 def test_another_shape_is_refused_where_little_is_left():
-    with pytest.raises(PlacecatError, match=r"720x1280 pixels: cropped to .*, 640x480, only 42% of it"):
+    with pytest.raises(PlacecatError, match=r"720x1280 pixels: if it is cropped .* 640x480, only 42% of"):
         fit((720, 1280), [(640, 480)], resize=True)
 
 
@@ -46,5 +46,5 @@ def test_the_crop_is_in_the_frame_and_has_the_wanted_shape(source, target):
     width, height = chosen.kept
     assert width <= source[0] and height <= source[1]
     assert width * height >= LEAST * source[0] * source[1]
-    # To a pixel, or a hundredth of the frame.
+    # The aspect ratio is exact to one pixel, or to about a hundredth of the frame.
     assert abs(width - height * target[0] / target[1]) <= max(1, target[0] / target[1], 0.011 * width)

@@ -1,4 +1,4 @@
-"""Decisions in unseen homes, on made data after the stage `features`."""
+"""Decisions in unseen homes, on synthetic outputs of the stage `features`."""
 
 import copy
 import json
@@ -19,7 +19,7 @@ OUT = "H2"
 
 
 def small():
-    """One system of two cues, with one seed."""
+    """Return settings with one system of two cues, and with one seed."""
     params = copy.deepcopy(PARAMS)
     params["protocol"]["seeds"] = [0]
     params["systems"] = {SYSTEM: params["systems"][SYSTEM]}
@@ -83,7 +83,7 @@ def test_only_homes_that_are_tested_are_measured():
     params["protocol"]["test_homes"] = ["H3"]
     left = held_out.of_stages(params, SYSTEM, 0)
     assert list(left) == ["H3"]
-    # A threshold is measured in another home.
+    # At least two homes are needed to measure a threshold.
     assert held_out.unknown(left, 0.1, []) is None
 
 
@@ -95,7 +95,7 @@ def test_the_card_has_the_accuracy_and_the_risks():
     found = held_out.unknown(left, 0.05, [0.3, 0.05, 0.9])
     assert [row["risk"] for row in found["measured"]] == [0.05, 0.3, 0.9]
     assert found["threshold"] == found["measured"][0]["threshold"]
-    # If more may be wrong, more is named; with 90 %, everything.
+    # If more errors are allowed, more frames are named. If 90% may be wrong, every frame is named.
     thresholds = [row["threshold"] for row in found["measured"]]
     assert thresholds == sorted(thresholds, reverse=True)
     lowest = min(left[home].max(axis=1)[listing.read_labels(home) >= 0].min() for home in HOMES)
@@ -104,7 +104,7 @@ def test_the_card_has_the_accuracy_and_the_risks():
 
 
 def test_a_risk_that_no_confidence_reaches():
-    # Never right.
+    # No decision is right.
     wrong = {home: np.eye(len(CLASSES))[(listing.read_labels(home) + 1) % len(CLASSES)] for home in HOMES}
     found = held_out.unknown(wrong, 0.1, [])
     assert found == {

@@ -84,7 +84,7 @@ def rewrite(file, name, change):
 
 
 def reseal(file, *, compression=zipfile.ZIP_STORED, twice=(), comment=None):
-    """Write the archive by other means, with a correct checksum."""
+    """Write the archive without `archive.write`, but with a correct checksum."""
     with zipfile.ZipFile(file) as opened:
         members = [(member, opened.read(member)) for member in opened.namelist()]
     with zipfile.ZipFile(file, "w", compression) as opened:
@@ -104,7 +104,7 @@ def seal(file):
 
 
 def larger(file, member, size):
-    """Make the archive's directory declare this size of a member."""
+    """Make the archive's directory declare this size for a member."""
     with zipfile.ZipFile(file) as opened:
         before = opened.getinfo(member).file_size
     content = file.read_bytes()
@@ -120,7 +120,7 @@ def change_json(**changes):
 
 
 def change_part(*path, value):
-    """Change one value within the JSON of system.json."""
+    """Return a function that changes one value in the content of system.json."""
 
     def change(content):
         whole = json.loads(content)
@@ -141,7 +141,7 @@ def object_array(_):
 
 
 def header(text):
-    """An array with this header."""
+    """Return a function that makes an array with this header."""
     padded = text.encode().ljust(117) + b"\n"
     return lambda _: b"\x93NUMPY\x01\x00" + struct.pack("<H", len(padded)) + padded + bytes(8)
 
@@ -154,9 +154,9 @@ MODEL = ("cues", 0, "model", "state")
     [
         (lambda file: file.unlink(), "placecat train"),
         (lambda file: file.write_bytes(b"no zip"), "not a placecat model"),
-        (lambda file: file.write_bytes(file.read_bytes()[:5000]), "not a placecat model.* cut off"),
+        (lambda file: file.write_bytes(file.read_bytes()[:5000]), "not a placecat model.* truncated"),
         (lambda file: file.write_bytes(file.read_bytes().replace(b"\x93NUMPY", b"\x93NUMPX", 1)), "damaged"),
-        (lambda file: reseal(file, comment=b""), "made by an earlier placecat: train it again"),
+        (lambda file: reseal(file, comment=b""), "made by an earlier version: train it again"),
         (lambda file: rewrite(file, "card.json", change_json(format=99)), "format 99"),
         (lambda file: rewrite(file, "card.json", change_json(placecat="9.3.0")), "placecat 9.3.0"),
         (lambda file: rewrite(file, "card.json", change_json(format=None)), "its card has no version"),
@@ -236,14 +236,14 @@ def test_a_file_that_may_not_be_read_gives_one_message(file, monkeypatch):
 
 
 def test_a_model_is_tried_before_use(file):
-    """Parts that are each valid, but made for other frames."""
+    """Each part is valid, but the descriptor does not fit the model of the cue."""
     rewrite(file, "system.json", change_part("cues", 1, "descriptor", "y_pos", value=False))
     with pytest.raises(PlacecatError, match=r"model\.placecat is damaged.*features, but"):
         Categorizer.load(file)
 
 
 def most_memory(*, forget=False):
-    """Peak memory of this process since the last reset; 0 if unknown."""
+    """Return the peak memory of this process since the last reset, or 0 if it is unknown."""
     process = Path("/proc/self")
     if not (process / "clear_refs").exists():
         return 0
@@ -265,7 +265,7 @@ def test_mutants_are_refused_or_as_good_as_before(file, is_forged):
         counts[mutants.outcome(file, shown, expected, is_forged=is_forged)] += 1
     assert set(counts) <= {"refused", "same", "other"}, counts
     assert counts["refused"] >= 15, counts
-    # In addition to the leftovers of earlier tests in this process.
+    # The memory `before` includes the leftovers of earlier tests in this process.
     assert most_memory() - before < 2**29
 
 
@@ -276,7 +276,7 @@ def test_other_classes_are_refused(file):
 
 
 def test_only_a_model_is_replaced(file, tmp_path):
-    """An intact or a damaged model, but nothing else."""
+    """An intact or damaged model may be replaced, but nothing else."""
     assert model_file.is_model(file)
     reseal(file, twice=["arrays/0003.npy"])
     assert model_file.is_model(file)

@@ -64,7 +64,7 @@ def test_anything_else_is_not_written(value):
     [
         {"$": "object", "class": "subprocess:Popen", "state": {}},
         {"$": "object", "class": "placecat.files:replacing", "state": {}},
-        # Imports of a module do not belong to it.
+        # Names that a module imports are not its own classes.
         {"$": "object", "class": "placecat.learning.nu_svm:KernelMachine", "state": {}},
         {"$": "object", "class": "placecat.learning.nu_svm:largest_feasible_nu", "state": {}},
         {"$": "object", "class": "placecat.learning.nu_svm:NuSVM", "state": {"__class__": 1}},

@@ -16,15 +16,16 @@ LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
 def make_card(**known: Any) -> dict[str, Any]:
     """Build a card from the facts `known` and the versions of placecat, Python and `LIBRARIES`.
 
-    The facts have only JSON types. ``title`` is the name of the system. ``data`` has the ``title`` of the
-    data set, its ``note`` (or None), and its ``version``, which is DVC's checksum. It also has the training
-    ``homes``, the ``left_out`` homes, and the numbers of training ``frames`` for the cues and for the
-    integration. ``classes`` are the names of the places. ``frame_sizes`` has every (width, height), and
-    ``fps`` every frame rate, that occurs in the training footage.
+    The facts have only JSON types. ``title`` is the name of the system. ``data`` contains the ``title`` of
+    the data set, its ``note`` (or None), and its ``version``, which is DVC's checksum. It also contains the
+    training ``homes``, the ``left_out`` homes, and the numbers of training ``frames`` for the cues and for
+    the integration. ``classes`` are the names of the places. ``frame_sizes`` lists every (width, height) in
+    the training footage, and ``fps`` lists every frame rate.
 
-    ``accuracy`` has a percentage per home, measured with a system of the same settings that had not seen this
-    home; it may be empty. ``unknown`` comes from :func:`placecat.categorizer.held_out.unknown`, or is None if
-    it was not measured. ``settings`` has all training settings.
+    ``accuracy`` maps each home to a percentage, measured with a system that has the same settings but was not
+    trained on this home. It may be empty. ``unknown`` comes from
+    :func:`placecat.categorizer.held_out.unknown`, or is None if it was not measured. ``settings`` contains
+    all training settings.
     """
     versions = {"python": platform.python_version()} | {name: version(name) for name in LIBRARIES}
     return {"format": FORMAT, "placecat": __version__} | known | {"versions": versions}
