@@ -35,7 +35,7 @@ def naive_bayes(clusters):
 
 
 def test_activations_of_regions_reach_naive_bayes():
-    """The whole chain against scikit-learn's BernoulliNB on activations made by a loop."""
+    """The result equals that of scikit-learn's BernoulliNB on activations from a loop."""
     train, labels, homes = regions()
     codebook = Codebook.fit(train, cells=1, seed=3, tree=TREE)
     model = cues.fit(train, labels, homes, classifier=naive_bayes(13), classes=PLACES, codebook=codebook)
@@ -138,7 +138,7 @@ def test_estimators_are_found_by_their_module():
 
 
 def test_cross_validation_owes_nothing_to_the_home_itself():
-    """Each home's distributions come from a cue fitted on the others, whatever its labels."""
+    """The distributions of a home come from a cue fitted on the other homes, whatever its labels are."""
     train, labels, homes = whole()
     classifier = {
         "model": "one_against_all",

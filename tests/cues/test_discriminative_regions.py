@@ -21,7 +21,7 @@ KNN = {
 
 
 def frames(seed=0, number=120, most=6):
-    """Every second region shows the place; the others are the same everywhere."""
+    """Every second region shows the place, and the others are equally distributed in all places."""
     rng = np.random.default_rng(seed)
     labels = np.arange(number) % 3
     counts = rng.integers(0, most + 1, number)
@@ -56,7 +56,7 @@ def test_regions_of_other_codewords_change_nothing():
     dropped = (words >= 0) & ~model.kept[words]
     assert dropped.any()
     before = model.predict_proba(new)
-    # Each becomes another dropped region of a training frame.
+    # Replace each of them with a dropped region of a training frame.
     words = model.codebook.words(train, 13)
     other = train.x[(words >= 0) & ~model.kept[words]][0]
     new.x[dropped] = other
@@ -82,7 +82,7 @@ def test_only_moves_the_regions_that_stay_to_the_front():
 
 
 def test_padding_is_never_taken_for_a_region():
-    # The word of padding, -1, would be the last codeword.
+    # As an index, the padding -1 would be the last codeword.
     x = np.ones((1, 2, 2), np.float32)
     found = only(Descriptors(x, np.array([1])), np.array([[0, -1]], np.int32), np.array([True, True]))
     assert found.counts.tolist() == [1]
