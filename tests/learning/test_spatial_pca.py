@@ -54,5 +54,5 @@ def test_plain_reduction_by_a_factor(factor, width):
 def test_messages(pca, message):
     with pytest.raises(PlacecatError, match=message):
         pca.fit(X)
-    with pytest.raises(PlacecatError, match="needs more than 4 training samples, not n_samples = 4"):
+    with pytest.raises(PlacecatError, match="needs more than 4 training samples, but n_samples = 4"):
         SpatialPCA(cells=3, components=4).fit(X[:4])

@@ -1,4 +1,4 @@
-"""Run rounds of Gentle AdaBoost for several two-class problems at once."""
+"""Gentle AdaBoost for several two-class problems at once."""
 
 from collections.abc import Sequence
 
@@ -67,7 +67,7 @@ class _Machine:
             used[rows] = True
         if len(np.unique(positive[used])) < 2:
             raise PlacecatError(
-                f"{context}: boosting needs samples of both classes: add the missing ones or drop the class"
+                f"{context}: boosting needs samples of both classes; add samples or drop the class"
             )
         self.target = np.where(positive, 1.0, -1.0)
         self.stumps: list[Stump] = []

@@ -32,7 +32,7 @@ Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 class Calibration:
     """How decision values are converted to probabilities.
 
-    If each machine leaves out a different home, the machines' values are not comparable. For example, a
+    If each machine leaves out a different home, the values of the machines are not comparable. For example, a
     machine that leaves out a home with many positives sees few positives in training, so its values for that
     home are low. Such values are never pooled unchanged, because a sigmoid fitted to them can fall where it
     should rise.
@@ -45,7 +45,7 @@ class Calibration:
         consecutive samples, as in dlib without shuffling. Both fit one sigmoid to all values.
         ``homes_centred`` and ``homes_averaged`` hold out one home at a time. ``homes_centred`` shifts each
         home's values to a common mean and then fits one sigmoid to all of them. ``homes_averaged`` fits a
-        sigmoid for each machine and averages the machines' probabilities.
+        sigmoid for each machine and averages the resulting probabilities.
     folds
         Number of parts, at least 2. Ignored if homes are held out.
     own
@@ -120,7 +120,7 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
         _, home = np.unique(np.asarray(groups), return_inverse=True)
         if home.shape != y.shape:
             raise PlacecatError(
-                f"groups has shape {home.shape} for {len(y)} samples; give one group per sample"
+                f"groups has shape {home.shape} for {len(y)} samples; pass one group per sample"
             )
         if home.max() > 0:
             return [(np.flatnonzero(home != g), np.flatnonzero(home == g)) for g in range(home.max() + 1)]

@@ -40,7 +40,7 @@ def check_width(X: NDArray[Any], estimator: Any) -> None:
     if X.shape[1] != expected:
         raise PlacecatError(
             f"X has {X.shape[1]} features, but {type(estimator).__name__} is expecting {expected} features "
-            "as input, as in its training data"
+            "as input, like its training data"
         )
 
 
@@ -54,7 +54,7 @@ def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
     except ValueError as error:
         raise PlacecatError(f"y: {error}") from None
     if len(labels) != n:
-        raise PlacecatError(f"y has shape {labels.shape} for {n} samples; give one label per sample")
+        raise PlacecatError(f"y has shape {labels.shape} for {n} samples; pass one label per sample")
     return labels
 
 

@@ -26,10 +26,10 @@ _BLOCK = 1 << 18
 class DependencyTree(DiscreteBayes):
     """Model of p(c_1, ..., c_V | l_i) with an optimal dependency tree per class (equation 11).
 
-    The model multiplies p(c_r | l_i) for the root r by p(c_k | c_parent(k), l_i) for each other variable. A
-    class's tree is the maximum spanning tree of the mutual information within the class. Among all trees, it
-    maximises the likelihood of the class's samples (Chow and Liu). The mutual information is computed from
-    relative frequencies. Only the conditional probabilities are smoothed.
+    The model multiplies p(c_r | l_i) for the root r by p(c_k | c_parent(k), l_i) for each other variable. The
+    tree of a class is the maximum spanning tree of the mutual information within the class. Among all trees,
+    it maximises the likelihood of the samples of the class (Chow and Liu). The mutual information is computed
+    from relative frequencies. Only the conditional probabilities are smoothed.
 
     Parameters
     ----------
@@ -132,8 +132,8 @@ class DependencyTree(DiscreteBayes):
         """Return the cells of all (variable, parent value, value) and (variable, parent value) tuples."""
         narrow = self.n_features_in_ * self.n_values_**2 < 2**31
         wide_codes: NDArray[np.integer] = codes.astype(np.int32 if narrow else np.int64)
-        # Indexing with a list would return a column-ordered array, whose rows numpy sums in a different
-        # order.
+        # Indexing with a list would return a column-ordered array, and numpy would sum its rows in a
+        # different order.
         parent_cells = np.take(wide_codes, self.parents_[label], axis=1)
         parent_cells[:, self.root] = 0
         parent_cells += np.arange(self.n_features_in_, dtype=wide_codes.dtype) * self.n_values_

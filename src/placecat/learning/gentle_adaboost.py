@@ -52,7 +52,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
     Parameters
     ----------
     n_rounds
-        Number of weak classifiers. Thesis Table 2 has 20, 50 and 100.
+        Number of weak classifiers. Thesis Table 2 uses 20, 50 and 100.
     max_bins
         Maximum number of bins per feature. If a feature has no more distinct values than this, it can be cut
         between any two adjacent values, as in exact boosting. The thesis does not specify this.
@@ -93,7 +93,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         self.weight_trim = weight_trim
 
     def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> BinnedFeatures:
-        """Bin the features once for all classes and folds, since labels are not needed. Ignores `n_jobs`."""
+        """Bin the features once for all classes and folds, without the labels. Ignores `n_jobs`."""
         return remembered("bins", (X, self.max_bins), lambda: bin_features(X, self.max_bins), latest=True)
 
     def fit_rows(

@@ -52,7 +52,7 @@ def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
 def rbf_gram(
     X: ArrayLike, gamma: float, dtype: DTypeLike = np.float32, n_jobs: int | None = None
 ) -> NDArray[Any]:
-    """Compute the Gram matrix exp(-gamma ||x_i - x_j||^2) of a training set, for all classes and folds.
+    """Compute the Gram matrix exp(-gamma ||x_i - x_j||^2) of a training set, once for all classes and folds.
 
     The matrix is computed block by block. It is exactly symmetric, with ones on the diagonal.
 
@@ -130,8 +130,8 @@ class KernelExpansion:
     def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
         """Evaluate all K functions for (n, D) samples, and return (n, K) float64 values.
 
-        One matrix product computes the kernel, and another computes the sums. Even the last bits of a row do
-        not depend on other rows.
+        One matrix product computes the kernel, and another computes the sums. Rows do not affect each other,
+        not even in the last bits.
         """
         result = np.tile(self.intercept, (len(X), 1))
         if len(self.support_vectors) == 0:

@@ -34,7 +34,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     Parameters
     ----------
     n_clusters : int
-        Number of clusters, which has the form (branching - 1) k + 1 for the codebook's branching.
+        Number of clusters, of the form (branching - 1) k + 1 for the branching of the codebook.
     n_neighbors : int
         K.
     smoothing : float
@@ -44,8 +44,8 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     class_weighting : {"once", "per_region"}
         "once" divides by f(l) once, like equations (2) and (4) and the text of the thesis. "per_region"
         divides by f(l)^n, which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). The two agree
-        for single points and for balanced classes. Otherwise, "once" favours frequent classes, more strongly
-        the more regions a frame has.
+        for single points and for balanced classes. Otherwise, "once" favours frequent classes. The more
+        regions a frame has, the stronger this effect is.
     codebook : HierarchicalKMeans or FlatKMeans, optional
         A fitted codebook. By default, a new tree is grown to `n_clusters` on the training points.
     seed : int

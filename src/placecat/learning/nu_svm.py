@@ -114,7 +114,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         n_negative = len(chosen) - n_positive
         if min(n_positive, n_negative) == 0:
             raise PlacecatError(
-                f"{context}: a nu-SVM needs samples of both classes: add the missing ones or drop the class"
+                f"{context}: a nu-SVM needs samples of both classes; add samples or drop the class"
             )
         largest = largest_feasible_nu(n_positive, n_negative)
         counts = f"{n_positive} of {len(chosen)} samples positive"

@@ -28,7 +28,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     ----------
     base
         Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any scikit-learn classifier.
-        The fits of a scikit-learn classifier share no preparation.
+        scikit-learn classifiers cannot share preparation between fits.
     calibration
         Which samples are held out for the sigmoids and reliabilities: ``samples`` (the default),
         ``consecutive``, ``homes_centred`` or ``homes_averaged``. See

@@ -98,7 +98,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         target = positive[chosen].astype(np.float64)
         if target.min() == target.max():
             raise PlacecatError(
-                f"{context}: an RVM needs samples of both classes: add the missing ones or drop the class"
+                f"{context}: an RVM needs samples of both classes; add samples or drop the class"
             )
         gram = shared if rows is None else shared[np.ix_(rows, rows)]
         with single_blas_thread():
@@ -184,7 +184,7 @@ def _laplace_mode(
 ) -> _Mode:
     """Find the mode of w by Newton's method.
 
-    `basis` is (m, n), `target` holds (n,) zeros and ones, and `alpha` and `start` are (m,).
+    `basis` is (m, n), `target` consists of (n,) zeros and ones, and `alpha` and `start` are (m,).
     """
     narrow = basis.astype(np.float32)
     diagonal = np.diag_indices(len(alpha))

@@ -1,4 +1,4 @@
-"""Scale descriptors before they enter the kernel, which fixes the unit of gamma."""
+"""Scaling of descriptors for the kernel. It fixes the unit of gamma."""
 
 from typing import Annotated, Self
 

@@ -16,7 +16,7 @@ from placecat.schema.signatures import check_parameters
 
 
 class SpatialPCA(TransformerMixin, BaseEstimator):
-    """Reduce each cell's part of a descriptor by a separate PCA (spatial PACT, thesis 4.3).
+    """Reduce each cell's part of a descriptor with a separate PCA (spatial PACT, thesis 4.3).
 
     With 16 cells, 4096 Centrist dimensions become 16 x 64 = 1024. With one cell and a factor, this is the PCA
     reduction of thesis 4.2 (Table 2). Fit it only on training homes.
@@ -37,8 +37,8 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     mean_
         (cells, D / cells) float64.
     components_
-        (cells, components, D / cells) float64, orthonormal rows in order of decreasing variance. Each row's
-        largest entry in magnitude is positive.
+        (cells, components, D / cells) float64, orthonormal rows in order of decreasing variance. The entry of
+        each row with the largest magnitude is positive.
     explained_variance_
         (cells, components) float64.
     explained_variance_ratio_
@@ -71,11 +71,11 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
 
     def _kept(self, width: int) -> int:
         if (self.components is None) == (self.factor is None):
-            raise PlacecatError("set either `components` or `factor` of the PCA, and the other to None")
+            raise PlacecatError("set either `components` or `factor` of the PCA; the other must be None")
         kept = round(width / self.factor) if self.factor is not None else int(self.components or 0)
         if not 1 <= kept <= width:
             raise PlacecatError(
-                f"the PCA cannot keep {kept} components: use 1 to {width}, the dimensions of a cell"
+                f"the PCA cannot keep {kept} components: use 1 to {width}, the number of dimensions per cell"
             )
         return kept
 
@@ -96,7 +96,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         kept = self._kept(width)
         if n <= kept:
             raise NotComputable(
-                f"PCA to {kept} components needs more than {kept} training samples, not n_samples = {n}"
+                f"PCA to {kept} components needs more than {kept} training samples, but n_samples = {n}"
             )
         self.n_features_in_ = total
         self.mean_ = np.empty((self.cells, width))

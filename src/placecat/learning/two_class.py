@@ -55,7 +55,7 @@ class TwoClass:
 
     @abstractmethod
     def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> Any:
-        """Precompute what all classes and folds share about the (n, D) samples, in `n_jobs` threads."""
+        """Prepare (n, D) samples once for all classes and folds, in `n_jobs` threads."""
 
     @abstractmethod
     def fit_rows(
@@ -108,7 +108,7 @@ class TwoClass:
 
 
 class _GenericBase(TwoClass):
-    """Adapter for any two-class classifier of scikit-learn. Its fits share no preparation."""
+    """Adapter for any two-class classifier of scikit-learn. Its fits do not share any preparation."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
