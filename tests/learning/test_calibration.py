@@ -130,7 +130,7 @@ def test_folds():
 
 
 def test_class_missing_from_a_folds_training_part(caplog):
-    """Only home 0 has class 2, so parts are held out for class 2, and homes for the other classes."""
+    """Only home 0 has class 2, so consecutive samples are held out for this class instead of homes."""
     rng = np.random.default_rng(0)
     y = np.arange(150) % 3
     X = 2.0 * np.eye(3)[y] + rng.normal(size=(150, 3))

@@ -18,7 +18,7 @@ def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> 
     return codes
 
 
-# Binary variables, tables with few cells for the samples (bincount), and tables with many (sorted).
+# Binary variables, small tables (bincount), and tables with more cells than samples (sorting).
 @pytest.mark.parametrize(("n_samples", "n_values"), [(200, 2), (500, 5), (60, 200), (40, 70_000)])
 def test_mutual_information_against_scikit_learn(n_samples, n_values):
     codes = linked_codes(n_samples, 6, n_values, 0)

@@ -159,7 +159,7 @@ def test_update_adds_a_close_point():
 
 
 def test_update_at_the_limit_adds():
-    # The point is 2 away from its cluster. So are the two closest clusters from each other.
+    # The distance from the point to its cluster equals that between the two closest clusters (2).
     model = line_model().update([11.0], "b")
     np.testing.assert_allclose(model.centers_[:, 0], [0, 2, 10])
 

@@ -30,7 +30,7 @@ def slow_evidence(basis, target, alpha):
 
 
 def tipping_2001(basis, target, rounds=120):
-    """Maximise the evidence over all functions at once, with alpha = gamma / w^2, pruned at 1e6."""
+    """Maximise the evidence over all functions at once: set alpha to gamma / w^2, and prune above 1e6."""
     alpha, kept = np.ones(basis.shape[1]), np.arange(basis.shape[1])
     w = np.zeros(basis.shape[1])
     for _ in range(rounds):

@@ -36,7 +36,7 @@ def test_literal_product():
 def test_literal_decisions():
     outputs = np.array([[0.9, 0.1, 0.6], [0.7, 0.9, 0.4], [0.4, 0.1, 0.45]])
     assert listed([2, 0, 1]).decide(outputs).tolist() == [2, 0, 1]
-    # The products in the last row are 0.45, 0.55 * 0.4, and the remainder 0.33.
+    # In the last row, the products are 0.45 and 0.55 * 0.4, and the remainder is 0.33.
     assert listed([2, 0, 1], decision="product").decide(outputs).tolist() == [2, 0, 2]
     one_hot = listed([2, 0, 1], output="decision").combine(outputs)
     assert one_hot.tolist() == [[0, 0, 1], [1, 0, 0], [0, 1, 0]]
