@@ -46,5 +46,5 @@ def test_the_crop_is_in_the_frame_and_has_the_wanted_shape(source, target):
     width, height = chosen.kept
     assert width <= source[0] and height <= source[1]
     assert width * height >= LEAST * source[0] * source[1]
-    # The aspect ratio is exact to one pixel, or to about a hundredth of the frame.
+    # The aspect ratio is exact to within one pixel, or about a hundredth of the width.
     assert abs(width - height * target[0] / target[1]) <= max(1, target[0] / target[1], 0.011 * width)

@@ -215,7 +215,7 @@ class Categorizer:
         if time < self._last:
             raise PlacecatError(
                 f"a frame is {self._last - time:g} s older than the last one: pass frames in chronological "
-                "order, skip late ones, and call reset() where the clock restarts"
+                "order, skip late ones, and call reset() when the clock restarts"
             )
         return time, time - self._last
 
@@ -273,7 +273,7 @@ class Categorizer:
             known = " or ".join(f"{width}x{height}" for width, height in self.frame_sizes)
             raise PlacecatError(
                 f"a frame has {size[0]}x{size[1]} pixels, but the model was trained on {known}: scale frames "
-                "to that, load the model with resize=True, or train on footage of this size"
+                "to that size, load the model with resize=True, or train on footage of this size"
             )
         return fit(size, self.frame_sizes, resize=True)(frame)
 

@@ -1,4 +1,4 @@
-"""Checks that the card and settings of a model file are valid and that its parts fit together."""
+"""Check that the card and settings of a model file are valid, and that its parts fit together."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
