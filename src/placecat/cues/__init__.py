@@ -74,7 +74,7 @@ def cross_validate(
     including calibration and scaling, is fitted again for each home, so the distributions of different homes
     are comparable. Only the codebook, which uses no labels, is shared. If there is only one home, or if
     leaving one out would leave fewer than two frames of a place, a warning is logged. In that case, the
-    frames of each place are cut into five consecutive parts, and parts are left out instead of homes.
+    frames of each place are cut into five consecutive parts, and these parts are left out instead of homes.
     """
     index = labels.astype(np.intp)
     names = np.unique(homes)

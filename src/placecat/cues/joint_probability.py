@@ -1,4 +1,4 @@
-"""Classify places by the joint probability of a frame's codewords (thesis 3.3.2, Figure 10; cells in 4.2)."""
+"""Classify places by the joint probability of a frame's codewords (thesis 3.3.2 and 4.2, Figure 10)."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
