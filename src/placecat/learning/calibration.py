@@ -104,7 +104,7 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
         The `kind` of a :class:`Calibration`. If it holds out homes but there is only one home, consecutive
         samples are held out instead.
     folds
-        Number of stratified parts, which is reduced to the size of the smallest class if necessary.
+        Number of stratified parts. It is reduced to the size of the smallest class if necessary.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Hierarchical k-means, which grows one tree of clusters and cuts it to the desired number of codewords."""
+"""Hierarchical k-means. It grows one tree of clusters and cuts it to the desired number of codewords."""
 
 import heapq
 from collections.abc import Mapping, Sequence
@@ -57,7 +57,7 @@ class HierarchicalKMeans(BaseEstimator):
     computed in float32 relative to the node's centre, so a split resolves distances of about 1/1000 of the
     node's radius.
 
-    The tree is grown lazily, which does not change the result. A split gains at most the node's sum of
+    The tree is grown lazily. This does not change the result. A split gains at most the node's sum of
     squares, so a node is split only when this bound reaches the best known gain. A node's random draws depend
     on its position in the tree, not on the order of the splits.
 
@@ -186,7 +186,7 @@ class HierarchicalKMeans(BaseEstimator):
         return self.node_centers_[cut]
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
-        """Find each point's codeword, which is the nearest centre in the cut.
+        """Assign each point to its codeword, the nearest centre in the cut.
 
         All centres are compared (see `nearest_centers`), and the lowest index wins ties. The thesis does not
         say whether it descends the tree instead.
@@ -202,7 +202,7 @@ class HierarchicalKMeans(BaseEstimator):
     def labels(self, n_clusters: int) -> NDArray[np.int32]:
         """Return each training point's cluster in the cut, as (n,) int32 indices into `centers`.
 
-        This is the partition that k-means found, which differs from `assign` near cluster borders. Raises
+        This is the partition that k-means found. It differs from `assign` near cluster borders. Raises
         PlacecatError in the same cases as `centers`, and also if the tree comes from `from_arrays`.
         """
         cut = self._cut(n_clusters)

@@ -43,8 +43,8 @@ def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
 class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary nu-SVM (thesis 3.3.1.2, [66]) with the kernel exp(-gamma ||x - y||^2).
 
-    The solver is libsvm, which is called through scikit-learn's NuSVC. `fit` takes samples. With `prepare`
-    and `fit_rows`, many fits can share one Gram matrix.
+    The solver is libsvm, called through scikit-learn's NuSVC. `fit` takes samples. With `prepare` and
+    `fit_rows`, many fits can share one Gram matrix.
 
     Parameters
     ----------

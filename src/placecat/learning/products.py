@@ -33,7 +33,7 @@ _TRIED = 256
 class RowProducts:
     """Compute left @ right.T for a fixed `right`, so that rows do not affect each other's last bits.
 
-    `right` is an (m, k) float32 or float64 matrix, which is copied. m may be 0.
+    `right` is an (m, k) float32 or float64 matrix, where m may be 0. It is copied.
 
     Examples
     --------

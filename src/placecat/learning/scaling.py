@@ -24,9 +24,9 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     - ``none``: leave x unchanged.
     - ``minmax``: scale each dimension to [0, 1] on the training data; m depends on the data.
     - ``standard``: scale each dimension to mean 0 and variance 1 / D; m is 2 n / (n - 1).
-    - ``root``: divide each dimension by the square root of its standard deviation, which is halfway between
-      ``standard`` and ``distance``, then scale as for ``distance``; m is 1.
-    - ``distance``: subtract the mean of x, then divide by the square root of the mean ||x - y||^2, which
+    - ``root``: divide each dimension by the square root of its standard deviation, then scale as for
+      ``distance``. This is halfway between ``standard`` and ``distance``; m is 1.
+    - ``distance``: subtract the mean of x, then divide by the square root of the mean ||x - y||^2. This
       preserves the relative weights of the dimensions; m is 1.
     - ``unit``: scale each sample to Euclidean length 1 (a zero sample stays zero); m is at most 4.
 
@@ -42,7 +42,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     Attributes
     ----------
     offset_
-        (D,) float64, which is subtracted first.
+        (D,) float64, subtracted first.
     factor_
         (D,) float64, by which the difference is multiplied. It is 0 for a dimension that is constant in
         training, because its test values could dominate. The kinds ``none``, ``distance`` and ``unit`` keep
