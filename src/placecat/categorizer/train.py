@@ -60,7 +60,7 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
 def train(
     params: Mapping[str, Any], name: str, *, without: Sequence[str] = (), seed: int | None = None
 ) -> TrainedSystem:
-    """Train the system `name` on all homes except `without`, with a seed as in :func:`train_command`.
+    """Train the system `name` on all homes except `without`. For `seed`, see :func:`train_command`.
 
     If `without` has one home, the system is exactly the one that the stages apply to that home. The card of
     the system has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system,
