@@ -1,4 +1,4 @@
-"""Descriptors of frames, which are the input of a cue, and the interface of a trained cue."""
+"""Descriptors of frames as the input of cues, and the interface of a trained cue."""
 
 from dataclasses import dataclass
 from typing import Any, Protocol
