@@ -103,7 +103,7 @@ def assert_alone_as_in_a_batch(ask, n):
 
 
 @pytest.mark.parametrize(("kind", "settings"), list(found()))
-def test_a_sample_alone_is_as_in_a_batch(kind, settings):
+def test_a_sample_does_not_depend_on_its_batch(kind, settings):
     x, labels = samples(kind, settings, seed=0)
     try:
         model = kind(**settings).fit(x, labels)

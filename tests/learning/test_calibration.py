@@ -56,8 +56,8 @@ def fit_known(base, positive, homes, kind):
     return fitted
 
 
-def test_pooling_would_get_the_sign_wrong_and_no_way_does():
-    """A machine that leaves out a home with many positives saw few, so its values for that home are low."""
+def test_no_calibration_reverses_the_sign_as_pooling_would():
+    """A machine that leaves out a home with many positives sees few, so its values for that home are low."""
     base, positive, homes = shifted([0.0, -2.0, -4.0, -6.0, -8.0])
     pooled = base.values + base.shifts[homes]
     assert np.corrcoef(pooled, positive)[0, 1] < -0.3
@@ -74,7 +74,7 @@ def test_pooling_would_get_the_sign_wrong_and_no_way_does():
     kind=st.sampled_from(CALIBRATIONS),
     seed=st.integers(0, 99),
 )
-def test_a_constant_added_to_one_home_changes_no_slope(constant, home, kind, seed):
+def test_a_constant_shift_of_one_home_does_not_change_slopes(constant, home, kind, seed):
     base, positive, homes = shifted([0.0, 1.0, 2.0, 3.0, 4.0], seed=seed)
     before = fit_known(base, positive, homes, kind).sigmoids[:, 0]
     base.shifts[home] += constant
@@ -82,7 +82,7 @@ def test_a_constant_added_to_one_home_changes_no_slope(constant, home, kind, see
     np.testing.assert_allclose(after, before, rtol=1e-4, atol=1e-6)
 
 
-def test_decisions_that_say_the_contrary_are_flat_counted_and_logged_once(caplog):
+def test_reversed_decisions_yield_flat_sigmoids_and_one_log_message(caplog):
     base, positive, homes = shifted([0.0] * 5)
     base.values = -base.values
     for kind in CALIBRATIONS:

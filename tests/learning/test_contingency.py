@@ -30,7 +30,7 @@ def test_mutual_information_against_scikit_learn(n_samples, n_values):
     np.testing.assert_array_equal(found, found.T)
 
 
-def test_bytes_are_enough_for_binary_and_narrow_codes():
+def test_binary_and_narrow_codes_may_be_bytes():
     for n_values in (2, 200):
         codes = linked_codes(300, 4, n_values, 1)
         np.testing.assert_array_equal(

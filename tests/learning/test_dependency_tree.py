@@ -136,7 +136,7 @@ def test_the_joint_distribution_sums_to_one(seed, n_values, alpha, dense):
     np.testing.assert_allclose(model.predict_proba(configurations).sum(axis=1), 1, rtol=1e-12)
 
 
-def test_independent_variables_give_naive_bayes():
+def test_independent_variables_yield_naive_bayes():
     # Every combination occurs once per class, so no pair is informative, and only the smoothing differs.
     codes = np.array(list(itertools.product(range(3), repeat=3)) * 2)
     y = np.repeat([0, 1], 27)
@@ -147,7 +147,7 @@ def test_independent_variables_give_naive_bayes():
     )
 
 
-def test_it_sees_dependence_unlike_naive_bayes():
+def test_dependence_is_detected_unlike_by_naive_bayes():
     rng = np.random.default_rng(0)
     first = rng.integers(0, 2, 400)
     y = rng.integers(0, 2, 400)
@@ -183,7 +183,7 @@ def test_wide_codes_do_not_need_wide_tables():
         ({"prior": "none"}, "prior=none: it must be"),
     ],
 )
-def test_impossible_settings(settings_, message):
+def test_invalid_settings(settings_, message):
     with pytest.raises(PlacecatError, match=message):
         DependencyTree(**settings_).fit([[0, 1], [4, 0]], ["a", "b"])
 

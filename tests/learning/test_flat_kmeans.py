@@ -12,7 +12,7 @@ def points():
     return (rng.normal(size=(400, 6)) + 4 * rng.integers(0, 5, (400, 1))).astype(np.float32)
 
 
-def test_it_is_as_good_as_scikit_learns(points):
+def test_inertia_is_close_to_that_of_scikit_learn(points):
     model = FlatKMeans(numbers=(5, 16), seed=1).fit(points)
     for number in (5, 16):
         centers = model.centers(number)
@@ -26,7 +26,7 @@ def test_it_is_as_good_as_scikit_learns(points):
         )
 
 
-def test_the_seed_decides_and_numbers_do_not_disturb_each_other(points):
+def test_clusterings_depend_on_the_seed_but_not_on_each_other(points):
     alone = FlatKMeans(numbers=(16,), seed=1).fit(points).centers(16)
     np.testing.assert_array_equal(FlatKMeans(numbers=(5, 16), seed=1).fit(points).centers(16), alone)
     assert not np.array_equal(FlatKMeans(numbers=(16,), seed=2).fit(points).centers(16), alone)

@@ -38,7 +38,7 @@ def grown(X: np.ndarray, **settings: int) -> HierarchicalKMeans:
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_the_cut_gives_the_blobs(seed):
+def test_cuts_recover_the_blobs(seed):
     X, groups = blobs()
     tree = grown(X, branching=3, max_clusters=9, seed=seed)
     for codes in (tree.labels(3), tree.assign(X, 3)):
@@ -161,7 +161,7 @@ def test_assign_is_the_nearest_centre():
     assert tree.assign(np.empty((0, 8)), 46).shape == (0,)
 
 
-def test_a_seed_fixes_the_bytes_for_any_number_of_threads():
+def test_a_seed_determines_the_tree_for_any_number_of_threads():
     X = np.random.default_rng(12).normal(size=(3000, 40)).astype(np.float32)
     trees = []
     for threads in (1, 2):
@@ -174,7 +174,7 @@ def test_a_seed_fixes_the_bytes_for_any_number_of_threads():
     assert grown(X, max_clusters=61, seed=4).centers(61).tobytes() != trees[0].centers(61).tobytes()
 
 
-def test_the_global_generator_is_left_alone():
+def test_the_global_generator_is_not_used():
     before = np.random.get_state()[1].copy()  # noqa: NPY002
     grown(np.random.default_rng(0).normal(size=(50, 2)), max_clusters=16)
     np.testing.assert_array_equal(before, np.random.get_state()[1])  # noqa: NPY002
@@ -221,7 +221,7 @@ def test_empty_clusters_take_the_farthest_points():
     assert labels.tolist() == [0, 2, 1, 3]
 
 
-def test_too_many_clusters_name_the_largest_number():
+def test_too_many_clusters_raise_an_error_with_the_maximum():
     tree = grown(np.repeat(np.arange(40.0), 3)[:, None], max_clusters=196)
     largest = tree.max_clusters_
     assert 16 <= largest <= 40
@@ -240,7 +240,7 @@ def test_beyond_the_grown_tree():
     ("number", "branching", "message"),
     [(100, 16, "91 or 106"), (0, 16, "1 or 16"), (-5, 16, "1 or 16"), (15, 16, "1 or 16"), (6, 3, "5 or 7")],
 )
-def test_other_cluster_numbers_are_refused(number, branching, message):
+def test_invalid_cluster_numbers_are_rejected(number, branching, message):
     with pytest.raises(PlacecatError, match=f"use {message}$"):
         check_cluster_number(number, branching)
 
@@ -259,7 +259,7 @@ def test_the_thesis_cluster_numbers_are_valid():
         ({"seed": -1}, "seed=-1"),
     ],
 )
-def test_impossible_settings(settings_, message):
+def test_invalid_settings(settings_, message):
     with pytest.raises(PlacecatError, match=message):
         HierarchicalKMeans(**settings_).fit(np.zeros((5, 2)))
 

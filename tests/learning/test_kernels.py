@@ -46,7 +46,7 @@ def test_gram_across_tiles_is_symmetric_and_independent_of_threads(monkeypatch):
     np.testing.assert_allclose(one, rbf_kernel(X, gamma=0.3), atol=2e-6)
 
 
-def test_float64_gram_holds_the_float32_values():
+def test_float64_gram_has_the_float32_values():
     X = np.random.default_rng(1).normal(size=(20, 3))
     double = rbf_gram(X, 1.0, dtype=np.float64)
     assert double.dtype == np.float64

@@ -90,7 +90,7 @@ def test_once_favours_frequent_classes():
     np.testing.assert_allclose(once.predict_proba_sets(frame, counts), [[81 / 82, 1 / 82]])
 
 
-def test_a_codebook_is_cut_and_left_alone():
+def test_a_given_codebook_is_not_modified():
     X, y = training_data()
     codebook = HierarchicalKMeans(max_clusters=46, seed=8).fit(X)
     before = codebook.centers(31)
@@ -231,10 +231,10 @@ def test_wrong_updates():
         ({"smoothing": -0.1}, "smoothing=-0.1"),
         ({"class_weighting": "twice"}, "class_weighting=twice: it must be 'once' or 'per_region'"),
         ({"n_clusters": 100}, "91 or 106"),
-        ({"n_clusters": 496}, "496 clusters are impossible"),
+        ({"n_clusters": 496}, "496 clusters cannot be formed"),
     ],
 )
-def test_impossible_settings(settings_, message):
+def test_invalid_settings(settings_, message):
     X, y = training_data()
     with pytest.raises(PlacecatError, match=message):
         ModifiedKNN(**settings_).fit(X, y)

@@ -98,7 +98,7 @@ def test_many_variables_do_not_underflow():
         ({"n_values": 4}, r"code 4 of sample 1, variable 0 is outside \[0, 4\)"),
     ],
 )
-def test_impossible_settings(settings_, message):
+def test_invalid_settings(settings_, message):
     with pytest.raises(PlacecatError, match=message):
         NaiveBayes(**settings_).fit([[0, 1], [4, 0]], ["a", "b"])
 

@@ -69,7 +69,7 @@ def test_scheme_against_a_naive_transcription(exclusive, named_prior):
         np.testing.assert_allclose(proba, np.array(p) / sum(p), atol=1e-12)
 
 
-def test_weak_classifiers_do_not_all_name_the_frequent_class():
+def test_weak_classifiers_do_not_always_choose_the_frequent_class():
     """With weak outputs, the literal variant always names the same class, but the default does not."""
     rng = np.random.default_rng(0)
     y = np.repeat([0, 0, 0, 1, 2], 60)
@@ -202,7 +202,7 @@ X3, Y3, _ = homes(30)
 @pytest.mark.parametrize(
     ("model", "y", "message"),
     [
-        (OneAgainstAll(), np.ones(30), "all training samples are of one class, '1.0'"),
+        (OneAgainstAll(), np.ones(30), "all training samples belong to one class, '1.0'"),
         (OneAgainstAll(), np.arange(30) == 3, "class 'True' has 1 training sample"),
         (OneAgainstAll(), Y3[:5], r"y has shape \(5,\) for 30 samples"),
         (

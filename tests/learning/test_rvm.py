@@ -122,7 +122,7 @@ def test_rows_equal_a_fit_on_these_rows_alone():
     np.testing.assert_allclose(part.dual_coef_, alone.dual_coef_, rtol=1e-3)
 
 
-def test_same_bytes_twice():
+def test_fitting_twice_yields_identical_bytes():
     X, y = ring()
     first, second = RVM(gamma=0.5).fit(X, y), RVM(gamma=0.5).fit(X, y)
     assert first.dual_coef_.tobytes() == second.dual_coef_.tobytes()
@@ -145,7 +145,7 @@ def test_separable_data():
     assert model.predict([[0.1], [0.9]]).tolist() == ["a", "b"]
 
 
-def test_labels_without_structure_leave_a_small_model():
+def test_random_labels_yield_finite_decisions():
     rng = np.random.default_rng(0)
     X, y = rng.normal(size=(100, 3)), np.arange(100) % 2 == 0
     model = RVM(gamma=1.0).fit(X, y)
@@ -163,7 +163,7 @@ def test_messages():
         RVM().fit_rows(rbf_gram(X, 1.0), np.zeros(20, bool))
 
 
-def test_frames_that_are_nearly_alike():
+def test_nearly_identical_frames():
     # As in a video, kernels differ by less than float32 can resolve.
     rng = np.random.default_rng(2)
     places = rng.normal(size=(40, 3))
@@ -175,6 +175,6 @@ def test_frames_that_are_nearly_alike():
     assert (model.predict(X) == y).mean() > 0.8
 
 
-def test_functions_that_are_alike_are_no_better_model():
+def test_identical_functions_have_no_evidence():
     mode = _laplace_mode(np.ones((2, 4)), np.array([0.0, 0.0, 1.0, 1.0]), np.full(2, 1e-20), np.zeros(2))
     assert mode.evidence == -np.inf

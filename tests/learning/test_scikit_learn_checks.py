@@ -81,7 +81,7 @@ ESTIMATORS = [
 @parametrize_with_checks(
     ESTIMATORS, expected_failed_checks=lambda estimator: NOT_PASSED.get(type(estimator).__name__, {})
 )
-def test_the_checks_of_scikit_learn_pass(estimator, check):
+def test_scikit_learn_checks_pass(estimator, check):
     check(estimator)
 
 
@@ -106,7 +106,7 @@ def test_every_estimator_is_checked():
         (np.ones((8, 2)), None, "y"),
     ],
 )
-def test_complex_samples_and_labels_that_are_none_are_refused(estimator, samples, labels, message):
+def test_complex_samples_and_missing_labels_are_rejected(estimator, samples, labels, message):
     from sklearn.base import clone
 
     if not hasattr(estimator, "classes_") and type(estimator).__name__.endswith("KMeans"):
@@ -115,7 +115,7 @@ def test_complex_samples_and_labels_that_are_none_are_refused(estimator, samples
         clone(estimator).fit(samples, labels)
 
 
-def test_a_list_decides_for_its_largest_output():
+def test_a_decision_list_chooses_its_largest_output():
     """This is true by default. With other settings, `predict` may choose another class."""
     X = np.random.default_rng(0).normal(size=(300, 2))
     y = (X[:, 0] > 0).astype(int) + (X[:, 1] > 0)
@@ -123,7 +123,7 @@ def test_a_list_decides_for_its_largest_output():
     np.testing.assert_array_equal(scheme.predict(X), scheme.classes_[scheme.predict_proba(X).argmax(axis=1)])
 
 
-def test_a_machine_declares_that_it_takes_two_classes():
+def test_two_class_estimators_declare_that_they_are_binary():
     for machine in (NuSVM(), RVM(), GentleAdaBoost()):
         assert not machine.__sklearn_tags__().classifier_tags.multi_class
         with pytest.raises(PlacecatError, match=r"Only binary classification is supported.* 3 classes"):

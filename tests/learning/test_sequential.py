@@ -53,7 +53,7 @@ def test_sign_and_probability_differ_by_the_sigmoids_offset():
 
 
 @pytest.mark.parametrize("decision", ["sign", "probability"])
-def test_a_flat_sigmoid_never_says_yes(decision):
+def test_a_node_with_a_flat_sigmoid_accepts_nothing(decision):
     """A constant output carries no information, so the node must not accept any sample."""
     model = listed([0, 1], decision=decision)
     model.sigmoid_[0] = [0.0, 0.0]
@@ -112,7 +112,7 @@ def test_nodes_on_remaining_classes_equal_a_fit_without_the_earlier_ones():
 
 
 @pytest.mark.parametrize("training", ["all", "remaining"])
-def test_the_number_of_threads_changes_nothing(training):
+def test_results_do_not_depend_on_the_number_of_threads(training):
     X, y, groups = homes()
     labels = np.array(["bath", "hall", "bed"])[y]
     one = Sequential(GentleAdaBoost(5), training=training, n_jobs=1).fit(X, labels, groups)

@@ -191,7 +191,7 @@ def _fit_all(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | N
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
         return _fit_missing(base, shared, tasks, n_jobs)
-    # Keep only the machines of the latest preparation, because a preparation may be large.
+    # Keep only the machines for the latest prepared samples, because these may be large.
     machines: dict[Any, Any] = remembered("machines", (shared,), dict, latest=True)
     of_base = type(base).__name__, tuple(sorted(settings.items()))
     keys = [(of_base, positive.tobytes(), bytes_of(rows)) for positive, rows, _ in tasks]

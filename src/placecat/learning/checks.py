@@ -45,7 +45,10 @@ def check_width(X: NDArray[Any], estimator: Any) -> None:
 
 
 def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
-    """Return `y` as (n,) class labels. Raise PlacecatError for missing labels or non-classes, such as 0.5."""
+    """Return `y` as (n,) class labels.
+
+    Raises PlacecatError if labels are missing or are not classes, such as 0.5.
+    """
     if y is None:
         raise PlacecatError("a classifier requires y to be passed, but the target y is None")
     try:

@@ -28,7 +28,7 @@ class DependencyTree(DiscreteBayes):
 
     The model multiplies p(c_r | l_i) for the root r by p(c_k | c_parent(k), l_i) for each other variable. The
     tree of a class is the maximum spanning tree of the mutual information within the class. Among all trees,
-    it maximises the likelihood of the samples of the class (Chow and Liu). The mutual information is computed
+    it maximises the likelihood of that class's samples (Chow and Liu). The mutual information is computed
     from relative frequencies. Only the conditional probabilities are smoothed.
 
     Parameters

@@ -1,4 +1,4 @@
-"""Base class of the two models of joint probabilities. It applies Bayes' rule to codes."""
+"""Base class of the two joint-probability models. It applies Bayes' rule to codes."""
 
 from abc import abstractmethod
 from typing import Any, Self

@@ -66,7 +66,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         See `TwoClass`.
     feature_, threshold_, low_, high_
         (T,) arrays, where T <= n_rounds: the feature and threshold of each stump, and its values above the
-        threshold (`high_`) and otherwise (`low_`).
+        threshold (`high_`) and at or below it (`low_`).
 
     References
     ----------

@@ -229,7 +229,7 @@ class HierarchicalKMeans(BaseEstimator):
                     "raise max_clusters and fit again"
                 )
             raise NotComputable(
-                f"{n_clusters} clusters are impossible: the training data split into at most "
+                f"{n_clusters} clusters cannot be formed: the training data split into at most "
                 f"{self.max_clusters_}, and none of these has {self.branching} distinct points"
             )
         n_splits = (n_clusters - 1) // (self.branching - 1)

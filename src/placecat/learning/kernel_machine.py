@@ -28,7 +28,7 @@ class KernelMachine(TwoClass):
     dual_coef_
         (s,) float64, the weights of the support vectors in the sum.
     intercept_
-        Number that is added to the sum.
+        Constant that is added to the sum.
     """
 
     gamma: float

@@ -43,7 +43,7 @@ def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> 
 
 
 def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Replace the products in place by exp(-gamma ||x - y||^2)."""
+    """Replace the products in place with exp(-gamma ||x - y||^2)."""
     # Rounding can make a squared distance negative.
     np.minimum(products, 0.0, out=products)
     return np.exp(products, out=products)

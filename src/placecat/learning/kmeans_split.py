@@ -60,7 +60,7 @@ def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generat
 def seed_clusters(
     points: NDArray[np.float32], n_clusters: int, rng: np.random.Generator
 ) -> NDArray[np.uint16] | None:
-    """Draw k-means++ seeds, one try each as in FLANN. Return the index of the nearest seed of each point.
+    """Draw k-means++ seeds with one try each, as in FLANN. Return the index of each point's nearest seed.
 
     Returns None if there are too few distinct points.
     """

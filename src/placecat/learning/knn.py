@@ -38,9 +38,9 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     n_neighbors : int
         K.
     smoothing : float
-        Number that is added to every f(l, c), and therefore n_clusters times to f(l). The thesis does not
-        specify this. If it is 0, a cluster rules out every class that it does not contain. If all classes are
-        ruled out, the result is uniform.
+        Number that is added to every f(l, c). It is therefore added n_clusters times to f(l). The thesis does
+        not specify this. If it is 0, a cluster rules out every class that it does not contain. If all classes
+        are ruled out, the result is uniform.
     class_weighting : {"once", "per_region"}
         "once" divides by f(l) once, like equations (2) and (4) and the text of the thesis. "per_region"
         divides by f(l)^n, which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). The two agree
@@ -129,8 +129,8 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     def predict_proba_sets(self, X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.float64]:
         """Return p(class | x_1, ..., x_n) for each frame's set of descriptors.
 
-        `X` is a (frames, max_regions, D) array of descriptors, and `counts` is a (frames,) array of numbers
-        of regions. Rows beyond a frame's number of regions are ignored. Returns (frames, n_classes) float64,
+        `X` is a (frames, max_regions, D) array of descriptors, and `counts` (frames,) is the number of
+        regions in each frame. Rows beyond this number are ignored. Returns (frames, n_classes) float64,
         where each row sums to 1. A frame without regions has a uniform distribution, because the thesis
         assumes uniform priors.
         """

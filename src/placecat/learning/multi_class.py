@@ -115,13 +115,13 @@ class MultiClass:
         """Combine (n, K) outputs p(o_k|x) into (n, K) distributions."""
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Decide from (n, K) outputs p(o_k|x), and return (n,) indices into `classes_`."""
+        """Choose a class for each row of (n, K) outputs p(o_k|x), and return (n,) indices into `classes_`."""
         return self.combine(outputs).argmax(axis=1)
 
     def _uses_own_sigmoid(self, base: TwoClass) -> bool:
         if self.sigmoid == "own" and base.own_sigmoid is None:
             raise PlacecatError(
-                "sigmoid 'own' needs a base classifier with probabilities, unlike a nu-SVM: use 'platt'"
+                "sigmoid 'own' needs a base classifier with probabilities, which a nu-SVM lacks: use 'platt'"
             )
         if self.sigmoid == "auto":
             return base.own_sigmoid is not None and base.prefers_own_sigmoid
@@ -150,7 +150,7 @@ def encode_classes(
     names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]
     if len(classes) < 2:
         raise PlacecatError(
-            f"all training samples are of one class, {names[0]!r}: a multi-class scheme needs at least 2"
+            f"all training samples belong to one class, {names[0]!r}: a multi-class scheme needs at least 2"
         )
     counts = np.bincount(index)
     if counts.min() < 2:

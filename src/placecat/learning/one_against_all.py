@@ -28,7 +28,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     ----------
     base
         Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any scikit-learn classifier.
-        scikit-learn classifiers cannot share preparation between fits.
+        Fits of scikit-learn classifiers cannot share preparatory work.
     calibration
         Which samples are held out for the sigmoids and reliabilities: ``samples`` (the default),
         ``consecutive``, ``homes_centred`` or ``homes_averaged``. See
@@ -36,8 +36,8 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     sigmoid
         Source of p(o_k|x). ``platt`` fits a sigmoid to held-out decision values. ``own`` uses the base
         classifier's probability, which is equation (8) for boosting and the logistic likelihood for the RVM.
-        ``auto`` uses equation (8) for boosting and ``platt`` for the nu-SVM and the RVM, like dlib and
-        therefore the thesis.
+        ``auto`` uses equation (8) for boosting and ``platt`` for the nu-SVM and the RVM, as in dlib, which
+        the thesis uses.
     sigmoid_weights
         ``balanced`` gives positives and negatives equal total weight when Platt's sigmoid is fitted. ``none``
         does not, as in Platt's paper.

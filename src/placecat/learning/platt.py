@@ -29,8 +29,8 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
     positive
         (n,) bool, true for positive samples.
     balanced
-        Whether positives and negatives have a total weight of n / 2 each. Then p applies to equally frequent
-        classes.
+        Whether positives and negatives have a total weight of n / 2 each. If so, p applies to equally
+        frequent classes.
 
     Returns
     -------

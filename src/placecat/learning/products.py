@@ -3,7 +3,7 @@
 This must be true even of the last bits, which BLAS does not guarantee. BLAS multiplies in tiles, sums in a
 different order at a matrix's edges, and uses different routines for one row and for many rows. The last bits
 of a frame's result would therefore depend on the other frames. Here, every product has one of a few fixed row
-counts, where the last product is padded with zeros. Zero margins surround the columns. Whether this works
+counts, and the last product is padded with zeros. Zero margins surround the columns. Whether this works
 depends on the BLAS kernels for the processor, so each shape is tested once. If the test fails, rows are
 multiplied one by one.
 """
@@ -20,7 +20,7 @@ from placecat.learning.single_thread import single_blas_thread
 # Number of columns per product, without margins. With margins, there are 320, which is one block of
 # OpenBLAS's AVX2 float32 kernels.
 _COLUMNS = 304
-# Number of zero columns on each side, which is the tile size of these kernels. The total number of columns is
+# Number of zero columns on each side, equal to the tile size of these kernels. The total number of columns is
 # padded to a multiple of the second number.
 _MARGIN, _TILE = 8, 16
 # Numbers of rows per product, in order of preference. They are multiples of 12, the tile height of these

@@ -28,9 +28,9 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     The model has a basis function per training sample, a bias, a logistic likelihood, and weights w with the
     prior N(0, diag(1/alpha)). Fitting maximises the evidence over alpha by adding, re-estimating or deleting
     one basis function at a time (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the
-    problem Gaussian. After each approximation, the statistics that rank all functions are updated. Then many
-    additions, re-estimates and deletions follow. They involve the functions in the model and the most
-    promising ones outside it.
+    problem Gaussian. After each approximation, the statistics that rank all functions are updated. Many
+    additions, re-estimates and deletions follow, limited to the functions in the model and the most promising
+    ones outside it.
 
     Parameters
     ----------
@@ -184,7 +184,7 @@ def _laplace_mode(
 ) -> _Mode:
     """Find the mode of w by Newton's method.
 
-    `basis` is (m, n), `target` consists of (n,) zeros and ones, and `alpha` and `start` are (m,).
+    `basis` is (m, n), `target` is (n,) and contains zeros and ones, and `alpha` and `start` are (m,).
     """
     narrow = basis.astype(np.float32)
     diagonal = np.diag_indices(len(alpha))
@@ -294,7 +294,7 @@ class _Surrogate:
     (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting a function differ
     only in d.
 
-    The pool contains u basis functions, beginning with those in the model.
+    The pool lists the functions in the model first.
     """
 
     def __init__(

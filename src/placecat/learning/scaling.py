@@ -1,4 +1,4 @@
-"""Scaling of descriptors for the kernel. It fixes the unit of gamma."""
+"""Scaling of descriptors for the kernel. The effect of a given gamma depends on it."""
 
 from typing import Annotated, Self
 

@@ -55,7 +55,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     Attributes
     ----------
     classes_
-        (K,) labels, sorted. All outputs have their columns in this order.
+        (K,) labels, sorted. The columns of all outputs are in this order.
     order_
         (K,) indices into `classes_`, strongest first. The last class has no node.
     strength_

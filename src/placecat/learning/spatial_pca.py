@@ -37,8 +37,8 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     mean_
         (cells, D / cells) float64.
     components_
-        (cells, components, D / cells) float64, orthonormal rows in order of decreasing variance. The entry of
-        each row with the largest magnitude is positive.
+        (cells, components, D / cells) float64, orthonormal rows in order of decreasing variance. In each row,
+        the entry with the largest magnitude is positive.
     explained_variance_
         (cells, components) float64.
     explained_variance_ratio_
