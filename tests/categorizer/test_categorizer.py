@@ -53,7 +53,7 @@ def test_a_reset_forgets_everything(categorizer):
     assert not np.array_equal(without.proba, first[0].proba)
 
 
-def test_frames_come_at_the_rate_of_the_model_unless_their_times_are_given(categorizer):
+def test_without_times_frames_have_the_frame_rate_of_the_model(categorizer):
     seen = frames(4)
     assert categorizer.frame_rate == 5.0
     own = [categorizer.update(frame) for frame in seen]
@@ -71,12 +71,12 @@ def test_frames_come_at_the_rate_of_the_model_unless_their_times_are_given(categ
 
 
 @pytest.mark.parametrize("seconds", [-1.0, float("nan")])
-def test_impossible_times_are_refused(categorizer, seconds):
+def test_invalid_times_are_rejected(categorizer, seconds):
     with pytest.raises(PlacecatError, match="the time between two frames is"):
         categorizer.update(frames(1)[0], seconds)
 
 
-def test_times_of_a_clock_are_the_same_as_seconds_between_frames(categorizer):
+def test_clock_times_are_equivalent_to_seconds_between_frames(categorizer):
     seen, steps = frames(5), [0.2, 0.05, 0.5, 0.0, 1.25]
     between = [categorizer.update(frame, step) for frame, step in zip(seen, steps, strict=True)]
     categorizer.reset()
@@ -91,7 +91,7 @@ def test_times_of_a_clock_are_the_same_as_seconds_between_frames(categorizer):
     assert between[-1].seconds == pytest.approx(sum(steps[1:]))
 
 
-def test_a_frame_that_comes_twice_says_no_more(categorizer):
+def test_a_repeated_frame_adds_no_evidence(categorizer):
     first, second = frames(2)
     categorizer.update(first, time=1.0)
     once = categorizer.update(second, time=1.5)
@@ -102,7 +102,7 @@ def test_a_frame_that_comes_twice_says_no_more(categorizer):
     assert sum(visit.frames for visit in categorizer.visits()) == 2
 
 
-def test_invalid_frames_are_refused_and_skipped(categorizer):
+def test_invalid_frames_are_rejected_and_skipped(categorizer):
     with pytest.raises(PlacecatError, match="OpenCV returns None if a camera fails"):
         categorizer.update(None)
     assert categorizer.visits() == []
@@ -119,7 +119,7 @@ def test_invalid_frames_are_refused_and_skipped(categorizer):
         ({"time": "now"}, "'now': pass a number of seconds"),
     ],
 )
-def test_a_frame_of_an_impossible_time_is_left_out(categorizer, times, message):
+def test_a_frame_with_an_invalid_time_is_skipped(categorizer, times, message):
     first, late, second = frames(3)
     categorizer.update(first, time=2.0)
     expected = categorizer.update(second, time=2.5)
@@ -186,7 +186,7 @@ def test_visits_are_the_names_of_the_decisions(categorizer):
         (np.zeros((180, 320, 3), np.float32), "uint8"),
     ],
 )
-def test_frames_that_do_not_fit_are_refused_and_change_nothing(categorizer, frame, message):
+def test_unsuitable_frames_are_rejected_and_change_nothing(categorizer, frame, message):
     first, second = frames(2)
     categorizer.update(first)
     expected = categorizer.update(second).proba
@@ -197,7 +197,7 @@ def test_frames_that_do_not_fit_are_refused_and_change_nothing(categorizer, fram
     np.testing.assert_array_equal(categorizer.update(second).proba, expected)
 
 
-def test_frames_of_other_sizes_are_scaled_if_asked():
+def test_frames_of_other_sizes_are_scaled_on_request():
     system = make_system()
     plain, scaling = Categorizer(system), Categorizer(system, resize=True)
     seen = frames(3)
@@ -211,7 +211,7 @@ def test_frames_of_other_sizes_are_scaled_if_asked():
         scaling.update(np.zeros((320, 180, 3), np.uint8))
 
 
-def test_the_frame_is_left_as_it_was(categorizer):
+def test_the_frame_is_not_modified(categorizer):
     frame = frames(1)[0]
     before = frame.copy()
     categorizer.update(frame)

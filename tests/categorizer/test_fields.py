@@ -62,13 +62,13 @@ def plain(value):
 
 
 @pytest.mark.parametrize("way", WAYS)
-def test_every_way_of_deciding_comes_back(way):
+def test_every_kind_of_model_survives_a_round_trip(way):
     model, frames = fitted(way)
     again = from_plain(*plain(model))
     np.testing.assert_array_equal(again.predict_proba(frames), model.predict_proba(frames))
 
 
-def test_flat_codebooks_and_sparse_trees_come_back(monkeypatch):
+def test_flat_codebooks_and_sparse_trees_survive_a_round_trip(monkeypatch):
     sets, labels, _ = data()
     flat = Codebook.fit(sets, cells=1, seed=1, tree={"name": "flat_kmeans", "numbers": [4]})
     np.testing.assert_array_equal(from_plain(*plain(flat)).words(sets, 4), flat.words(sets, 4))
@@ -141,11 +141,11 @@ def tree(**changes):
         (lambda: Codebook([1.0], of_sets=True), "trees of a Codebook.*methods assign"),
     ],
 )
-def test_unfit_content_is_refused(wrong, message):
+def test_invalid_content_is_rejected(wrong, message):
     written = plain(wrong())
     with pytest.raises(PlacecatError, match=message):
         from_plain(*written)
 
 
-def test_a_class_that_was_added_is_left_to_whoever_reads_it():
+def test_unlisted_classes_are_not_checked():
     fields.check(type("OneOfYours", (), {}), {"anything": object()})

@@ -33,7 +33,7 @@ def file(system, tmp_path):
     return tmp_path / "model.placecat"
 
 
-def test_a_system_comes_back_and_gives_the_same_bits(system, file):
+def test_a_stored_system_yields_identical_results(system, file):
     first, second = Categorizer(system), Categorizer.load(file)
     for frame in frames(4):
         one, two = first.update(frame), second.update(frame)
@@ -42,7 +42,7 @@ def test_a_system_comes_back_and_gives_the_same_bits(system, file):
         assert one.place == two.place
 
 
-def test_the_same_system_gives_the_same_bytes_and_nothing_is_pickled(system, file, tmp_path):
+def test_identical_systems_yield_identical_bytes_without_pickle(system, file, tmp_path):
     model_file.write(tmp_path / "again.placecat", system)
     assert file.read_bytes() == (tmp_path / "again.placecat").read_bytes()
     with zipfile.ZipFile(file) as archive:
@@ -65,7 +65,7 @@ def test_the_card_has_the_facts_for_a_reader(file):
         "320x180",
         "noise",
         "It hums.",
-        "`unknown` below a confidence of 0.400, above which at most 10% of",
+        "`unknown` if its confidence is below 0.400. Above this confidence, at most 10% of",
         "| 10 % | 0.400 | 62.5 % | 12.5 % | 25.0 % |",
         "| 1 % | none | 0.0 % | - | - |",
         "| 50.00 | 25.00 | 37.50 |",
@@ -161,7 +161,10 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: rewrite(file, "card.json", change_json(placecat="9.3.0")), "placecat 9.3.0"),
         (lambda file: rewrite(file, "card.json", change_json(format=None)), "its card has no version"),
         (lambda file: rewrite(file, "card.json", change_json(classes=["a", "a", "b"])), "listed twice"),
-        (lambda file: rewrite(file, "card.json", change_json(classes=["a", "b"])), "not for 2 places"),
+        (
+            lambda file: rewrite(file, "card.json", change_json(classes=["a", "b"])),
+            "smoothing does not match its 2 places",
+        ),
         (lambda file: rewrite(file, "card.json", change_json(frame_sizes=[[320, 10**9]])), "frame_sizes"),
         (lambda file: rewrite(file, "card.json", change_json(fps=[float("nan")])), "NaN is not a number"),
         (
@@ -218,7 +221,7 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: larger(file, "arrays/0003.npy", 2**31), "more bytes than the file has"),
     ],
 )
-def test_other_files_and_versions_are_refused(file, damage, message):
+def test_other_files_and_versions_are_rejected(file, damage, message):
     damage(file)
     with pytest.raises(PlacecatError, match=message) as refused:
         model_file.read(file)
@@ -226,7 +229,7 @@ def test_other_files_and_versions_are_refused(file, damage, message):
     assert "\n" not in str(refused.value)
 
 
-def test_a_file_that_may_not_be_read_gives_one_message(file, monkeypatch):
+def test_an_unreadable_file_raises_one_error(file, monkeypatch):
     def refuse(*_, **__):
         raise PermissionError(13, "Permission denied", str(file))
 
@@ -253,7 +256,7 @@ def most_memory(*, forget=False):
 
 
 @pytest.mark.parametrize("is_forged", [False, True], ids=["damaged", "forged"])
-def test_mutants_are_refused_or_as_good_as_before(file, is_forged):
+def test_mutants_are_rejected_or_valid(file, is_forged):
     shown, before = frames(2), most_memory(forget=True)
     expected = mutants.decisions(file, shown)
     intact, counts = file.read_bytes(), Counter()
@@ -269,7 +272,7 @@ def test_mutants_are_refused_or_as_good_as_before(file, is_forged):
     assert most_memory() - before < 2**29
 
 
-def test_other_classes_are_refused(file):
+def test_other_classes_are_rejected(file):
     Categorizer.load(file, classes=["bedroom", "kitchen", "bathroom"])
     with pytest.raises(PlacecatError, match="bedroom, kitchen, bathroom"):
         Categorizer.load(file, classes=["kitchen", "bedroom", "bathroom"])
@@ -285,7 +288,7 @@ def test_only_a_model_is_replaced(file, tmp_path):
         assert not model_file.is_model(tmp_path / name)
 
 
-def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monkeypatch):
+def test_the_output_path_is_checked_before_training(tmp_path, monkeypatch):
     monkeypatch.setattr(train, "train", lambda *_, **__: pytest.fail("it trains"))
     (tmp_path / "README.md").write_text("text")
     with pytest.raises(PlacecatError, match=r"README\.md exists and is not a model, so it is not replaced"):
@@ -294,7 +297,7 @@ def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monk
         train.train_command("das_551_best", [], None, tmp_path / "README.md/x")
 
 
-def test_a_model_of_train_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
+def test_a_trained_model_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
     calls = []
     params = read_yaml(ROOT / "params.yaml")
     (tmp_path / "params.yaml").write_text(yaml.safe_dump(params))

@@ -35,16 +35,17 @@ def unknown_text(card: Mapping[str, Any]) -> str:
     """Describe in one line when the system says `unknown`, and how often its other decisions were wrong."""
     unknown = card.get("unknown")
     if unknown is None:
-        return "It never says `unknown`, since its errors in unseen homes were not measured."
+        return "It never says `unknown`, because its errors in unseen homes were not measured."
     risk = f"at most {100 * unknown['risk']:g}% of its decisions in left-out training homes were wrong"
     if unknown["threshold"] is None:
         return (
-            f"It always says `unknown`, since there is no confidence above which {risk}. The most probable "
-            "place is reported beside it; a higher model.risk may help."
+            f"It always says `unknown`, because there is no confidence above which {risk}. The most probable "
+            "place is reported too. A higher model.risk may help."
         )
     (own,) = (row for row in unknown["measured"] if row["risk"] == unknown["risk"])
-    wrong = "" if own["wrong"] is None else f", {own['wrong']:.1%} of these wrongly"
+    wrong = "" if own["wrong"] is None else f", and {own['wrong']:.1%} of these names are wrong"
     return (
-        f"It says `unknown` below a confidence of {unknown['threshold']:.3f}, above which {risk}. In homes "
-        f"that did not influence this confidence it names {own['coverage']:.1%} of the frames{wrong}."
+        f"It says `unknown` if its confidence is below {unknown['threshold']:.3f}. Above this confidence, "
+        f"{risk}. In homes that did not influence the choice of this confidence, it names the place in "
+        f"{own['coverage']:.1%} of the frames{wrong}."
     )

@@ -32,8 +32,8 @@ class Decision:
 
     `place` is the most probable class in `proba`, and `confidence` is its probability. `is_known` is true if
     this is at least :attr:`Categorizer.threshold`. `proba` is the distribution after the hidden Markov model
-    and the delay (thesis 3.4), and `hmm` is the distribution before the delay. Two attributes depend on this
-    frame alone: `integrated` is the distribution from all cues together (3.3.3), and `cues` has one
+    and the delay (thesis 3.4), and `hmm` is the distribution before the delay. Two attributes precede the
+    hidden Markov model: `integrated` is the distribution from all cues together (3.3.3), and `cues` has one
     distribution per cue.
 
     `regions` are the salient regions, strongest first. They are (n, 4) float32 with columns x, y, scale and
@@ -61,7 +61,7 @@ class Decision:
 
 
 class Categorizer:
-    """Names the place in each frame of a video or camera.
+    """Names the place in each frame from a video or a camera.
 
     The results are exactly those of the batch pipeline if NumPy's OpenBLAS uses the same kernels. The
     pipeline uses the Haswell kernels: it sets ``OPENBLAS_CORETYPE=Haswell`` before importing NumPy.

@@ -130,11 +130,11 @@ def check_system(system: TrainedSystem) -> None:
     if any(cue.is_tracked for cue in system.cues) != (system.tracking is not None):
         raise PlacecatError("its tracking settings do not fit its cues")
     if system.smoothing.transition.shape != (n_classes, n_classes):
-        raise PlacecatError(f"its smoothing is not for {n_classes} places")
+        raise PlacecatError(f"its smoothing does not match its {n_classes} places")
     integrator = system.integrator
     for name, array in (("temperatures", integrator.temperatures), ("weights", integrator.weights)):
         if array is not None and array.shape != (len(names),):
-            raise PlacecatError(f"its {name} are not for {len(names)} cues")
+            raise PlacecatError(f"its {name} do not match its {len(names)} cues")
 
 
 def check_distribution(proba: Any, n_classes: int) -> None:

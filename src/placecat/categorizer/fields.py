@@ -22,9 +22,9 @@ from placecat.ranges import Count, NonNegative, OneOf, Positive, Share, Two
 
 
 def check(kind: type, state: Mapping[str, Any]) -> None:
-    """Raise an error if attributes do not fit their class, such as :class:`NuSVM`, or each other.
+    """Raise PlacecatError if attributes do not fit their class or each other.
 
-    The PlacecatError names the class and, if possible, the attribute.
+    The message names the class and, if possible, the attribute.
     """
     class_name = kind.__name__
     if class_name not in FIELDS:

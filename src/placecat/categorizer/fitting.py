@@ -41,7 +41,7 @@ class Fit:
         return cv2.resize(middle, self.target, interpolation=method)  # type: ignore[return-value]
 
     def __str__(self) -> str:
-        cut = "" if self.kept == self.source else f" (the middle {_text(self.kept)} of it)"
+        cut = "" if self.kept == self.source else f" (cropped to the middle {_text(self.kept)})"
         return f"{_text(self.source)}{cut} is scaled to {_text(self.target)}"
 
 

@@ -28,7 +28,7 @@ def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
 
 
 def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], seed: int) -> HeldOut:
-    """For each home, train the system `name` without this home, and apply it to this home.
+    """For each home, train the system `name` without that home, and apply it to that home.
 
     Homes in `without` are always left out. If `without` is empty, the outputs are exactly those of the
     stages. If there are too few homes, the result is empty.

@@ -81,7 +81,7 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
         raise
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise PlacecatError(f"a part of the model cannot be read ({error!r})") from None
-    raise PlacecatError(f"a part of the model has the unknown kind {kind!r}")
+    raise PlacecatError(f"a part of the model has an unknown kind, {kind!r}")
 
 
 def _rebuild(name: str, state: dict[str, Any]) -> Any:

@@ -44,7 +44,8 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
             raise PlacecatError(f"{paths.FEATURES / home} is missing: run `placecat repro` first")
     trained = train(params, name, without=without, seed=seed)
     print(
-        "The system is trained. To measure it in unseen homes, it is now trained again without each of them.",
+        "The system is trained. To measure it in unseen homes, training is now repeated with each home left "
+        "out.",
         flush=True,
     )
     trained = measured(

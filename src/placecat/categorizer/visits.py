@@ -8,7 +8,7 @@ UNKNOWN = "unknown"
 
 @dataclass(frozen=True)
 class Visit:
-    """A stay in a place, or in `UNKNOWN`.
+    """A stay in a place, which may be `UNKNOWN`.
 
     `start` is the time of its first frame, and `end` is the time of the first frame after it, both in
     seconds. A stay has at least one frame, and `confidence` is the mean over its frames.
