@@ -61,7 +61,7 @@ def assert_alone_as_in_a_batch(ask, n):
 
 @pytest.mark.parametrize("kind", ["whole", "regions"])
 @pytest.mark.parametrize("model", lookup.names("placecat.cues", "fit"))
-def test_a_frame_alone_is_as_in_a_batch(model, kind):
+def test_a_frame_does_not_depend_on_its_batch(model, kind):
     if kind == "whole" and cues.of_regions_only(model):
         return
     train, labels = frames(kind, 96, seed=0)
@@ -79,7 +79,7 @@ def test_a_frame_alone_is_as_in_a_batch(model, kind):
         assert_alone_as_in_a_batch(lambda some, cue=cue: cue.predict_proba(some_of(asked, some)), len(asked))
 
 
-def test_a_frame_without_regions_alone_is_uniform():
+def test_a_single_frame_without_regions_is_uniform():
     train, labels = frames("regions", 96, seed=0)
     classifier = {"model": "one_against_all", **CLASSIFIERS["one_against_all"][2]}
     cue = cues.fit(train, labels, np.repeat(["A", "B"], 48), classifier=classifier, classes=PLACES)

@@ -1,4 +1,4 @@
-"""Pinned seeds of every codebook. A name that changes in conf/ must not change a clustering."""
+"""Pinned seeds of every codebook. Renaming something in conf/ must not change a clustering."""
 
 import pytest
 
@@ -89,6 +89,6 @@ def test_seeds_of_the_trials_are_unchanged():
     assert {name: number for number, name in first.items()} == TRIALS
 
 
-def test_a_setting_without_a_pinned_seed_is_refused():
+def test_a_setting_without_a_pinned_seed_is_rejected():
     with pytest.raises(PlacecatError, match="no setting 'sharpness'"):
         seed({"kind": "holistic", "name": "gist", "sharpness": 1}, 1)

@@ -40,9 +40,9 @@ def fit(
 ) -> CueModel:
     """Train one cue on the descriptors of training frames.
 
-    `labels` are (n,) class indices in [0, len(classes)), and every class must occur. `homes` contains the
-    (n,) home of each frame. Cross-validation keeps the frames of a home together, because neighbouring frames
-    are almost identical. In `classifier`, ``model`` names a module of this package, and the other keys are
+    `labels` are (n,) class indices in [0, len(classes)), and every class must occur. `homes` (n,) is the home
+    of each frame. Cross-validation keeps the frames of a home together, because neighbouring frames are
+    almost identical. In `classifier`, ``model`` names a module of this package, and the other keys are
     settings of that module. A model that needs clusters takes them from `codebook`, which must be trained on
     the same homes. Raises PlacecatError for an unknown model, unknown or invalid settings, or a class without
     training frames.

@@ -12,7 +12,7 @@ class Descriptors:
     """Descriptors of n frames: one vector (holistic) or a set of vectors (salient regions) per frame.
 
     `x` is float32: (n, d) for holistic descriptors, and (n, max_regions, d) for regions. `counts` (n,) is the
-    number of regions in each frame, and the remaining rows of `x` are padding. It is None for holistic
+    number of regions in each frame, and the remaining rows of `x` are padding. `counts` is None for holistic
     descriptors.
     """
 

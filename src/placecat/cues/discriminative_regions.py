@@ -56,8 +56,8 @@ def fit(
 ) -> DiscriminativeRegionsCue:
     """Choose codewords on the training frames, then train a cue on the regions with these codewords.
 
-    `cue` contains the settings of the classifier of this cue, which also uses `clusters` clusters. `keep` is
-    the share of clusters to choose; see :func:`placecat.learning.discriminative.discriminative_codewords`.
+    `cue` contains the settings of this cue's classifier, which also uses `clusters` clusters. `keep` is the
+    share of clusters to choose; see :func:`placecat.learning.discriminative.discriminative_codewords`.
     """
     from placecat import cues
 
