@@ -72,7 +72,7 @@ def questions(model, x):
         sets = np.random.default_rng(5).normal(size=(len(x), 6, WIDTH)).astype(np.float32)
         counts = np.arange(len(x)) % 7
         answers["sets"] = lambda some: model.predict_proba_sets(sets[some], counts[some])
-    assert answers, f"{type(model).__name__} can be asked nothing that this test knows: add its method here"
+    assert answers, f"{type(model).__name__} has no method that this test can call: add its method here"
     return answers
 
 

@@ -71,7 +71,7 @@ def test_evidence_follows_the_definition():
 
 
 def test_rank_one_steps_have_the_stated_gain():
-    """In the Gaussian problem, the summed gains equal the difference of two directly computed evidences."""
+    """In the Gaussian problem, the gains add up to the difference between two directly computed evidences."""
     X, y = ring(60)
     gram = rbf_gram(X, 0.5)
     target, active = y.astype(float), np.array([3, 60])
@@ -164,7 +164,7 @@ def test_messages():
 
 
 def test_nearly_identical_frames():
-    # As in a video, kernels differ by less than float32 can resolve.
+    # Kernel values differ by less than float32 can resolve. This also happens in videos.
     rng = np.random.default_rng(2)
     places = rng.normal(size=(40, 3))
     X = np.repeat(places, 20, axis=0) + rng.normal(size=(800, 3)) * 1e-3

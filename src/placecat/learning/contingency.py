@@ -1,4 +1,4 @@
-"""Count discrete variables, and compute their pairwise mutual information and maximum spanning tree."""
+"""Value counts, pairwise mutual information and maximum spanning trees of discrete variables."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ def value_counts(
 ) -> NDArray[np.int64]:
     """Return (n_classes, V, n_values) counts of how often each variable has each value in each class.
 
-    `codes` is an (n, V) array of integers in [0, n_values), and `labels` has shape (n,) and values in
+    `codes` is an (n, V) array of integers in [0, n_values), and `labels` is an (n,) array of integers in
     [0, n_classes).
 
     Examples

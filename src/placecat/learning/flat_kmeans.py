@@ -26,7 +26,7 @@ class FlatKMeans(BaseEstimator):
     Parameters
     ----------
     numbers : sequence of int
-        Numbers of clusters to compute.
+        Numbers of clusters for which k-means is run.
     max_iter : int
         Maximum number of Lloyd iterations. The thesis does not specify this. The default, 11, is that of
         hierarchical clustering, so that the two differ only in the hierarchy.

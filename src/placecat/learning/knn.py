@@ -36,7 +36,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     n_clusters : int
         Number of clusters, of the form (branching - 1) k + 1 for the branching of the codebook.
     n_neighbors : int
-        K.
+        K, the number of nearest centres.
     smoothing : float
         Number that is added to every f(l, c). It is therefore added n_clusters times to f(l). The thesis does
         not specify this. If it is 0, a cluster rules out every class that it does not contain. If all classes

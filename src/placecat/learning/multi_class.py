@@ -62,7 +62,7 @@ class MultiClass:
         ------
         PlacecatError
             If there are fewer than 2 classes, if a class has only 1 sample, if a setting is invalid, or if nu
-            leaves no margin. With the policy ``refuse``, also if nu is infeasible.
+            leaves no margin. With the policy ``refuse``, it is also raised if nu is infeasible.
         """
         check_parameters(self)
         base = as_two_class(NuSVM() if self.base is None else self.base)

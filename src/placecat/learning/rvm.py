@@ -115,7 +115,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     def _maximise(
         self, gram: NDArray[np.float32], target: NDArray[np.float64], context: str
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64]]:
-        """Maximise the evidence over alpha. Return active functions (n is the bias), weights and alpha."""
+        """Maximise the evidence. Return the active functions (n is the bias), their weights and alpha."""
         tol = self.tol * len(target)
         active = np.array([len(target)])
         basis = _basis(gram, active)

@@ -18,8 +18,9 @@ KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 class KernelScaling(TransformerMixin, BaseEstimator):
     """Scale descriptors so that the same gamma suits descriptors of any unit and length.
 
-    The thesis specifies gamma = 2 but not its scale. In the following list of kinds, m is the resulting mean
-    of ||x - y||^2 over pairs of different training samples, and D is the number of dimensions that vary:
+    The thesis specifies gamma = 2, but not the scale of the descriptors. In the following list of kinds, m is
+    the resulting mean of ||x - y||^2 over pairs of different training samples, and D is the number of
+    dimensions that vary:
 
     - ``none``: leave x unchanged.
     - ``minmax``: scale each dimension to [0, 1] on the training data; m depends on the data.
@@ -42,10 +43,10 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     Attributes
     ----------
     offset_
-        (D,) float64, subtracted first.
+        (D,) float64, subtracted from each sample.
     factor_
-        (D,) float64, by which the difference is multiplied. It is 0 for a dimension that is constant in
-        training, because its test values could dominate. The kinds ``none``, ``distance`` and ``unit`` keep
+        (D,) float64, applied after the subtraction. It is 0 for a dimension that is constant in training,
+        because its test values could otherwise dominate. The kinds ``none``, ``distance`` and ``unit`` keep
         constant dimensions.
     n_features_in_
         D.

@@ -80,10 +80,10 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         return kept
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Learn one PCA per cell from real (n, D) samples X. `y` is ignored.
+        """Fit one PCA per cell to real (n, D) samples X. `y` is ignored.
 
         Raises PlacecatError if D is not divisible by `cells`, or if the number of components is invalid or
-        not below n.
+        not less than n.
         """
         check_parameters(self)
         samples = check_samples(X)
@@ -119,7 +119,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
-        """Project finite (n, D) samples to (n, cells * components) float32, cell after cell.
+        """Project finite (n, D) samples to (n, cells * components) float32, ordered by cell.
 
         Raises PlacecatError for other input.
         """
