@@ -99,7 +99,7 @@ def make_system(tracked=False):
 
 
 def frames(number, seed=0):
-    """Return frames that each move a little from the previous one."""
+    """Return frames that are each shifted slightly from the previous one."""
     rng = np.random.default_rng(seed)
     width, height = SIZE
     wide = rng.integers(0, 256, (height // 12, width // 8, 3), dtype=np.uint8)

@@ -31,7 +31,7 @@ ODD = [
 
 
 def damaged(content, rng):
-    """Damage bytes as a disk or network might: flip a bit, or cut, zero, lose or repeat a part."""
+    """Damage bytes as a disk or network might: flip a bit, truncate them, or zero, drop or repeat a part."""
     data = bytearray(content)
     at, length = int(rng.integers(len(data))), int(rng.integers(1, 2000))
     kind = rng.integers(5)
@@ -117,7 +117,7 @@ def decisions(path, frames):
 def outcome(path, frames, expected, *, is_forged):
     """Return the outcome of a changed file: ``refused``, ``same``, ``other``, or a description of the error.
 
-    A rejection must be a clear message of one line. A forged file may be another valid model, so only its
+    A rejection must have a clear one-line message. A forged file may be another valid model, so only its
     distributions are checked.
     """
     try:

@@ -138,7 +138,7 @@ def check_system(system: TrainedSystem) -> None:
 
 
 def check_distribution(proba: Any, n_classes: int) -> None:
-    """Raise an error unless `proba` consists of (n_classes,) probabilities that sum to 1."""
+    """Raise an error unless `proba` is (n_classes,) and contains probabilities that sum to 1."""
     values = np.asarray(proba)
     if values.shape != (n_classes,) or not np.isfinite(values).all():
         raise PlacecatError(f"it does not return a distribution over {n_classes} places")
