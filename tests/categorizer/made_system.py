@@ -1,4 +1,4 @@
-"""A small trained system on random descriptors, without any pipeline."""
+"""A small system that is trained on random descriptors, without a pipeline."""
 
 import numpy as np
 
@@ -99,7 +99,7 @@ def make_system(tracked=False):
 
 
 def frames(number, seed=0):
-    """Frames that each move a little from the last."""
+    """Return frames that are each shifted slightly from the previous one."""
     rng = np.random.default_rng(seed)
     width, height = SIZE
     wide = rng.integers(0, 256, (height // 12, width // 8, 3), dtype=np.uint8)

@@ -1,4 +1,4 @@
-"""Model files with random damage, and their outcomes, for tests and for campaigns of thousands."""
+"""Randomly damaged model files and their outcomes, for tests and for larger fuzzing campaigns."""
 
 import io
 import json
@@ -31,7 +31,7 @@ ODD = [
 
 
 def damaged(content, rng):
-    """Bytes of a file, damaged like by a disk or a network: a flip, a cut, zeros, a part lost or repeated."""
+    """Damage bytes as a disk or network might: flip a bit, truncate them, or zero, drop or repeat a part."""
     data = bytearray(content)
     at, length = int(rng.integers(len(data))), int(rng.integers(1, 2000))
     kind = rng.integers(5)
@@ -49,7 +49,7 @@ def damaged(content, rng):
 
 
 def forged(path, rng):
-    """Rewrite a model file with one change and a correct checksum, as a person could."""
+    """Rewrite a model file with one change and a correct checksum, as an attacker could."""
     with zipfile.ZipFile(path) as file:
         members = {name: file.read(name) for name in file.namelist()}
     texts = ["card.json", "system.json"]
@@ -71,7 +71,7 @@ def forged(path, rng):
 
 
 def _other_leaf(content, rng):
-    """Change, remove or add one value somewhere in JSON."""
+    """Change, remove or add one value somewhere in the JSON content."""
     places = []
 
     def collect(here):
@@ -115,10 +115,10 @@ def decisions(path, frames):
 
 
 def outcome(path, frames, expected, *, is_forged):
-    """Outcome of a changed file: ``refused`` in one line, ``same`` predictions, or a description of the
-    error.
+    """Return the outcome of a changed file: ``refused``, ``same``, ``other``, or a description of the error.
 
-    A forged file may be another valid model; only its distributions can be checked.
+    A rejection must have a clear one-line message. A forged file may be another valid model, so only its
+    distributions are checked.
     """
     try:
         found = decisions(path, frames)

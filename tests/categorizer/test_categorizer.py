@@ -1,4 +1,4 @@
-"""The streaming object alone; tests/test_pipeline.py compares it with the batch pipeline."""
+"""The categorizer without the pipeline. tests/test_pipeline.py compares it with the batch pipeline."""
 
 from dataclasses import replace
 
@@ -53,7 +53,7 @@ def test_a_reset_forgets_everything(categorizer):
     assert not np.array_equal(without.proba, first[0].proba)
 
 
-def test_frames_come_at_the_rate_of_the_model_unless_their_times_are_given(categorizer):
+def test_without_times_frames_have_the_frame_rate_of_the_model(categorizer):
     seen = frames(4)
     assert categorizer.frame_rate == 5.0
     own = [categorizer.update(frame) for frame in seen]
@@ -65,18 +65,18 @@ def test_frames_come_at_the_rate_of_the_model_unless_their_times_are_given(categ
         first, second, third = ([getattr(one, attribute) for one in run] for run in (own, same, fast))
         np.testing.assert_array_equal(first, second)
         assert not np.allclose(first, third)
-    # Each frame says less, and less time has passed.
+    # Each frame carries less evidence, and less time has passed.
     np.testing.assert_array_equal(own[-1].integrated, fast[-1].integrated)
     assert np.abs(fast[0].hmm - 1 / 3).max() < np.abs(own[0].hmm - 1 / 3).max()
 
 
 @pytest.mark.parametrize("seconds", [-1.0, float("nan")])
-def test_impossible_times_are_refused(categorizer, seconds):
+def test_invalid_times_are_rejected(categorizer, seconds):
     with pytest.raises(PlacecatError, match="the time between two frames is"):
         categorizer.update(frames(1)[0], seconds)
 
 
-def test_times_of_a_clock_are_the_same_as_seconds_between_frames(categorizer):
+def test_clock_times_are_equivalent_to_seconds_between_frames(categorizer):
     seen, steps = frames(5), [0.2, 0.05, 0.5, 0.0, 1.25]
     between = [categorizer.update(frame, step) for frame, step in zip(seen, steps, strict=True)]
     categorizer.reset()
@@ -91,7 +91,7 @@ def test_times_of_a_clock_are_the_same_as_seconds_between_frames(categorizer):
     assert between[-1].seconds == pytest.approx(sum(steps[1:]))
 
 
-def test_a_frame_that_comes_twice_says_no_more(categorizer):
+def test_a_repeated_frame_adds_no_evidence(categorizer):
     first, second = frames(2)
     categorizer.update(first, time=1.0)
     once = categorizer.update(second, time=1.5)
@@ -102,7 +102,7 @@ def test_a_frame_that_comes_twice_says_no_more(categorizer):
     assert sum(visit.frames for visit in categorizer.visits()) == 2
 
 
-def test_invalid_frames_are_refused_and_skipped(categorizer):
+def test_invalid_frames_are_rejected_and_skipped(categorizer):
     with pytest.raises(PlacecatError, match="OpenCV returns None if a camera fails"):
         categorizer.update(None)
     assert categorizer.visits() == []
@@ -115,11 +115,11 @@ def test_invalid_frames_are_refused_and_skipped(categorizer):
         ({"time": float("inf")}, "time of a frame is inf"),
         ({"seconds": -0.1}, "the time between two frames is"),
         ({"seconds": 0.1, "time": 3.0}, "not both"),
-        ({"seconds": "0.1"}, "'0.1': give it as a number of seconds"),
-        ({"time": "now"}, "'now': give it as a number of seconds"),
+        ({"seconds": "0.1"}, "'0.1': pass a number of seconds"),
+        ({"time": "now"}, "'now': pass a number of seconds"),
     ],
 )
-def test_a_frame_of_an_impossible_time_is_left_out(categorizer, times, message):
+def test_a_frame_with_an_invalid_time_is_skipped(categorizer, times, message):
     first, late, second = frames(3)
     categorizer.update(first, time=2.0)
     expected = categorizer.update(second, time=2.5)
@@ -133,7 +133,7 @@ def test_a_frame_of_an_impossible_time_is_left_out(categorizer, times, message):
 
 
 def test_a_decision_is_about_the_times_that_the_delay_mixes(categorizer):
-    """Equation (16) by hand: weights of the filter's outputs, and the mean of their times."""
+    """Compute equation (16) by hand: the weights of the filter's outputs, and the mean of their times."""
     steps = [0.2, 0.4, 0.1, 2.0]
     weights, times = np.zeros(0), np.zeros(0)
     for frame, step in zip(frames(4), steps, strict=True):
@@ -186,7 +186,7 @@ def test_visits_are_the_names_of_the_decisions(categorizer):
         (np.zeros((180, 320, 3), np.float32), "uint8"),
     ],
 )
-def test_frames_that_do_not_fit_are_refused_and_change_nothing(categorizer, frame, message):
+def test_unsuitable_frames_are_rejected_and_change_nothing(categorizer, frame, message):
     first, second = frames(2)
     categorizer.update(first)
     expected = categorizer.update(second).proba
@@ -197,11 +197,11 @@ def test_frames_that_do_not_fit_are_refused_and_change_nothing(categorizer, fram
     np.testing.assert_array_equal(categorizer.update(second).proba, expected)
 
 
-def test_frames_of_other_sizes_are_scaled_if_asked():
+def test_frames_of_other_sizes_are_scaled_on_request():
     system = make_system()
     plain, scaling = Categorizer(system), Categorizer(system, resize=True)
     seen = frames(3)
-    # Twice the size and twice the relative height: the middle remains, with each pixel four times.
+    # Each pixel is repeated four times, and borders are added above and below. Only the middle remains.
     large = [
         np.pad(np.kron(frame, np.ones((2, 2, 1), np.uint8)), ((100, 100), (0, 0), (0, 0))) for frame in seen
     ]
@@ -211,7 +211,7 @@ def test_frames_of_other_sizes_are_scaled_if_asked():
         scaling.update(np.zeros((320, 180, 3), np.uint8))
 
 
-def test_the_frame_is_left_as_it_was(categorizer):
+def test_the_frame_is_not_modified(categorizer):
     frame = frames(1)[0]
     before = frame.copy()
     categorizer.update(frame)

@@ -1,4 +1,4 @@
-"""The schema of trained models: every learner that can be stored passes, and unfit content is refused."""
+"""The schema of trained models accepts every estimator that can be stored, and rejects invalid content."""
 
 import json
 
@@ -62,13 +62,13 @@ def plain(value):
 
 
 @pytest.mark.parametrize("way", WAYS)
-def test_every_way_of_deciding_comes_back(way):
+def test_every_kind_of_model_survives_a_round_trip(way):
     model, frames = fitted(way)
     again = from_plain(*plain(model))
     np.testing.assert_array_equal(again.predict_proba(frames), model.predict_proba(frames))
 
 
-def test_flat_codebooks_and_sparse_trees_come_back(monkeypatch):
+def test_flat_codebooks_and_sparse_trees_survive_a_round_trip(monkeypatch):
     sets, labels, _ = data()
     flat = Codebook.fit(sets, cells=1, seed=1, tree={"name": "flat_kmeans", "numbers": [4]})
     np.testing.assert_array_equal(from_plain(*plain(flat)).words(sets, 4), flat.words(sets, 4))
@@ -120,7 +120,7 @@ def tree(**changes):
         (lambda: expansion(intercept=np.ones(2)), "intercept .*a side of length 2"),
         (lambda: expansion(coef=np.ones((4, 3), np.int64)), "coef of a KernelExpansion.*must be an array"),
         (lambda: tree(split_nodes_=np.array([0, 99, 1], np.int32)), "split_nodes_ .*out of range"),
-        # A node that is split before it exists.
+        # A node is split before it exists.
         (lambda: tree(split_nodes_=np.array([3, 0, 1], np.int32)), "HierarchicalKMeans do not match"),
         (lambda: tree(max_clusters_=10**6), "HierarchicalKMeans do not match"),
         (lambda: changed(fitted("knn")[0].estimator, n_neighbors=17), "ModifiedKNN do not match"),
@@ -141,11 +141,11 @@ def tree(**changes):
         (lambda: Codebook([1.0], of_sets=True), "trees of a Codebook.*methods assign"),
     ],
 )
-def test_unfit_content_is_refused(wrong, message):
+def test_invalid_content_is_rejected(wrong, message):
     written = plain(wrong())
     with pytest.raises(PlacecatError, match=message):
         from_plain(*written)
 
 
-def test_a_class_that_was_added_is_left_to_whoever_reads_it():
+def test_unlisted_classes_are_not_checked():
     fields.check(type("OneOfYours", (), {}), {"anything": object()})

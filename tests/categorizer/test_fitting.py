@@ -32,13 +32,13 @@ def test_the_size_that_keeps_most_is_chosen():
     assert chosen.kept == (1920, 1080)
 
 
-def test_another_shape_is_refused_where_little_is_left():
-    with pytest.raises(PlacecatError, match=r"720x1280 pixels: cropped to .*, 640x480, only 42% of it"):
+def test_an_aspect_ratio_that_leaves_too_little_is_rejected():
+    with pytest.raises(PlacecatError, match=r"720x1280 pixels: if it is cropped .* 640x480, only 42% of"):
         fit((720, 1280), [(640, 480)], resize=True)
 
 
 @given(st.tuples(SIDES, SIDES), st.tuples(SIDES, SIDES))
-def test_the_crop_is_in_the_frame_and_has_the_wanted_shape(source, target):
+def test_the_crop_is_inside_the_frame_and_has_the_target_aspect_ratio(source, target):
     try:
         chosen = fit(source, [target], resize=True)
     except PlacecatError:
@@ -46,5 +46,5 @@ def test_the_crop_is_in_the_frame_and_has_the_wanted_shape(source, target):
     width, height = chosen.kept
     assert width <= source[0] and height <= source[1]
     assert width * height >= LEAST * source[0] * source[1]
-    # To a pixel, or a hundredth of the frame.
+    # The aspect ratio is exact to within one pixel, or about a hundredth of the width.
     assert abs(width - height * target[0] / target[1]) <= max(1, target[0] / target[1], 0.011 * width)

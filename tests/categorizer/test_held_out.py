@@ -1,4 +1,4 @@
-"""Decisions in unseen homes, on made data after the stage `features`."""
+"""Decisions in unseen homes, on synthetic outputs of the stage `features`."""
 
 import copy
 import json
@@ -19,7 +19,7 @@ OUT = "H2"
 
 
 def small():
-    """One system of two cues, with one seed."""
+    """Return settings with one system of two cues, and with one seed."""
     params = copy.deepcopy(PARAMS)
     params["protocol"]["seeds"] = [0]
     params["systems"] = {SYSTEM: params["systems"][SYSTEM]}
@@ -51,7 +51,7 @@ def inside(project, monkeypatch):
 
 
 @pytest.mark.slow
-def test_training_without_each_home_gives_the_bits_of_the_stages():
+def test_training_without_each_home_reproduces_the_stages_exactly():
     trained = held_out.by_training(small(), SYSTEM, [], 0)
     left = held_out.of_stages(small(), SYSTEM, 0)
     assert list(trained) == list(left) == HOMES
@@ -59,7 +59,7 @@ def test_training_without_each_home_gives_the_bits_of_the_stages():
         np.testing.assert_array_equal(trained[home], left[home])
 
 
-def test_homes_that_are_left_out_have_no_part_in_it(project, tmp_path, monkeypatch):
+def test_left_out_homes_do_not_affect_the_measurements(project, tmp_path, monkeypatch):
     plain = held_out.by_training(small(), SYSTEM, [OUT], 0)
     make(tmp_path, marked=OUT, params=small())
     monkeypatch.chdir(tmp_path)
@@ -72,18 +72,18 @@ def test_homes_that_are_left_out_have_no_part_in_it(project, tmp_path, monkeypat
     assert not np.array_equal(own, listing.read_labels(OUT))
 
 
-def test_too_few_training_homes_measure_nothing():
+def test_nothing_is_measured_with_too_few_training_homes():
     nothing = held_out.by_training(small(), SYSTEM, HOMES[:2], 0)
     assert (nothing, held_out.accuracies(nothing)) == ({}, {})
     assert held_out.unknown(nothing, 0.1, []) is None
 
 
-def test_only_homes_that_are_tested_are_measured():
+def test_only_test_homes_are_measured():
     params = small()
     params["protocol"]["test_homes"] = ["H3"]
     left = held_out.of_stages(params, SYSTEM, 0)
     assert list(left) == ["H3"]
-    # A threshold is measured in another home.
+    # At least two homes are needed to measure a threshold.
     assert held_out.unknown(left, 0.1, []) is None
 
 
@@ -95,7 +95,7 @@ def test_the_card_has_the_accuracy_and_the_risks():
     found = held_out.unknown(left, 0.05, [0.3, 0.05, 0.9])
     assert [row["risk"] for row in found["measured"]] == [0.05, 0.3, 0.9]
     assert found["threshold"] == found["measured"][0]["threshold"]
-    # If more may be wrong, more is named; with 90 %, everything.
+    # If more errors are allowed, more frames are named. If 90% may be wrong, every frame is named.
     thresholds = [row["threshold"] for row in found["measured"]]
     assert thresholds == sorted(thresholds, reverse=True)
     lowest = min(left[home].max(axis=1)[listing.read_labels(home) >= 0].min() for home in HOMES)
@@ -104,7 +104,7 @@ def test_the_card_has_the_accuracy_and_the_risks():
 
 
 def test_a_risk_that_no_confidence_reaches():
-    # Never right.
+    # All decisions are wrong.
     wrong = {home: np.eye(len(CLASSES))[(listing.read_labels(home) + 1) % len(CLASSES)] for home in HOMES}
     found = held_out.unknown(wrong, 0.1, [])
     assert found == {
@@ -114,7 +114,7 @@ def test_a_risk_that_no_confidence_reaches():
     }
 
 
-def test_measurements_are_in_the_card_and_decide():
+def test_measurements_are_in_the_card_and_set_the_threshold():
     params = small() | {"model": {"risk": 0.4, "risks_shown": [0.1]}}
     left = held_out.of_stages(params, SYSTEM, 0)
     system = measured(make_system(), params, left)

@@ -33,7 +33,7 @@ def file(system, tmp_path):
     return tmp_path / "model.placecat"
 
 
-def test_a_system_comes_back_and_gives_the_same_bits(system, file):
+def test_a_stored_system_yields_identical_results(system, file):
     first, second = Categorizer(system), Categorizer.load(file)
     for frame in frames(4):
         one, two = first.update(frame), second.update(frame)
@@ -42,7 +42,7 @@ def test_a_system_comes_back_and_gives_the_same_bits(system, file):
         assert one.place == two.place
 
 
-def test_the_same_system_gives_the_same_bytes_and_nothing_is_pickled(system, file, tmp_path):
+def test_identical_systems_yield_identical_bytes_without_pickle(system, file, tmp_path):
     model_file.write(tmp_path / "again.placecat", system)
     assert file.read_bytes() == (tmp_path / "again.placecat").read_bytes()
     with zipfile.ZipFile(file) as archive:
@@ -65,7 +65,7 @@ def test_the_card_has_the_facts_for_a_reader(file):
         "320x180",
         "noise",
         "It hums.",
-        "`unknown` below a confidence of 0.400, above which at most 10% of",
+        "`unknown` if its confidence is below 0.400. Above this confidence, at most 10% of",
         "| 10 % | 0.400 | 62.5 % | 12.5 % | 25.0 % |",
         "| 1 % | none | 0.0 % | - | - |",
         "| 50.00 | 25.00 | 37.50 |",
@@ -84,7 +84,7 @@ def rewrite(file, name, change):
 
 
 def reseal(file, *, compression=zipfile.ZIP_STORED, twice=(), comment=None):
-    """Write the archive by other means, with a correct checksum."""
+    """Write the archive without `archive.write`, but with a correct checksum."""
     with zipfile.ZipFile(file) as opened:
         members = [(member, opened.read(member)) for member in opened.namelist()]
     with zipfile.ZipFile(file, "w", compression) as opened:
@@ -104,7 +104,7 @@ def seal(file):
 
 
 def larger(file, member, size):
-    """Make the archive's directory declare this size of a member."""
+    """Make the archive's directory declare this size for a member."""
     with zipfile.ZipFile(file) as opened:
         before = opened.getinfo(member).file_size
     content = file.read_bytes()
@@ -120,7 +120,7 @@ def change_json(**changes):
 
 
 def change_part(*path, value):
-    """Change one value within the JSON of system.json."""
+    """Return a function that changes one value in the content of system.json."""
 
     def change(content):
         whole = json.loads(content)
@@ -141,7 +141,7 @@ def object_array(_):
 
 
 def header(text):
-    """An array with this header."""
+    """Return a function that makes an array with this header."""
     padded = text.encode().ljust(117) + b"\n"
     return lambda _: b"\x93NUMPY\x01\x00" + struct.pack("<H", len(padded)) + padded + bytes(8)
 
@@ -154,14 +154,17 @@ MODEL = ("cues", 0, "model", "state")
     [
         (lambda file: file.unlink(), "placecat train"),
         (lambda file: file.write_bytes(b"no zip"), "not a placecat model"),
-        (lambda file: file.write_bytes(file.read_bytes()[:5000]), "not a placecat model.* cut off"),
+        (lambda file: file.write_bytes(file.read_bytes()[:5000]), "not a placecat model.* truncated"),
         (lambda file: file.write_bytes(file.read_bytes().replace(b"\x93NUMPY", b"\x93NUMPX", 1)), "damaged"),
-        (lambda file: reseal(file, comment=b""), "made by an earlier placecat: train it again"),
+        (lambda file: reseal(file, comment=b""), "made by an earlier version: train it again"),
         (lambda file: rewrite(file, "card.json", change_json(format=99)), "format 99"),
         (lambda file: rewrite(file, "card.json", change_json(placecat="9.3.0")), "placecat 9.3.0"),
         (lambda file: rewrite(file, "card.json", change_json(format=None)), "its card has no version"),
         (lambda file: rewrite(file, "card.json", change_json(classes=["a", "a", "b"])), "listed twice"),
-        (lambda file: rewrite(file, "card.json", change_json(classes=["a", "b"])), "not for 2 places"),
+        (
+            lambda file: rewrite(file, "card.json", change_json(classes=["a", "b"])),
+            "smoothing does not match its 2 places",
+        ),
         (lambda file: rewrite(file, "card.json", change_json(frame_sizes=[[320, 10**9]])), "frame_sizes"),
         (lambda file: rewrite(file, "card.json", change_json(fps=[float("nan")])), "NaN is not a number"),
         (
@@ -218,7 +221,7 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: larger(file, "arrays/0003.npy", 2**31), "more bytes than the file has"),
     ],
 )
-def test_other_files_and_versions_are_refused(file, damage, message):
+def test_other_files_and_versions_are_rejected(file, damage, message):
     damage(file)
     with pytest.raises(PlacecatError, match=message) as refused:
         model_file.read(file)
@@ -226,7 +229,7 @@ def test_other_files_and_versions_are_refused(file, damage, message):
     assert "\n" not in str(refused.value)
 
 
-def test_a_file_that_may_not_be_read_gives_one_message(file, monkeypatch):
+def test_an_unreadable_file_raises_one_error(file, monkeypatch):
     def refuse(*_, **__):
         raise PermissionError(13, "Permission denied", str(file))
 
@@ -236,14 +239,14 @@ def test_a_file_that_may_not_be_read_gives_one_message(file, monkeypatch):
 
 
 def test_a_model_is_tried_before_use(file):
-    """Parts that are each valid, but made for other frames."""
+    """Each part is valid, but the descriptor does not fit the model of the cue."""
     rewrite(file, "system.json", change_part("cues", 1, "descriptor", "y_pos", value=False))
     with pytest.raises(PlacecatError, match=r"model\.placecat is damaged.*features, but"):
         Categorizer.load(file)
 
 
 def most_memory(*, forget=False):
-    """Peak memory of this process since the last reset; 0 if unknown."""
+    """Return the peak memory of this process since the last reset, or 0 if it is unknown."""
     process = Path("/proc/self")
     if not (process / "clear_refs").exists():
         return 0
@@ -253,7 +256,7 @@ def most_memory(*, forget=False):
 
 
 @pytest.mark.parametrize("is_forged", [False, True], ids=["damaged", "forged"])
-def test_mutants_are_refused_or_as_good_as_before(file, is_forged):
+def test_mutants_are_rejected_or_valid(file, is_forged):
     shown, before = frames(2), most_memory(forget=True)
     expected = mutants.decisions(file, shown)
     intact, counts = file.read_bytes(), Counter()
@@ -265,18 +268,18 @@ def test_mutants_are_refused_or_as_good_as_before(file, is_forged):
         counts[mutants.outcome(file, shown, expected, is_forged=is_forged)] += 1
     assert set(counts) <= {"refused", "same", "other"}, counts
     assert counts["refused"] >= 15, counts
-    # In addition to the leftovers of earlier tests in this process.
+    # The memory `before` includes the leftovers of earlier tests in this process.
     assert most_memory() - before < 2**29
 
 
-def test_other_classes_are_refused(file):
+def test_other_classes_are_rejected(file):
     Categorizer.load(file, classes=["bedroom", "kitchen", "bathroom"])
     with pytest.raises(PlacecatError, match="bedroom, kitchen, bathroom"):
         Categorizer.load(file, classes=["kitchen", "bedroom", "bathroom"])
 
 
 def test_only_a_model_is_replaced(file, tmp_path):
-    """An intact or a damaged model, but nothing else."""
+    """An intact or damaged model may be replaced, but nothing else."""
     assert model_file.is_model(file)
     reseal(file, twice=["arrays/0003.npy"])
     assert model_file.is_model(file)
@@ -285,7 +288,7 @@ def test_only_a_model_is_replaced(file, tmp_path):
         assert not model_file.is_model(tmp_path / name)
 
 
-def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monkeypatch):
+def test_the_output_path_is_checked_before_training(tmp_path, monkeypatch):
     monkeypatch.setattr(train, "train", lambda *_, **__: pytest.fail("it trains"))
     (tmp_path / "README.md").write_text("text")
     with pytest.raises(PlacecatError, match=r"README\.md exists and is not a model, so it is not replaced"):
@@ -294,7 +297,7 @@ def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monk
         train.train_command("das_551_best", [], None, tmp_path / "README.md/x")
 
 
-def test_a_model_of_train_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
+def test_a_trained_model_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
     calls = []
     params = read_yaml(ROOT / "params.yaml")
     (tmp_path / "params.yaml").write_text(yaml.safe_dump(params))

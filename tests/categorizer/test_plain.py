@@ -21,7 +21,7 @@ def through(value):
     "value",
     [None, True, 3, 0.1, float("inf"), "text", [1, [2.5, None]], (1, (2,)), {"a": 1, 3: (4, 5)}, []],
 )
-def test_values_come_back_as_they_were(value):
+def test_values_survive_a_round_trip(value):
     assert through(value) == value
     assert type(through(value)) is type(value)
 
@@ -40,7 +40,7 @@ def test_numbers_and_arrays_of_numpy_keep_their_types():
     assert np.isnan(through(float("nan")))
 
 
-def test_models_come_back():
+def test_models_survive_a_round_trip():
     rng = np.random.default_rng(0)
     codes, labels = rng.integers(0, 2, (60, 9)), np.repeat([0, 1, 2], 20)
     bayes = NaiveBayes(n_values=2).fit(codes, labels)
@@ -54,7 +54,7 @@ def test_models_come_back():
 @pytest.mark.parametrize(
     "value", [object(), print, lambda: 0, {1, 2}, np.array([object()]), np.random.default_rng()]
 )
-def test_anything_else_is_not_written(value):
+def test_other_values_are_not_written(value):
     with pytest.raises(TypeError):
         to_plain(value, [])
 
@@ -64,7 +64,7 @@ def test_anything_else_is_not_written(value):
     [
         {"$": "object", "class": "subprocess:Popen", "state": {}},
         {"$": "object", "class": "placecat.files:replacing", "state": {}},
-        # Imports of a module do not belong to it.
+        # Names that a module imports are not its own classes.
         {"$": "object", "class": "placecat.learning.nu_svm:KernelMachine", "state": {}},
         {"$": "object", "class": "placecat.learning.nu_svm:largest_feasible_nu", "state": {}},
         {"$": "object", "class": "placecat.learning.nu_svm:NuSVM", "state": {"__class__": 1}},
@@ -76,6 +76,6 @@ def test_anything_else_is_not_written(value):
         {"$": "float", "text": "__import__('os')"},
     ],
 )
-def test_nothing_else_is_read(plain):
+def test_other_content_is_not_read(plain):
     with pytest.raises(PlacecatError):
         from_plain(plain, [])

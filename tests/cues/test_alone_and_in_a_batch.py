@@ -1,4 +1,4 @@
-"""A cue gives the same bits for a frame alone and in a batch."""
+"""Every cue returns bit-identical results for a frame alone and in a batch."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ PLACES = ["bedroom", "kitchen", "bathroom", "hallway"]
 TREE = {"name": "hierarchical_kmeans", "max_clusters": 31, "branching": 4, "max_iter": 5}
 SVM = {"name": "nu_svm", "gamma": 2.0, "nu": 0.2}
 BOOSTING = {"name": "gentle_adaboost", "n_rounds": 12}
-# By the names of the models; classifiers of a new one belong here.
+# Classifiers by model name. Add the classifiers of a new model here.
 CLASSIFIERS = {
     "discriminative_regions": [
         {"cue": {"model": "joint_probability", "base": {"name": "naive_bayes"}}, "clusters": 31, "keep": 0.5},
@@ -36,7 +36,7 @@ CLASSIFIERS = {
 
 
 def frames(kind, n, seed):
-    """Descriptors of 26 numbers; frames have 0, 1, 25 or other numbers of regions."""
+    """Return descriptors of length 26, and labels. Frames have between 0 and 25 regions."""
     rng = np.random.default_rng(seed)
     labels = (np.arange(n) % len(PLACES)).astype(np.int16)
     if kind == "whole":
@@ -61,7 +61,7 @@ def assert_alone_as_in_a_batch(ask, n):
 
 @pytest.mark.parametrize("kind", ["whole", "regions"])
 @pytest.mark.parametrize("model", lookup.names("placecat.cues", "fit"))
-def test_a_frame_alone_is_as_in_a_batch(model, kind):
+def test_a_frame_does_not_depend_on_its_batch(model, kind):
     if kind == "whole" and cues.of_regions_only(model):
         return
     train, labels = frames(kind, 96, seed=0)
@@ -79,7 +79,7 @@ def test_a_frame_alone_is_as_in_a_batch(model, kind):
         assert_alone_as_in_a_batch(lambda some, cue=cue: cue.predict_proba(some_of(asked, some)), len(asked))
 
 
-def test_a_frame_without_regions_alone_is_uniform():
+def test_a_single_frame_without_regions_is_uniform():
     train, labels = frames("regions", 96, seed=0)
     classifier = {"model": "one_against_all", **CLASSIFIERS["one_against_all"][2]}
     cue = cues.fit(train, labels, np.repeat(["A", "B"], 48), classifier=classifier, classes=PLACES)

@@ -1,4 +1,4 @@
-"""The pinned seeds of every codebook: a name that changes in conf/ changes no clustering."""
+"""Pinned seeds of every codebook. Renaming something in conf/ must not change a clustering."""
 
 import pytest
 
@@ -19,7 +19,7 @@ CODEBOOKS = {
     "sift_tracked": 965721177,
     "sift_y": 2510385973,
 }
-# Keyed by the first trial that clusters it.
+# Each key is the first trial that uses the codebook.
 TRIALS = {
     "trials/addition_attention/|As used|": 3720955045,
     "trials/addition_attention/|Without spectral residual|": 360805453,
@@ -89,6 +89,6 @@ def test_seeds_of_the_trials_are_unchanged():
     assert {name: number for number, name in first.items()} == TRIALS
 
 
-def test_a_setting_without_a_pinned_seed_is_refused():
+def test_a_setting_without_a_pinned_seed_is_rejected():
     with pytest.raises(PlacecatError, match="no setting 'sharpness'"):
         seed({"kind": "holistic", "name": "gist", "sharpness": 1}, 1)

@@ -35,7 +35,7 @@ def naive_bayes(clusters):
 
 
 def test_activations_of_regions_reach_naive_bayes():
-    """The whole chain against scikit-learn's BernoulliNB on activations made by a loop."""
+    """The result equals that of scikit-learn's BernoulliNB on activations from a loop."""
     train, labels, homes = regions()
     codebook = Codebook.fit(train, cells=1, seed=3, tree=TREE)
     model = cues.fit(train, labels, homes, classifier=naive_bayes(13), classes=PLACES, codebook=codebook)
@@ -59,7 +59,7 @@ def test_codewords_of_cells_reach_naive_bayes():
     np.testing.assert_allclose(model.predict_proba(train), expected.predict_proba(words), atol=1e-9)
 
 
-def test_a_codebook_survives_its_arrays():
+def test_a_codebook_survives_conversion_to_arrays():
     train, _, _ = whole()
     codebook = Codebook.fit(train, cells=4, seed=1, tree=TREE)
     arrays = codebook.to_arrays()
@@ -106,27 +106,27 @@ def test_nearest_neighbours_take_regions_and_whole_frames():
         (naive_bayes(13), "needs a codebook"),
     ],
 )
-def test_wrong_classifiers_are_refused(change, message):
+def test_invalid_classifiers_are_rejected(change, message):
     train, labels, homes = regions()
     codebook = None if "codebook" in message else Codebook.fit(train, cells=1, seed=0, tree=TREE)
     with pytest.raises(PlacecatError, match=message):
         cues.fit(train, labels, homes, classifier=change, classes=PLACES, codebook=codebook)
 
 
-def test_impossible_cluster_numbers_name_the_nearest():
+def test_invalid_cluster_numbers_raise_an_error_with_the_nearest():
     train, labels, homes = regions()
     codebook = Codebook.fit(train, cells=1, seed=0, tree=TREE)
     with pytest.raises(PlacecatError, match=r"\b10\b.*\b13\b"):
         cues.fit(train, labels, homes, classifier=naive_bayes(12), classes=PLACES, codebook=codebook)
 
 
-def test_a_class_without_training_frames_is_refused():
+def test_a_class_without_training_frames_is_rejected():
     train, labels, homes = regions()
     with pytest.raises(PlacecatError, match="no training frame of attic"):
         cues.fit(train, labels, homes, classifier=naive_bayes(13), classes=[*PLACES, "attic"])
 
 
-def test_a_descriptor_that_cannot_be_cut_is_refused():
+def test_a_descriptor_that_cannot_be_cut_is_rejected():
     train, _, _ = whole()
     with pytest.raises(PlacecatError, match="16 values cannot be cut into 5 equal cells"):
         Codebook.fit(train, cells=5, seed=0, tree=TREE)
@@ -137,8 +137,8 @@ def test_estimators_are_found_by_their_module():
     assert (made.gamma, made.nu) == (1.0, 0.1)
 
 
-def test_cross_validation_owes_nothing_to_the_home_itself():
-    """Each home's distributions come from a cue fitted on the others, whatever its labels."""
+def test_cross_validation_does_not_use_the_labels_of_the_held_out_home():
+    """The distributions of a home come from a cue fitted on the other homes, whatever its labels are."""
     train, labels, homes = whole()
     classifier = {
         "model": "one_against_all",

@@ -21,7 +21,7 @@ KNN = {
 
 
 def frames(seed=0, number=120, most=6):
-    """Every second region shows the place; the others are the same everywhere."""
+    """Return frames in which every second region shows the place. The others do not depend on it."""
     rng = np.random.default_rng(seed)
     labels = np.arange(number) % 3
     counts = rng.integers(0, most + 1, number)
@@ -42,13 +42,13 @@ def fit(classifier, train, labels, homes):
 
 
 @pytest.mark.parametrize("cue", [NAIVE_BAYES, KNN])
-def test_all_codewords_are_the_cue_itself(cue):
+def test_keeping_all_codewords_is_equivalent_to_the_cue_itself(cue):
     data, new = frames(), frames(1)[0]
     found = fit(discriminative(1.0, cue), *data).predict_proba(new)
     np.testing.assert_array_equal(found, fit(cue, *data).predict_proba(new))
 
 
-def test_regions_of_other_codewords_change_nothing():
+def test_regions_of_other_codewords_are_ignored():
     train, labels, homes = frames()
     model = fit(discriminative(0.3), train, labels, homes)
     new = frames(1)[0]
@@ -56,7 +56,7 @@ def test_regions_of_other_codewords_change_nothing():
     dropped = (words >= 0) & ~model.kept[words]
     assert dropped.any()
     before = model.predict_proba(new)
-    # Each becomes another dropped region of a training frame.
+    # Replace each of them with a dropped region of a training frame.
     words = model.codebook.words(train, 13)
     other = train.x[(words >= 0) & ~model.kept[words]][0]
     new.x[dropped] = other
@@ -73,7 +73,7 @@ def test_regions_that_show_the_place_are_kept():
     assert model.facts["kept_codewords"] == 4
 
 
-def test_only_moves_the_regions_that_stay_to_the_front():
+def test_only_moves_the_kept_regions_to_the_front():
     x = np.arange(12, dtype=np.float32).reshape(2, 3, 2)
     words = np.array([[2, 0, 1], [0, -1, -1]], np.int32)
     found = only(Descriptors(x, np.array([3, 1])), words, np.array([False, True, True]))
@@ -82,13 +82,13 @@ def test_only_moves_the_regions_that_stay_to_the_front():
 
 
 def test_padding_is_never_taken_for_a_region():
-    # The word of padding, -1, would be the last codeword.
+    # As an index, the padding -1 would be the last codeword.
     x = np.ones((1, 2, 2), np.float32)
     found = only(Descriptors(x, np.array([1])), np.array([[0, -1]], np.int32), np.array([True, True]))
     assert found.counts.tolist() == [1]
 
 
-def test_whole_frames_are_refused():
+def test_whole_frames_are_rejected():
     train = Descriptors(np.zeros((6, 4), np.float32))
     with pytest.raises(PlacecatError, match="codebook of salient regions"):
         cues.fit(

@@ -17,7 +17,7 @@ def test_many_regions_do_not_underflow():
     np.testing.assert_allclose(result, [[1.0, 1e-50]])
 
 
-def test_rows_skip_padding_and_know_their_frame():
+def test_rows_skip_padding_and_have_a_frame_index():
     x = np.arange(12, dtype=np.float32).reshape(2, 3, 2)
     sets = Descriptors(x, np.array([1, 2]))
     assert sets.rows().tolist() == [[0, 1], [6, 7], [8, 9]]

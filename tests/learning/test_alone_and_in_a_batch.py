@@ -1,4 +1,4 @@
-"""An estimator gives the same bits for a sample alone, in a batch, and after a restart."""
+"""Every estimator returns bit-identical results for a sample alone, in a batch, and after a restart."""
 
 import importlib
 import inspect
@@ -14,9 +14,9 @@ from placecat.learning.gentle_adaboost import GentleAdaBoost
 from placecat.learning.kernels import KernelExpansion
 from placecat.learning.scaling import KINDS
 
-# Hundreds of rows, not a multiple of a tile.
+# Hundreds of rows, but not a multiple of the tile size.
 N, WIDTH, CLASSES = 257, 37, 11
-# Settings to try in addition to the defaults, or instead if the defaults do not suit the width.
+# Settings to test, where {} stands for the defaults. Other estimators are tested only with their defaults.
 SETTINGS = {
     "DependencyTree": [{"n_values": 2}, {"n_values": 9}],
     "FlatKMeans": [{"numbers": (46,)}],
@@ -43,7 +43,7 @@ def is_abstract(kind):
 
 
 def found():
-    """Every estimator that a module of placecat.learning defines."""
+    """Yield every estimator that a module of placecat.learning defines, with each of its settings."""
     for module in pkgutil.iter_modules(learning.__path__):
         members = inspect.getmembers(importlib.import_module(f"{learning.__name__}.{module.name}"))
         for name, kind in members:
@@ -63,7 +63,7 @@ def samples(kind, settings, seed):
 
 
 def questions(model, x):
-    """The methods that take samples: functions of some of their numbers."""
+    """Return the methods that take samples, as functions of row indices into `x`."""
     asked = {name: getattr(model, name) for name in METHODS if hasattr(model, name)}
     answers = {name: lambda some, ask=ask: ask(x[some]) for name, ask in asked.items()}
     if hasattr(model, "assign"):
@@ -72,12 +72,12 @@ def questions(model, x):
         sets = np.random.default_rng(5).normal(size=(len(x), 6, WIDTH)).astype(np.float32)
         counts = np.arange(len(x)) % 7
         answers["sets"] = lambda some: model.predict_proba_sets(sets[some], counts[some])
-    assert answers, f"{type(model).__name__} can be asked nothing that this test knows: add its method here"
+    assert answers, f"{type(model).__name__} has no method that this test can call: add its method here"
     return answers
 
 
 def restored(value):
-    """The same without attributes that prediction does not need."""
+    """Return a copy without the attributes that prediction does not need."""
     if isinstance(value, list | tuple):
         return type(value)(restored(item) for item in value)
     if isinstance(value, dict):
@@ -103,7 +103,7 @@ def assert_alone_as_in_a_batch(ask, n):
 
 
 @pytest.mark.parametrize(("kind", "settings"), list(found()))
-def test_a_sample_alone_is_as_in_a_batch(kind, settings):
+def test_a_sample_does_not_depend_on_its_batch(kind, settings):
     x, labels = samples(kind, settings, seed=0)
     try:
         model = kind(**settings).fit(x, labels)
@@ -124,7 +124,7 @@ def test_discovery_finds_the_estimators():
 
 
 def test_many_support_vectors():
-    """More than fit into one product or one block."""
+    """The vectors do not fit into one product, and the samples do not fit into one block."""
     rng = np.random.default_rng(2)
     vectors = rng.normal(size=(950, 70)).astype(np.float32) / 8
     expansion = KernelExpansion(vectors, rng.normal(size=(950, 5)), np.zeros(5), 0.5)

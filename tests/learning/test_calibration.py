@@ -20,7 +20,7 @@ from placecat.learning.one_against_all import OneAgainstAll
 
 
 class Known:
-    """A machine with given decision values, shifted by the unseen home."""
+    """A machine with known decision values, plus a shift that depends on the home it has not seen."""
 
     own_sigmoid = None
 
@@ -41,7 +41,7 @@ class Known:
 
 
 def shifted(shifts, n=300, seed=0):
-    """Values that rise with the label within each home; shifts lower homes with many positives."""
+    """Return a machine whose values rise with the label within each home, the labels, and the homes."""
     rng = np.random.default_rng(seed)
     homes = np.repeat(np.arange(len(shifts)), n // len(shifts))
     positive = rng.random(n) < np.linspace(0.1, 0.9, len(shifts))[homes]
@@ -56,8 +56,8 @@ def fit_known(base, positive, homes, kind):
     return fitted
 
 
-def test_pooling_would_get_the_sign_wrong_and_no_way_does():
-    """Homes with more positives are judged by machines that saw fewer, so their values are lower."""
+def test_no_calibration_reverses_the_sign_as_pooling_would():
+    """A machine that leaves out a home with many positives sees few, so its values for that home are low."""
     base, positive, homes = shifted([0.0, -2.0, -4.0, -6.0, -8.0])
     pooled = base.values + base.shifts[homes]
     assert np.corrcoef(pooled, positive)[0, 1] < -0.3
@@ -74,7 +74,7 @@ def test_pooling_would_get_the_sign_wrong_and_no_way_does():
     kind=st.sampled_from(CALIBRATIONS),
     seed=st.integers(0, 99),
 )
-def test_a_constant_added_to_one_home_changes_no_slope(constant, home, kind, seed):
+def test_a_constant_shift_of_one_home_does_not_change_slopes(constant, home, kind, seed):
     base, positive, homes = shifted([0.0, 1.0, 2.0, 3.0, 4.0], seed=seed)
     before = fit_known(base, positive, homes, kind).sigmoids[:, 0]
     base.shifts[home] += constant
@@ -82,7 +82,7 @@ def test_a_constant_added_to_one_home_changes_no_slope(constant, home, kind, see
     np.testing.assert_allclose(after, before, rtol=1e-4, atol=1e-6)
 
 
-def test_decisions_that_say_the_contrary_are_flat_counted_and_logged_once(caplog):
+def test_reversed_decisions_yield_flat_sigmoids_and_one_log_message(caplog):
     base, positive, homes = shifted([0.0] * 5)
     base.values = -base.values
     for kind in CALIBRATIONS:
@@ -116,7 +116,7 @@ def test_folds():
         held_out = [set(groups[test]) for _, test in make_folds(y, groups, kind, 5)]
         assert held_out == [{7}, {8}, {9}]
         assert len(make_folds(y, np.zeros(20), kind, 4)) == 4
-    # Consecutive samples of each class, or random ones, the same at every call.
+    # The parts are consecutive samples of each class, or random samples that are the same in every call.
     assert make_folds(y, None, "consecutive", 5)[0][1].tolist() == [0, 1, 10, 11]
     drawn = [test.tolist() for _, test in make_folds(y, groups, "samples", 5)]
     assert drawn == [test.tolist() for _, test in make_folds(y, None, "samples", 5)]
@@ -130,7 +130,7 @@ def test_folds():
 
 
 def test_class_missing_from_a_folds_training_part(caplog):
-    """Only home 0 has class 2: it is judged by consecutive samples, the other classes by home."""
+    """Only home 0 has class 2, so consecutive samples are held out for this class instead of homes."""
     rng = np.random.default_rng(0)
     y = np.arange(150) % 3
     X = 2.0 * np.eye(3)[y] + rng.normal(size=(150, 3))

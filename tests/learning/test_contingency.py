@@ -9,7 +9,7 @@ from placecat.learning.contingency import maximum_spanning_tree, mutual_informat
 
 
 def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> np.ndarray:
-    """Codes; half of each variable depends on an earlier one."""
+    """Return random codes. About half of the values of each variable are copied from an earlier variable."""
     rng = np.random.default_rng(seed)
     codes = rng.integers(0, n_values, (n_samples, n_variables))
     for variable in range(1, n_variables):
@@ -18,7 +18,7 @@ def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> 
     return codes
 
 
-# Binary; few cells for the samples (bincount); more cells than samples (sorted).
+# Binary variables, small tables (bincount), and tables with more cells than samples (sorting).
 @pytest.mark.parametrize(("n_samples", "n_values"), [(200, 2), (500, 5), (60, 200), (40, 70_000)])
 def test_mutual_information_against_scikit_learn(n_samples, n_values):
     codes = linked_codes(n_samples, 6, n_values, 0)
@@ -30,7 +30,7 @@ def test_mutual_information_against_scikit_learn(n_samples, n_values):
     np.testing.assert_array_equal(found, found.T)
 
 
-def test_bytes_are_enough_for_binary_and_narrow_codes():
+def test_binary_and_narrow_codes_may_be_bytes():
     for n_values in (2, 200):
         codes = linked_codes(300, 4, n_values, 1)
         np.testing.assert_array_equal(

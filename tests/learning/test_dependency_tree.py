@@ -16,7 +16,7 @@ from placecat.learning.naive_bayes import NaiveBayes
 
 
 def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> np.ndarray:
-    """Codes; half of each variable depends on an earlier one."""
+    """Return random codes. About half of the values of each variable are copied from an earlier variable."""
     rng = np.random.default_rng(seed)
     codes = rng.integers(0, n_values, (n_samples, n_variables))
     for variable in range(1, n_variables):
@@ -30,7 +30,7 @@ def edges(parents: np.ndarray) -> frozenset[frozenset[int]]:
 
 
 def all_trees(n_variables: int) -> list[frozenset[frozenset[int]]]:
-    """Return every spanning tree of the complete graph, by its edges."""
+    """Return every spanning tree of the complete graph as a set of edges."""
     pairs = list(itertools.combinations(range(n_variables), 2))
     trees = []
     for chosen in itertools.combinations(pairs, n_variables - 1):
@@ -43,7 +43,7 @@ def all_trees(n_variables: int) -> list[frozenset[frozenset[int]]]:
 
 
 def tree_log_likelihood(codes: np.ndarray, tree: frozenset[frozenset[int]]) -> float:
-    """Log likelihood of a tree with the relative frequencies: product of edges over inner marginals."""
+    """Return the log-likelihood of `codes` under a tree whose probabilities are relative frequencies."""
 
     def entropy_sum(columns: tuple[int, ...]) -> float:
         _, counts = np.unique(codes[:, columns], axis=0, return_counts=True)
@@ -82,7 +82,7 @@ def test_each_class_has_the_maximum_spanning_tree(n_values, n_samples):
             itertools.combinations(range(7), 2),
             key=lambda pair: -mutual_info_score(part[:, pair[0]], part[:, pair[1]]),
         )
-        # Kruskal: the oracle uses another algorithm than ours.
+        # The reference uses Kruskal's algorithm, unlike our code.
         group, tree = list(range(7)), []
         for a, b in pairs:
             if group[a] != group[b]:
@@ -136,8 +136,8 @@ def test_the_joint_distribution_sums_to_one(seed, n_values, alpha, dense):
     np.testing.assert_allclose(model.predict_proba(configurations).sum(axis=1), 1, rtol=1e-12)
 
 
-def test_independent_variables_give_naive_bayes():
-    # Every combination once: no pair is informative, and smoothing is the only difference.
+def test_independent_variables_yield_naive_bayes():
+    # Every combination occurs once per class, so no pair is informative, and only the smoothing differs.
     codes = np.array(list(itertools.product(range(3), repeat=3)) * 2)
     y = np.repeat([0, 1], 27)
     tree = DependencyTree(alpha=1e-9).fit(codes, y)
@@ -147,7 +147,7 @@ def test_independent_variables_give_naive_bayes():
     )
 
 
-def test_it_sees_dependence_unlike_naive_bayes():
+def test_dependence_is_detected_unlike_by_naive_bayes():
     rng = np.random.default_rng(0)
     first = rng.integers(0, 2, 400)
     y = rng.integers(0, 2, 400)
@@ -183,7 +183,7 @@ def test_wide_codes_do_not_need_wide_tables():
         ({"prior": "none"}, "prior=none: it must be"),
     ],
 )
-def test_impossible_settings(settings_, message):
+def test_invalid_settings(settings_, message):
     with pytest.raises(PlacecatError, match=message):
         DependencyTree(**settings_).fit([[0, 1], [4, 0]], ["a", "b"])
 

@@ -7,7 +7,7 @@ from placecat.learning.discriminative import discriminative_codewords
 
 
 def information(active, y):
-    """Mutual information in nats, by its definition."""
+    """Compute the mutual information in nats from its definition."""
     total = 0.0
     for value in (0, 1):
         for label in np.unique(y):
@@ -29,12 +29,12 @@ def test_the_most_informative_codewords_are_marked(active, y, keep):
     assert found[kept].min() >= (found[~kept].max() if (~kept).any() else 0.0) - 1e-9
 
 
-def test_of_equals_the_first_are_kept():
+def test_ties_keep_the_lowest_codewords():
     active = np.repeat([[0], [1], [0], [1]], 4, axis=1).astype(np.uint8)
     assert discriminative_codewords(active, [0, 1, 0, 1], 0.5).tolist() == [True, True, False, False]
 
 
-def test_a_codeword_of_one_class_is_kept_and_one_of_all_is_not():
+def test_codewords_of_one_class_are_kept_but_not_those_of_all():
     y = np.arange(60) % 3
     everywhere, never, of_one = np.ones(60), np.zeros(60), y == 2
     active = np.column_stack([everywhere, never, of_one]).astype(np.uint8)

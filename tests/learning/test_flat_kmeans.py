@@ -12,7 +12,7 @@ def points():
     return (rng.normal(size=(400, 6)) + 4 * rng.integers(0, 5, (400, 1))).astype(np.float32)
 
 
-def test_it_is_as_good_as_scikit_learns(points):
+def test_inertia_is_close_to_that_of_scikit_learn(points):
     model = FlatKMeans(numbers=(5, 16), seed=1).fit(points)
     for number in (5, 16):
         centers = model.centers(number)
@@ -26,7 +26,7 @@ def test_it_is_as_good_as_scikit_learns(points):
         )
 
 
-def test_the_seed_decides_and_numbers_do_not_disturb_each_other(points):
+def test_clusterings_depend_on_the_seed_but_not_on_each_other(points):
     alone = FlatKMeans(numbers=(16,), seed=1).fit(points).centers(16)
     np.testing.assert_array_equal(FlatKMeans(numbers=(5, 16), seed=1).fit(points).centers(16), alone)
     assert not np.array_equal(FlatKMeans(numbers=(16,), seed=2).fit(points).centers(16), alone)
@@ -35,7 +35,7 @@ def test_the_seed_decides_and_numbers_do_not_disturb_each_other(points):
 def test_too_few_points_and_unknown_numbers():
     model = FlatKMeans(**FlatKMeans.settings_for([46, 3, 3])).fit(np.eye(4))
     assert model.numbers == (3, 46)
-    with pytest.raises(NotComputable, match="46 clusters need as many points, but there are only 4"):
+    with pytest.raises(NotComputable, match="46 clusters need at least as many points, but there are only 4"):
         model.centers(46)
     with pytest.raises(PlacecatError, match="n_clusters=5 was not computed: use one of 3, 46"):
         model.assign(np.eye(4), 5)

@@ -30,7 +30,7 @@ def opencv(X, y, rounds, trim, test):
 
 
 def smallest_error(X, target, weight):
-    """Weighted squared error of the best stump, from every midpoint of every feature."""
+    """Return the smallest weighted squared error of a stump, trying every midpoint of every feature."""
     errors = []
     for column in X.T:
         values = np.unique(column)
@@ -41,7 +41,7 @@ def smallest_error(X, target, weight):
     return min(errors)
 
 
-def test_equals_opencv_where_every_value_has_its_bin():
+def test_equals_opencv_if_every_value_has_a_bin():
     X, y = grid()
     ours = GentleAdaBoost(30, weight_trim=1.0).fit(X, y).decision_function(X)
     np.testing.assert_allclose(ours, opencv(X, y, 30, 1.0, X), atol=1e-4)
@@ -93,7 +93,7 @@ def test_bins_and_histograms():
 
 
 def test_machines_fitted_together_equal_those_fitted_alone():
-    """Also with a memory, after other numbers of rounds."""
+    """This is also true inside `remembering`, after fits with other numbers of rounds."""
     rng = np.random.default_rng(5)
     X = rng.normal(size=(150, 70)).astype(np.float32)
     tasks = [
@@ -113,7 +113,7 @@ def test_machines_fitted_together_equal_those_fitted_alone():
                     np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
 
 
-def test_shared_rows_decide_as_samples_do():
+def test_decisions_for_shared_rows_equal_those_for_samples():
     X, y = grid()
     model = GentleAdaBoost(10)
     shared = model.prepare(X)
@@ -132,7 +132,7 @@ def test_probability_is_equation_8():
     np.testing.assert_allclose(model.predict_proba(X)[:, 1], np.exp(f) / (np.exp(-f) + np.exp(f)), atol=1e-12)
 
 
-def test_constant_features_give_the_base_rate():
+def test_constant_features_yield_the_base_rate():
     model = GentleAdaBoost(3, weight_trim=1.0).fit(np.zeros((4, 2)), [0, 0, 0, 1])
     assert model.decision_function([[9.0, 9.0]]).tolist() == [-0.5]
 

@@ -19,7 +19,7 @@ from placecat.learning.hierarchical_kmeans import HierarchicalKMeans, check_clus
 
 
 def blobs() -> tuple[np.ndarray, np.ndarray]:
-    """Three far groups of three near groups of 20 points, and the group of each point."""
+    """Return three distant clusters of three nearby groups of 20 points each, and the group of each point."""
     rng = np.random.default_rng(0)
     far = np.array([[0, 0], [1000, 0], [0, 1000]])
     near = np.array([[0, 0], [30, 0], [0, 30]])
@@ -38,7 +38,7 @@ def grown(X: np.ndarray, **settings: int) -> HierarchicalKMeans:
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_the_cut_gives_the_blobs(seed):
+def test_cuts_recover_the_blobs(seed):
     X, groups = blobs()
     tree = grown(X, branching=3, max_clusters=9, seed=seed)
     for codes in (tree.labels(3), tree.assign(X, 3)):
@@ -63,7 +63,7 @@ def test_splits_match_scikit_learn():
     X = np.random.default_rng(3).gamma(1.0, size=(500, 6)).astype(np.float32)
     tree = grown(X, branching=8, max_clusters=8, max_iter=200, seed=4)
     labels = tree.labels(8)
-    # A converged k-means is a fixed point of any k-means.
+    # A converged clustering is a fixed point of any k-means implementation.
     means = np.array([X[labels == label].mean(axis=0) for label in range(8)])
     other = KMeans(8, init=means, n_init=1, max_iter=1, tol=0).fit(X)
     np.testing.assert_array_equal(other.labels_, labels)
@@ -90,7 +90,7 @@ def test_lazy_growth_equals_the_definition(kind):
     }[kind].astype(np.float32)
     tree = grown(X, branching=3, max_clusters=41, seed=7)
 
-    # Split everything, then search all open nodes for the greatest gain, as defined.
+    # Split all nodes in advance, then search all open nodes for the greatest gain, as the definition says.
     def split_all(node: kmeans_split.Node) -> None:
         seeds = np.random.SeedSequence(7, spawn_key=node.path)
         node.children = kmeans_split.split_node(node, 3, 11, np.random.default_rng(seeds))
@@ -161,7 +161,7 @@ def test_assign_is_the_nearest_centre():
     assert tree.assign(np.empty((0, 8)), 46).shape == (0,)
 
 
-def test_a_seed_fixes_the_bytes_for_any_number_of_threads():
+def test_a_seed_determines_the_tree_for_any_number_of_threads():
     X = np.random.default_rng(12).normal(size=(3000, 40)).astype(np.float32)
     trees = []
     for threads in (1, 2):
@@ -174,21 +174,21 @@ def test_a_seed_fixes_the_bytes_for_any_number_of_threads():
     assert grown(X, max_clusters=61, seed=4).centers(61).tobytes() != trees[0].centers(61).tobytes()
 
 
-def test_the_global_generator_is_left_alone():
+def test_the_global_generator_is_not_used():
     before = np.random.get_state()[1].copy()  # noqa: NPY002
     grown(np.random.default_rng(0).normal(size=(50, 2)), max_clusters=16)
     np.testing.assert_array_equal(before, np.random.get_state()[1])  # noqa: NPY002
 
 
 def test_seeds_are_drawn_by_squared_distance():
-    # Distances 1 and 3 from the first seed: drawn as 1 : 9.
+    # The distances from the first seed are 1 and 3, so the probabilities are in the ratio 1 : 9.
     X = np.array([[0.0], [1.0], [3.0]], np.float32)
     counts = np.zeros(3)
     for seed in range(4000):
         labels = kmeans_split.seed_clusters(X, 2, np.random.default_rng(seed))
         if labels[0] == 0 and np.random.default_rng(seed).integers(3) == 0:
             counts[1 if labels[1] == 1 and labels[2] == 1 else 2] += 1
-    # A second seed at 1 takes both other points; one at 3 takes only itself.
+    # A second seed at 1 attracts both other points, and a second seed at 3 attracts only itself.
     assert counts.sum() > 1000
     assert counts[1] / counts.sum() == pytest.approx(0.1, abs=0.03)
 
@@ -221,7 +221,7 @@ def test_empty_clusters_take_the_farthest_points():
     assert labels.tolist() == [0, 2, 1, 3]
 
 
-def test_too_many_clusters_name_the_largest_number():
+def test_too_many_clusters_raise_an_error_with_the_maximum():
     tree = grown(np.repeat(np.arange(40.0), 3)[:, None], max_clusters=196)
     largest = tree.max_clusters_
     assert 16 <= largest <= 40
@@ -240,7 +240,7 @@ def test_beyond_the_grown_tree():
     ("number", "branching", "message"),
     [(100, 16, "91 or 106"), (0, 16, "1 or 16"), (-5, 16, "1 or 16"), (15, 16, "1 or 16"), (6, 3, "5 or 7")],
 )
-def test_other_cluster_numbers_are_refused(number, branching, message):
+def test_invalid_cluster_numbers_are_rejected(number, branching, message):
     with pytest.raises(PlacecatError, match=f"use {message}$"):
         check_cluster_number(number, branching)
 
@@ -259,7 +259,7 @@ def test_the_thesis_cluster_numbers_are_valid():
         ({"seed": -1}, "seed=-1"),
     ],
 )
-def test_impossible_settings(settings_, message):
+def test_invalid_settings(settings_, message):
     with pytest.raises(PlacecatError, match=message):
         HierarchicalKMeans(**settings_).fit(np.zeros((5, 2)))
 

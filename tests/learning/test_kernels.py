@@ -46,7 +46,7 @@ def test_gram_across_tiles_is_symmetric_and_independent_of_threads(monkeypatch):
     np.testing.assert_allclose(one, rbf_kernel(X, gamma=0.3), atol=2e-6)
 
 
-def test_float64_gram_holds_the_float32_values():
+def test_float64_gram_has_the_float32_values():
     X = np.random.default_rng(1).normal(size=(20, 3))
     double = rbf_gram(X, 1.0, dtype=np.float64)
     assert double.dtype == np.float64
@@ -81,7 +81,7 @@ def test_blas_limit_is_restored_after_nested_use():
         return {info["num_threads"] for info in threadpool_info() if info["user_api"] == "blas"}
 
     with threadpool_limits(limits=2, user_api="blas"):
-        # Some libraries never use more than one.
+        # Some libraries never use more than one thread.
         before = threads()
         assert 2 in before
         with single_blas_thread(), single_blas_thread():

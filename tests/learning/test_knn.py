@@ -24,7 +24,7 @@ def training_data(seed: int = 0) -> tuple[np.ndarray, np.ndarray]:
 def thesis_probability(
     model: ModifiedKNN, points: np.ndarray, n_neighbors: int, smoothing: float, once: bool
 ) -> np.ndarray:
-    """Equations (4) and (5) as loops; for one neighbour equation (2)."""
+    """Compute equations (4) and (5) with loops, or equation (2) for one neighbour."""
     classes = range(len(model.classes_))
     f = model.frequencies_ + smoothing
     probability = np.ones(len(classes))
@@ -79,7 +79,7 @@ def test_against_the_equations(monkeypatch, n_neighbors, weighting, smoothing):
 
 
 def test_once_favours_frequent_classes():
-    # Clusters that say nothing about the class: each holds 9 of one class and 1 of the other.
+    # The clusters are uninformative: each contains 9 points of one class and 1 of the other.
     X = np.repeat([[0.0], [10.0]], 10, axis=0)
     y = ["common"] * 9 + ["rare"] + ["common"] * 9 + ["rare"]
     codebook = HierarchicalKMeans(branching=2, max_clusters=3).fit(X)
@@ -90,7 +90,7 @@ def test_once_favours_frequent_classes():
     np.testing.assert_allclose(once.predict_proba_sets(frame, counts), [[81 / 82, 1 / 82]])
 
 
-def test_a_codebook_is_cut_and_left_alone():
+def test_a_given_codebook_is_not_modified():
     X, y = training_data()
     codebook = HierarchicalKMeans(max_clusters=46, seed=8).fit(X)
     before = codebook.centers(31)
@@ -106,9 +106,9 @@ def test_a_centre_at_distance_zero_takes_all_the_weight():
     X = np.array([[0.0], [0.0], [8.0], [8.0]])
     codebook = HierarchicalKMeans(branching=2, max_clusters=3).fit(X)
     model = ModifiedKNN(2, 2, smoothing=0.0, codebook=codebook).fit(X, ["a", "b", "b", "b"])
-    # At 0 only the first centre counts: f = (1, 1), then divided by f(a) = 1 and f(b) = 3.
+    # At 0, only the first centre counts, and f = (1, 1) is divided by f(a) = 1 and f(b) = 3.
     np.testing.assert_allclose(model.predict_proba([[0.0]]), [[3 / 4, 1 / 4]])
-    # At 2 the weights are 1/2 and 1/6: f(a) = 1/2, f(b) = 1/2 + 2/6.
+    # At 2, the weights are 1/2 and 1/6, so f(a) = 1/2 and f(b) = 1/2 + 2/6.
     np.testing.assert_allclose(model.predict_proba([[2.0]]), [[9 / 14, 5 / 14]])
 
 
@@ -159,7 +159,7 @@ def test_update_adds_a_close_point():
 
 
 def test_update_at_the_limit_adds():
-    # 2 from its cluster, as far as the two closest clusters are from each other.
+    # The distance from the point to its cluster equals that between the two closest clusters (2).
     model = line_model().update([11.0], "b")
     np.testing.assert_allclose(model.centers_[:, 0], [0, 2, 10])
 
@@ -174,7 +174,7 @@ def test_updates_against_recomputation():
     X, y = training_data()
     model = ModifiedKNN(16, n_neighbors=2).fit(X[:100], y[:100])
     sizes = model.frequencies_.sum(axis=1)
-    # Each cluster as its mass, its weighted sum and its class counts.
+    # Represent each cluster by its mass, its weighted sum and its class counts.
     clusters = [
         [float(n), n * c, f.copy()] for n, c, f in zip(sizes, model.centers_, model.frequencies_, strict=True)
     ]
@@ -231,10 +231,10 @@ def test_wrong_updates():
         ({"smoothing": -0.1}, "smoothing=-0.1"),
         ({"class_weighting": "twice"}, "class_weighting=twice: it must be 'once' or 'per_region'"),
         ({"n_clusters": 100}, "91 or 106"),
-        ({"n_clusters": 496}, "496 clusters are impossible"),
+        ({"n_clusters": 496}, "496 clusters cannot be formed"),
     ],
 )
-def test_impossible_settings(settings_, message):
+def test_invalid_settings(settings_, message):
     X, y = training_data()
     with pytest.raises(PlacecatError, match=message):
         ModifiedKNN(**settings_).fit(X, y)

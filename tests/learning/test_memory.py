@@ -35,7 +35,7 @@ def test_arrays_are_compared_by_identity_and_stay_alive():
         assert count(calls, one, 2.0) == count(calls, one, 2.0) != count(calls, one, 3.0)
 
 
-def test_only_the_latest_result_is_kept_if_asked():
+def test_only_the_latest_result_is_kept_if_requested():
     calls = []
     with remembering():
         for value in (1, 1, 2, 1):
@@ -43,7 +43,7 @@ def test_only_the_latest_result_is_kept_if_asked():
     assert [key for (key,) in calls] == [1, 2, 1]
 
 
-def test_another_thread_has_no_memory():
+def test_other_threads_do_not_see_the_cache():
     calls = []
     with remembering():
         count(calls, 1)
@@ -53,7 +53,7 @@ def test_another_thread_has_no_memory():
     assert len(calls) == 2
 
 
-def test_contents_differ_by_value_type_and_shape():
+def test_checksums_depend_on_values_dtype_and_shape():
     x = np.arange(6)
     with remembering():
         assert content(x) == content(x.copy())
@@ -64,7 +64,7 @@ def test_contents_differ_by_value_type_and_shape():
 @pytest.mark.parametrize(
     "base", [NuSVM(nu=0.3), RVM(), GentleAdaBoost(4)], ids=lambda base: type(base).__name__
 )
-def test_schemes_that_share_machines_decide_as_those_that_do_not(base):
+def test_sharing_machines_does_not_change_the_results(base):
     rng = np.random.default_rng(2)
     y = np.repeat([0, 1, 2], 12)
     X = (y[:, None] + rng.normal(size=(36, 3))).astype(np.float32)

@@ -98,7 +98,7 @@ def test_many_variables_do_not_underflow():
         ({"n_values": 4}, r"code 4 of sample 1, variable 0 is outside \[0, 4\)"),
     ],
 )
-def test_impossible_settings(settings_, message):
+def test_invalid_settings(settings_, message):
     with pytest.raises(PlacecatError, match=message):
         NaiveBayes(**settings_).fit([[0, 1], [4, 0]], ["a", "b"])
 
@@ -111,7 +111,7 @@ def test_wrong_codes():
         model.predict([[-1, 0]])
     with pytest.raises(PlacecatError, match="3 features, but NaiveBayes is expecting 2"):
         model.predict([[0, 0, 0]])
-    with pytest.raises(PlacecatError, match="whole numbers"):
+    with pytest.raises(PlacecatError, match="non-negative integers"):
         model.predict([[0.5, 0.0]])
     with pytest.raises(PlacecatError, match=r"y has shape \(1,\) for 2 samples"):
         NaiveBayes().fit([[0], [1]], ["a"])

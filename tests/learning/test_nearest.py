@@ -39,7 +39,7 @@ def test_no_points():
     assert nearest_centers(np.empty((0, 2)), np.zeros((3, 2))).shape == (0, 1)
 
 
-def test_a_point_halfway_is_given_away_alone_as_among_others():
+def test_tied_points_do_not_depend_on_the_batch():
     rng = np.random.default_rng(0)
     centers = rng.normal(size=(91, 130)).astype(np.float32)
     pairs = rng.integers(0, 91, (400, 2))

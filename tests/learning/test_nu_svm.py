@@ -39,7 +39,7 @@ def test_rows_equal_a_fit_on_these_rows_alone():
     np.testing.assert_allclose(
         part.decide_rows(shared, np.arange(len(X))), alone.decision_function(shared[:, rows]), atol=1e-9
     )
-    # A run of rows takes the path without a copy.
+    # Consecutive rows are not copied.
     np.testing.assert_allclose(
         part.decide_rows(shared, np.arange(10, 30)), alone.decision_function(shared[10:30, rows]), atol=1e-9
     )
@@ -54,7 +54,7 @@ def test_infeasible_nu_is_lowered_and_logged(caplog):
     assert np.isfinite(model.decision_function(X)).all()
 
 
-def test_infeasible_nu_is_refused():
+def test_infeasible_nu_is_rejected():
     X, y = blobs(share=0.05)
     with pytest.raises(
         PlacecatError, match=r"nu = 0.2 is infeasible for class True .* largest feasible value is 0.1"
@@ -72,7 +72,7 @@ def test_accepted_nu_passes_libsvms_check(n_positive, n_negative, nu):
 
 @settings(max_examples=examples(15), deadline=None)
 @given(n_positive=st.integers(1, 12), seed=st.integers(0, 99))
-def test_largest_feasible_nu_gives_a_finite_machine(n_positive, seed):
+def test_largest_feasible_nu_yields_a_finite_machine(n_positive, seed):
     rng = np.random.default_rng(seed)
     X = rng.normal(size=(40, 2))
     model = NuSVM(gamma=1.0, nu=1.0).fit(X, np.arange(40) < n_positive)
@@ -82,7 +82,7 @@ def test_largest_feasible_nu_gives_a_finite_machine(n_positive, seed):
 
 @pytest.mark.parametrize("nu", [0.0, -0.1, 1.5, float("nan")])
 @pytest.mark.parametrize("policy", ["lower", "refuse"])
-def test_nu_outside_its_range_is_refused(nu, policy):
+def test_nu_outside_its_range_is_rejected(nu, policy):
     X, y = blobs()
     with pytest.raises(PlacecatError, match=f"^nu={nu}: it must be"):
         NuSVM(nu=nu, nu_policy=policy).fit(X, y)
@@ -98,18 +98,18 @@ def test_other_messages():
         NuSVM().fit(X, y).predict([[1.0]])
 
 
-def test_a_nu_without_margin_is_raised_or_refused():
-    """Three quarters of both classes coincide: a small nu leaves no margin, and libsvm divides by it."""
+def test_nu_without_margin_is_raised_or_rejected():
+    """Three quarters of both classes coincide. A small nu leaves a margin of 0, and libsvm divides by it."""
     X = np.array([[0.0, 0.0]] * 6 + [[1.0, 1.0]] * 2 + [[0.0, 0.0]] * 6 + [[-1.0, 1.0]] * 2)
     y = np.repeat([0, 1], 8)
     model = NuSVM(gamma=1.0, nu=0.2).fit(X, y)
     assert model.nu_ == pytest.approx(0.8)
     assert np.isfinite(model.dual_coef_).all()
     assert model.predict([[1.0, 1.0], [-1.0, 1.0]]).tolist() == [0, 1]
-    with pytest.raises(PlacecatError, match=r"nu = 0\.2 leaves no margin.*use a nu nearer 1"):
+    with pytest.raises(PlacecatError, match=r"nu = 0\.2 leaves no margin.*use a nu closer to 1"):
         NuSVM(gamma=1.0, nu=0.2, nu_policy="refuse").fit(X, y)
 
 
-def test_coinciding_classes_are_refused():
+def test_coinciding_classes_are_rejected():
     with pytest.raises(PlacecatError, match="descriptors of both classes coincide"):
         NuSVM(gamma=1.0, nu=0.5).fit(np.zeros((8, 2)), np.repeat([0, 1], 4))

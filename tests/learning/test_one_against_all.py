@@ -69,8 +69,8 @@ def test_scheme_against_a_naive_transcription(exclusive, named_prior):
         np.testing.assert_allclose(proba, np.array(p) / sum(p), atol=1e-12)
 
 
-def test_weak_classifiers_do_not_all_name_the_frequent_class():
-    """With weak outputs the literal variant names one class only; the default does not."""
+def test_weak_classifiers_do_not_always_choose_the_frequent_class():
+    """With weak outputs, the literal variant always names the same class, but the default does not."""
     rng = np.random.default_rng(0)
     y = np.repeat([0, 0, 0, 1, 2], 60)
     X, test = (rng.normal(size=(300, 3)) + np.eye(3)[y] for _ in range(2))
@@ -108,7 +108,8 @@ def test_perfect_reliabilities_return_the_outputs():
 def test_uncertainty_flattens_unsure_distributions():
     model = OneAgainstAll(uncertainty=1.0, exclusive=False)
     model.posterior_ = np.eye(2)
-    # Certain to 50 %: additional mass gamma = 1, half of it to each of two classes.
+    # At a certainty of 50%, the additional mass is gamma = 1, and each of the two classes receives half of
+    # it.
     np.testing.assert_allclose(model.combine(np.array([[0.5, 0.0]])), [[1.0 / 1.5, 0.5 / 1.5]])
     np.testing.assert_allclose(model.combine(np.array([[1.0, 0.0]])), [[1.0, 0.0]])
     np.testing.assert_allclose(model.combine(np.array([[1e-9, 0.0]])), [[0.5, 0.5]], atol=1e-8)
@@ -201,7 +202,7 @@ X3, Y3, _ = homes(30)
 @pytest.mark.parametrize(
     ("model", "y", "message"),
     [
-        (OneAgainstAll(), np.ones(30), "all training samples are of one class, '1.0'"),
+        (OneAgainstAll(), np.ones(30), "all training samples belong to one class, '1.0'"),
         (OneAgainstAll(), np.arange(30) == 3, "class 'True' has 1 training sample"),
         (OneAgainstAll(), Y3[:5], r"y has shape \(5,\) for 30 samples"),
         (

@@ -31,7 +31,7 @@ def test_against_scikit_learn(scale, shift):
     seed=st.integers(0, 9999),
     scale=st.floats(-1e3, 1e3).filter(lambda s: abs(s) > 1e-3),
 )
-def test_no_general_optimiser_finds_a_better_sigmoid_that_does_not_fall(n, seed, scale):
+def test_no_general_optimiser_finds_a_better_nondecreasing_sigmoid(n, seed, scale):
     d, positive = draw(n, seed, scale)
     target = np.where(positive, (positive.sum() + 1) / (positive.sum() + 2), 1 / ((~positive).sum() + 2))
 
@@ -49,7 +49,7 @@ def test_balanced_is_the_weighted_logistic_regression():
     d, positive = draw(4000, 1)
     a, b = fit_sigmoid(d, positive, balanced=True)
     model = LogisticRegression(C=1e9, class_weight="balanced").fit(d[:, None], positive)
-    # Smoothed targets differ from 0 and 1 by 1/4000.
+    # The smoothed targets differ from 0 and 1 by less than 1/1000.
     assert [-a, -b] == pytest.approx([model.coef_[0, 0], model.intercept_[0]], abs=0.02)
 
 
@@ -60,7 +60,7 @@ def test_one_class_only_and_equal_decisions():
     np.testing.assert_allclose(apply_sigmoid(np.array([1.0, 9.0]), a, b), 1 / 5, atol=1e-6)
 
 
-def test_the_contrary_becomes_flat():
+def test_reversed_decisions_yield_a_flat_sigmoid():
     d, positive = draw(300, 0)
     a, b = fit_sigmoid(-d, positive)
     assert a == 0.0

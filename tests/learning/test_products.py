@@ -20,7 +20,7 @@ def alone(function, rows):
     dtype=st.sampled_from([np.float32, np.float64]),
     seed=st.integers(0, 99),
 )
-def test_a_row_is_as_if_it_were_alone(n, m, k, dtype, seed):
+def test_a_row_does_not_depend_on_other_rows(n, m, k, dtype, seed):
     rng = np.random.default_rng(seed)
     left, right = rng.normal(size=(n, k)).astype(dtype), rng.normal(size=(m, k)).astype(dtype)
     found = row_products(left, right)
@@ -37,8 +37,8 @@ def test_a_row_is_as_if_it_were_alone(n, m, k, dtype, seed):
 
 
 @pytest.mark.parametrize("lost", [(), (48,), (240, 12)])
-def test_kernels_that_look_at_a_rows_place_are_found_out(monkeypatch, lost):
-    """A multiplication with a wrong bit in the fifth row of some sizes is not used for these sizes."""
+def test_kernels_that_depend_on_the_row_position_are_detected(monkeypatch, lost):
+    """If products of some sizes have a wrong bit in row 5, these sizes are not used."""
     genuine = products._multiply
 
     def off(block, tile):
@@ -66,7 +66,7 @@ def test_a_matrix_times_itself():
 
 
 @pytest.mark.parametrize(("n", "m"), [(0, 3), (3, 0)])
-def test_nothing(n, m):
+def test_empty_matrices(n, m):
     assert row_products(np.ones((n, 4)), np.ones((m, 4), np.float32)).shape == (n, m)
 
 

@@ -17,7 +17,7 @@ def ring(n=200, seed=0):
 
 
 def slow_evidence(basis, target, alpha):
-    """Log evidence in the Laplace approximation, with the mode from a general optimiser."""
+    """Return the log evidence in the Laplace approximation, finding the mode with a general optimiser."""
 
     def loss(w):
         f = basis @ w
@@ -30,7 +30,7 @@ def slow_evidence(basis, target, alpha):
 
 
 def tipping_2001(basis, target, rounds=120):
-    """Dense evidence maximisation: all functions at once, alpha = gamma / w^2, pruned at 1e6."""
+    """Maximise the evidence over all functions at once: set alpha to gamma / w^2, and prune above 1e6."""
     alpha, kept = np.ones(basis.shape[1]), np.arange(basis.shape[1])
     w = np.zeros(basis.shape[1])
     for _ in range(rounds):
@@ -53,7 +53,7 @@ def test_against_dense_evidence_maximisation():
     kept, alpha, w = tipping_2001(basis, y.astype(float))
     assert model.evidence_ >= slow_evidence(basis[:, kept], y, alpha) - 0.1
     theirs = expit(basis[:, kept] @ w)
-    # Both are local optima; ours has the higher evidence.
+    # Both are local optima, so their predictions differ slightly.
     assert np.abs(model.predict_proba(X)[:, 1] - theirs).mean() < 0.04
     assert (model.predict(X) == (theirs > 0.5)).mean() > 0.95
     assert len(model.support_) <= 15
@@ -71,7 +71,7 @@ def test_evidence_follows_the_definition():
 
 
 def test_rank_one_steps_have_the_stated_gain():
-    """In the Gaussian problem, the summed gains are the difference of two directly computed evidences."""
+    """In the Gaussian problem, the gains add up to the difference between two directly computed evidences."""
     X, y = ring(60)
     gram = rbf_gram(X, 0.5)
     target, active = y.astype(float), np.array([3, 60])
@@ -122,7 +122,7 @@ def test_rows_equal_a_fit_on_these_rows_alone():
     np.testing.assert_allclose(part.dual_coef_, alone.dual_coef_, rtol=1e-3)
 
 
-def test_same_bytes_twice():
+def test_fitting_twice_yields_identical_bytes():
     X, y = ring()
     first, second = RVM(gamma=0.5).fit(X, y), RVM(gamma=0.5).fit(X, y)
     assert first.dual_coef_.tobytes() == second.dual_coef_.tobytes()
@@ -145,7 +145,7 @@ def test_separable_data():
     assert model.predict([[0.1], [0.9]]).tolist() == ["a", "b"]
 
 
-def test_labels_without_structure_leave_a_small_model():
+def test_random_labels_yield_finite_decisions():
     rng = np.random.default_rng(0)
     X, y = rng.normal(size=(100, 3)), np.arange(100) % 2 == 0
     model = RVM(gamma=1.0).fit(X, y)
@@ -163,8 +163,8 @@ def test_messages():
         RVM().fit_rows(rbf_gram(X, 1.0), np.zeros(20, bool))
 
 
-def test_frames_that_are_nearly_alike():
-    # Like in a video: kernels that differ by less than float32 resolves.
+def test_nearly_identical_frames():
+    # Kernel values differ by less than float32 can resolve. This also happens in videos.
     rng = np.random.default_rng(2)
     places = rng.normal(size=(40, 3))
     X = np.repeat(places, 20, axis=0) + rng.normal(size=(800, 3)) * 1e-3
@@ -175,6 +175,6 @@ def test_frames_that_are_nearly_alike():
     assert (model.predict(X) == y).mean() > 0.8
 
 
-def test_functions_that_are_alike_are_no_better_model():
+def test_identical_functions_have_no_evidence():
     mode = _laplace_mode(np.ones((2, 4)), np.array([0.0, 0.0, 1.0, 1.0]), np.full(2, 1e-20), np.zeros(2))
     assert mode.evidence == -np.inf

@@ -1,4 +1,4 @@
-"""Every public estimator passes scikit-learn's checks; exceptions are listed with their reasons."""
+"""Every public estimator passes scikit-learn's checks. Exceptions are listed with their reasons."""
 
 import ast
 from pathlib import Path
@@ -24,7 +24,7 @@ from placecat.learning.sequential import Sequential
 from placecat.learning.spatial_pca import SpatialPCA
 
 FLOAT32 = {"check_transformer_preserve_dtypes": "descriptors are converted to float32"}
-CLUSTERS = "16 clusters need as many distinct points, which these data lack"
+CLUSTERS = "16 clusters need at least 16 distinct points, which these data lack"
 NOT_PASSED = {
     "RVM": {"check_non_transformer_estimators_n_iter": "the number of rounds is not kept"},
     "KernelScaling": FLOAT32,
@@ -34,13 +34,13 @@ NOT_PASSED = {
         "check_estimators_nan_inf": CLUSTERS,
         "check_classifier_data_not_an_array": CLUSTERS,
         "check_classifiers_one_label": CLUSTERS,
-        "check_methods_sample_order_invariance": "it sets the clusters to 2, and a tree of 16 has 1, 16, 31",
+        "check_methods_sample_order_invariance": "it needs 2 clusters, but the tree has 1, 16 or 31",
     },
 }
 
 
 class OfNumbers:
-    """A learner of codes that accepts any numbers, as in the checks: each falls into one of 8 bins."""
+    """An estimator for codes that accepts the arbitrary numbers of the checks, binned into 8 codes."""
 
     def __sklearn_tags__(self):
         tags = super().__sklearn_tags__()
@@ -81,7 +81,7 @@ ESTIMATORS = [
 @parametrize_with_checks(
     ESTIMATORS, expected_failed_checks=lambda estimator: NOT_PASSED.get(type(estimator).__name__, {})
 )
-def test_the_checks_of_scikit_learn_pass(estimator, check):
+def test_scikit_learn_checks_pass(estimator, check):
     check(estimator)
 
 
@@ -106,24 +106,24 @@ def test_every_estimator_is_checked():
         (np.ones((8, 2)), None, "y"),
     ],
 )
-def test_complex_samples_and_labels_that_are_none_are_refused(estimator, samples, labels, message):
+def test_complex_samples_and_missing_labels_are_rejected(estimator, samples, labels, message):
     from sklearn.base import clone
 
     if not hasattr(estimator, "classes_") and type(estimator).__name__.endswith("KMeans"):
-        pytest.skip("clusters know no labels")
+        pytest.skip("clustering ignores labels")
     with pytest.raises(ValueError, match=message):
         clone(estimator).fit(samples, labels)
 
 
-def test_a_list_decides_for_its_largest_output():
-    """By default; with other settings `output` and `decision` may differ."""
+def test_a_decision_list_chooses_its_largest_output():
+    """This is true by default. With other settings, `predict` may choose another class."""
     X = np.random.default_rng(0).normal(size=(300, 2))
     y = (X[:, 0] > 0).astype(int) + (X[:, 1] > 0)
     scheme = Sequential(folds=2, n_jobs=1).fit(X, y)
     np.testing.assert_array_equal(scheme.predict(X), scheme.classes_[scheme.predict_proba(X).argmax(axis=1)])
 
 
-def test_a_machine_declares_that_it_takes_two_classes():
+def test_two_class_estimators_declare_that_they_are_binary():
     for machine in (NuSVM(), RVM(), GentleAdaBoost()):
         assert not machine.__sklearn_tags__().classifier_tags.multi_class
         with pytest.raises(PlacecatError, match=r"Only binary classification is supported.* 3 classes"):

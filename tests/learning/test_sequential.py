@@ -36,7 +36,7 @@ def test_literal_product():
 def test_literal_decisions():
     outputs = np.array([[0.9, 0.1, 0.6], [0.7, 0.9, 0.4], [0.4, 0.1, 0.45]])
     assert listed([2, 0, 1]).decide(outputs).tolist() == [2, 0, 1]
-    # In the last row 0.45, 0.55 * 0.4, remainder 0.33.
+    # In the last row, the products are 0.45 and 0.55 * 0.4, and the remainder is 0.33.
     assert listed([2, 0, 1], decision="product").decide(outputs).tolist() == [2, 0, 2]
     one_hot = listed([2, 0, 1], output="decision").combine(outputs)
     assert one_hot.tolist() == [[0, 0, 1], [1, 0, 0], [0, 1, 0]]
@@ -46,15 +46,15 @@ def test_sign_and_probability_differ_by_the_sigmoids_offset():
     outputs = np.array([[0.3, 0.0]])
     sign, probability = listed([0, 1]), listed([0, 1], decision="probability")
     for model in (sign, probability):
-        # p = 0.3 is reached at a decision value above 0, where p is 1 / (1 + e^2) = 0.12
+        # At a decision value of 0, p is 1 / (1 + e^2) = 0.12, so p = 0.3 means a positive decision value.
         model.sigmoid_[0] = [-1.0, 2.0]
     assert sign.decide(outputs).tolist() == [0]
     assert probability.decide(outputs).tolist() == [1]
 
 
 @pytest.mark.parametrize("decision", ["sign", "probability"])
-def test_a_flat_sigmoid_never_says_yes(decision):
-    """A constant above or below a half, by the weights of the sigmoid: it carries no information."""
+def test_a_node_with_a_flat_sigmoid_accepts_nothing(decision):
+    """A constant output carries no information, so the node must not accept any sample."""
     model = listed([0, 1], decision=decision)
     model.sigmoid_[0] = [0.0, 0.0]
     assert model.decide(np.array([[0.5, 0.1]])).tolist() == [1]
@@ -84,7 +84,7 @@ def test_shares_the_classifiers_of_the_parallel_scheme():
 def test_strongest_first(order):
     rng = np.random.default_rng(1)
     y = np.arange(180) % 3
-    # Class 2 is separate, 0 and 1 overlap.
+    # Class 2 is separate, but classes 0 and 1 overlap.
     X = np.array([[0.0, 0.0], [1.0, 0.0], [9.0, 9.0]])[y] + rng.normal(size=(180, 2))
     model = Sequential(BASE, order=order, decision="probability").fit(X, y, groups=np.arange(180) // 60)
     assert model.order_[0] == 2
@@ -112,7 +112,7 @@ def test_nodes_on_remaining_classes_equal_a_fit_without_the_earlier_ones():
 
 
 @pytest.mark.parametrize("training", ["all", "remaining"])
-def test_the_number_of_threads_changes_nothing(training):
+def test_results_do_not_depend_on_the_number_of_threads(training):
     X, y, groups = homes()
     labels = np.array(["bath", "hall", "bed"])[y]
     one = Sequential(GentleAdaBoost(5), training=training, n_jobs=1).fit(X, labels, groups)

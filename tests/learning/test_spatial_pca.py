@@ -10,7 +10,7 @@ TEST = np.random.default_rng(1).normal(size=(5, 12)).astype(np.float32)
 
 
 @pytest.mark.parametrize("whiten", [False, True])
-def test_against_one_scikit_learn_pca_a_cell(whiten):
+def test_against_one_scikit_learn_pca_per_cell(whiten):
     ours = SpatialPCA(cells=3, components=2, whiten=whiten).fit(X)
     result = ours.transform(TEST)
     for cell in range(3):
@@ -54,5 +54,5 @@ def test_plain_reduction_by_a_factor(factor, width):
 def test_messages(pca, message):
     with pytest.raises(PlacecatError, match=message):
         pca.fit(X)
-    with pytest.raises(PlacecatError, match="needs more than 4 training samples, not n_samples = 4"):
+    with pytest.raises(PlacecatError, match="needs more than 4 training samples, but n_samples = 4"):
         SpatialPCA(cells=3, components=4).fit(X[:4])

@@ -31,7 +31,7 @@ def test_another_radius_scales_the_same_points():
     np.testing.assert_array_equal(y, same)
 
 
-def test_seed_decides():
+def test_points_depend_on_the_seed():
     assert np.array_equal(toy_circles(50, 1)[0], toy_circles(50, 1)[0])
     assert not np.array_equal(toy_circles(50, 1)[0], toy_circles(50, 2)[0])
 

@@ -39,7 +39,7 @@ def test_impossible_trials_have_a_reason(folder):
     _, missing = tables(folder)
     assert missing["result"].unique().tolist() == [f"{TREE}400"]
     assert missing["home"].tolist() == ["H1", "H3"]
-    assert missing["reason"].str.startswith("400 clusters are impossible").all()
+    assert missing["reason"].str.startswith("400 clusters cannot be formed").all()
 
 
 def test_a_trial_and_a_cue_of_the_same_settings_agree(folder):

@@ -1,4 +1,4 @@
-"""Name the places in new footage frame by frame, with a trained system."""
+"""Trained systems that name the place in each frame of new footage."""
 
 from placecat.categorizer.categorizer import Categorizer, Decision
 from placecat.categorizer.visits import Visit

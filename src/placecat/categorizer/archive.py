@@ -1,4 +1,4 @@
-"""Zip archives that end with a checksum of their content; each member is checked before it is read."""
+"""Zip archives that end with a checksum of their content. Each member is checked before it is read."""
 
 import hashlib
 import io
@@ -30,7 +30,7 @@ TRAIN_AGAIN = "train it again with `placecat train`"
 
 
 def write(path: Path, members: Mapping[str, bytes]) -> None:
-    """Write an archive; equal members produce equal bytes."""
+    """Write an archive. Identical members produce identical bytes."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
         archive.comment = _MARK + b"0" * _DIGITS
@@ -117,13 +117,13 @@ class Archive:
                 raise ValueError(f"it declares {size} bytes but has {len(data)}")
             return np.frombuffer(data, kind).reshape(shape).copy() if size else np.zeros(shape, kind)
         except (ValueError, TypeError) as error:
-            raise self.damaged(f"the header of {name} is wrong ({error})") from None
+            raise self.damaged(f"the header of {name} is invalid ({error})") from None
 
 
 def array_content(array: NDArray[np.generic]) -> bytes:
     """Encode an array for :meth:`Archive.array`."""
     buffer = io.BytesIO()
-    # ascontiguousarray turns a scalar into a vector; reshape undoes that.
+    # ascontiguousarray turns a scalar into a vector, and reshape undoes this.
     plain = np.ascontiguousarray(array).reshape(array.shape)
     np.lib.format.write_array(buffer, plain, version=(1, 0), allow_pickle=False)
     return buffer.getvalue()
@@ -136,10 +136,10 @@ def _check_seal(path: Path, file: BinaryIO) -> None:
     if not end.startswith(_MARK):
         if zipfile.is_zipfile(file):
             raise PlacecatError(
-                f"{path} does not end with its checksum, so it was changed or made by an earlier placecat: "
+                f"{path} does not end with its checksum, so it was changed or made by an earlier version: "
                 f"{TRAIN_AGAIN}"
             )
-        raise PlacecatError(f"{path} is not a placecat model, or is cut off: {TRAIN_AGAIN}")
+        raise PlacecatError(f"{path} is not a placecat model, or is truncated: {TRAIN_AGAIN}")
     file.seek(0)
     digest, left = hashlib.sha256(), size - _DIGITS
     while left and (part := file.read(min(left, 1 << 20))):

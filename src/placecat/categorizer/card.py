@@ -16,15 +16,16 @@ LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
 def make_card(**known: Any) -> dict[str, Any]:
     """Build a card from the facts `known` and the versions of placecat, Python and `LIBRARIES`.
 
-    The facts have only JSON types. ``title`` is the name of the system. ``data`` has the ``title`` of the
-    data set, its ``note`` (or None), and its ``version``, which is DVC's checksum. It also has the training
-    ``homes``, the ``left_out`` homes, and the numbers of training ``frames`` for the cues and for the
-    integration. ``classes`` are the names of the places. ``frame_sizes`` has every (width, height), and
-    ``fps`` every frame rate, that occurs in the training footage.
+    The facts have only JSON types. ``title`` is the name of the system. ``data`` contains the ``title`` of
+    the data set, its ``note`` (or None), and its ``version``, which is DVC's checksum. It also contains the
+    training ``homes``, the ``left_out`` homes, and the numbers of training ``frames`` for the cues and for
+    the integration. ``classes`` are the names of the places. ``frame_sizes`` lists every (width, height) in
+    the training footage, and ``fps`` lists every frame rate.
 
-    ``accuracy`` has a percentage per home, measured with a system of the same settings that had not seen this
-    home; it may be empty. ``unknown`` comes from :func:`placecat.categorizer.held_out.unknown`, or is None if
-    it was not measured. ``settings`` has all training settings.
+    ``accuracy`` maps each home to a percentage, measured with a system that has the same settings but was not
+    trained on this home. It may be empty. ``unknown`` comes from
+    :func:`placecat.categorizer.held_out.unknown`, or is None if it was not measured. ``settings`` contains
+    all training settings.
     """
     versions = {"python": platform.python_version()} | {name: version(name) for name in LIBRARIES}
     return {"format": FORMAT, "placecat": __version__} | known | {"versions": versions}
@@ -34,16 +35,17 @@ def unknown_text(card: Mapping[str, Any]) -> str:
     """Describe in one line when the system says `unknown`, and how often its other decisions were wrong."""
     unknown = card.get("unknown")
     if unknown is None:
-        return "It never says `unknown`, since its errors in unseen homes were not measured."
+        return "It never says `unknown`, because its errors in unseen homes were not measured."
     risk = f"at most {100 * unknown['risk']:g}% of its decisions in left-out training homes were wrong"
     if unknown["threshold"] is None:
         return (
-            f"It always says `unknown`, since there is no confidence above which {risk}. The most probable "
-            "place is reported beside it; a higher model.risk may help."
+            f"It always says `unknown`, because there is no confidence above which {risk}. The most probable "
+            "place is reported too. A higher model.risk may help."
         )
     (own,) = (row for row in unknown["measured"] if row["risk"] == unknown["risk"])
-    wrong = "" if own["wrong"] is None else f", {own['wrong']:.1%} of these wrongly"
+    wrong = "" if own["wrong"] is None else f", and {own['wrong']:.1%} of these names are wrong"
     return (
-        f"It says `unknown` below a confidence of {unknown['threshold']:.3f}, above which {risk}. In homes "
-        f"that did not influence this confidence it names {own['coverage']:.1%} of the frames{wrong}."
+        f"It says `unknown` if its confidence is below {unknown['threshold']:.3f}. Above this confidence, "
+        f"{risk}. In homes that did not influence the choice of this confidence, it names the place in "
+        f"{own['coverage']:.1%} of the frames{wrong}."
     )

@@ -1,4 +1,4 @@
-"""Turn each frame into a distribution over places (thesis, Figure 1), without looking ahead."""
+"""A categorizer that processes frames one by one, without looking ahead (thesis, Figure 1)."""
 
 from __future__ import annotations
 
@@ -32,15 +32,15 @@ class Decision:
 
     `place` is the most probable class in `proba`, and `confidence` is its probability. `is_known` is true if
     this is at least :attr:`Categorizer.threshold`. `proba` is the distribution after the hidden Markov model
-    and the delay (thesis 3.4), and `hmm` is the distribution before the delay. Two attributes use this frame
-    alone: `integrated` is the distribution from all cues together (3.3.3), and `cues` has one distribution
-    per cue.
+    and the delay (thesis 3.4), and `hmm` is the distribution before the delay. Two attributes precede the
+    hidden Markov model: `integrated` is the distribution from all cues together (3.3.3), and `cues` has one
+    distribution per cue.
 
-    `regions` are the salient regions, strongest first. They are (n, 4) float32, with x and y in pixels of the
-    resized frame, scale, and strength. If any cue follows regions, these are the tracked regions. `seconds`
-    is the time of the frame; see :meth:`Categorizer.update`. `about` is the time to which `proba` refers,
-    which is at or before `seconds`. It is the mean time of the frames that the delay mixes, with the weights
-    of the delay.
+    `regions` are the salient regions, strongest first. They are (n, 4) float32 with columns x, y, scale and
+    strength, where x and y are in pixels of the resized frame. If any cue follows regions, these are the
+    tracked regions. `seconds` is the time of the frame; see :meth:`Categorizer.update`. `about` is the time
+    to which `proba` refers, at or before `seconds`. It is the mean time of the frames that the delay mixes,
+    with the same weights.
     """
 
     place: str
@@ -61,7 +61,7 @@ class Decision:
 
 
 class Categorizer:
-    """Names the place of each frame from a video or camera.
+    """Names the place in each frame from a video or a camera.
 
     The results are exactly those of the batch pipeline if NumPy's OpenBLAS uses the same kernels. The
     pipeline uses the Haswell kernels: it sets ``OPENBLAS_CORETYPE=Haswell`` before importing NumPy.
@@ -82,9 +82,9 @@ class Categorizer:
     card
         Facts about the system: its data, accuracy, settings and versions.
     threshold
-        Decisions below this confidence are unknown. It is chosen so that, in the training homes, the
-        share of wrong decisions among all others is at most ``model.risk``. It is 0 if it was not measured,
-        and infinite if no confidence is high enough.
+        Decisions below this confidence are unknown. It is chosen so that the share of errors among all other
+        decisions in the training homes is at most ``model.risk``. It is 0 if it was not measured, and
+        infinite if no confidence is high enough.
 
     Examples
     --------
@@ -129,13 +129,13 @@ class Categorizer:
         if classes is not None and list(classes) != known:
             raise PlacecatError(
                 f"{path} has the classes {', '.join(known)}, not {', '.join(classes)}: use the model's "
-                "classes in its order, or train a model for yours"
+                "classes in the same order, or train a model for yours"
             )
         try:
             categorizer = cls(system, resize=resize)
             with np.errstate(all="ignore"):
                 categorizer._try()
-        # A file that was made by hand may raise any error.
+        # A handmade file may raise any error.
         except Exception as error:
             said = " ".join(str(error).split())[:300]
             raise PlacecatError(f"{path} is damaged, or is not a placecat model: {said}") from None
@@ -160,8 +160,8 @@ class Categorizer:
     ) -> Decision:
         """Categorize the next frame.
 
-        If neither `seconds` nor `time` is given, the frame comes one period of `frame_rate` after the last
-        frame. A frame at the same time as the last one adds no evidence.
+        If neither `seconds` nor `time` is given, the frame is assumed to be one period of `frame_rate` after
+        the last frame. A frame at the same time as the last one adds no evidence.
 
         Parameters
         ----------
@@ -187,10 +187,10 @@ class Categorizer:
         return decision
 
     def visits(self) -> list[Visit]:
-        """List the stays so far, in order.
+        """List the stays so far, in chronological order.
 
         A stay is a run of frames with the same name, which may be ``unknown``. It ends when the next stay
-        begins; the last stay ends with the last frame. A stay starts when the decision changes, so its times
+        begins. The last stay ends with the last frame. A stay starts when the decision changes, so its times
         lag behind by the delay.
         """
         return self._visits.until(self._last)
@@ -199,21 +199,23 @@ class Categorizer:
         """Return the time of the frame and its duration, both in seconds."""
         for given in (seconds, time):
             if given is not None and not isinstance(given, Real):
-                raise PlacecatError(f"the time of a frame is {given!r}: give it as a number of seconds")
+                raise PlacecatError(f"the time of a frame is {given!r}: pass a number of seconds")
         if seconds is not None and time is not None:
-            raise PlacecatError("give the seconds since the last frame or the time of this one, not both")
+            raise PlacecatError(
+                "pass either the seconds since the last frame or the time of this one, not both"
+            )
         if time is None:
             check_elapsed(seconds)
             step = 1.0 / self.frame_rate if seconds is None else seconds
             return 0.0 if self._last is None else self._last + step, seconds
         if not math.isfinite(time):
-            raise PlacecatError(f"the time of a frame is {time:g}: give finite seconds")
+            raise PlacecatError(f"the time of a frame is {time:g}: pass a finite number of seconds")
         if self._last is None:
             return time, None
         if time < self._last:
             raise PlacecatError(
-                f"a frame is {self._last - time:g} s older than the last one: give frames in order of time, "
-                "skip late ones, and call reset() where the clock restarts"
+                f"a frame is {self._last - time:g} s older than the last one: pass frames in chronological "
+                "order, skip late ones, and call reset() when the clock restarts"
             )
         return time, time - self._last
 
@@ -258,11 +260,11 @@ class Categorizer:
     def _fitted(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
         if not isinstance(frame, np.ndarray):
             raise PlacecatError(
-                f"a frame is {frame!r:.40}: give an array; OpenCV returns None if a camera fails"
+                f"a frame is {frame!r:.40}: pass an array; OpenCV returns None if a camera fails"
             )
         if frame.dtype != np.uint8 or frame.ndim != 3 or frame.shape[2] != 3:
             raise PlacecatError(
-                f"a frame has shape {frame.shape} and type {frame.dtype}: give (height, width, 3) uint8, BGR"
+                f"a frame has shape {frame.shape} and type {frame.dtype}: pass (height, width, 3) uint8, BGR"
             )
         size = (frame.shape[1], frame.shape[0])
         if size in self.frame_sizes:
@@ -271,7 +273,7 @@ class Categorizer:
             known = " or ".join(f"{width}x{height}" for width, height in self.frame_sizes)
             raise PlacecatError(
                 f"a frame has {size[0]}x{size[1]} pixels, but the model was trained on {known}: scale frames "
-                "to that, load the model with resize=True, or train on footage of this size"
+                "to that size, load the model with resize=True, or train on footage of this size"
             )
         return fit(size, self.frame_sizes, resize=True)(frame)
 

@@ -1,4 +1,4 @@
-"""Check a model file's card and settings, and that its parts fit together."""
+"""Check that the card and settings of a model file are valid, and that its parts fit together."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
@@ -14,7 +14,7 @@ from placecat.schema import signatures
 from placecat.schema.base import Own, Section
 from placecat.vision.frame import check as check_vision
 
-# Largest valid number in a vision setting. Larger numbers need too much memory, and real settings are far
+# Largest valid number in a vision setting. Larger numbers would need too much memory. Real settings are far
 # smaller.
 _MOST = 4096
 _Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
@@ -130,18 +130,18 @@ def check_system(system: TrainedSystem) -> None:
     if any(cue.is_tracked for cue in system.cues) != (system.tracking is not None):
         raise PlacecatError("its tracking settings do not fit its cues")
     if system.smoothing.transition.shape != (n_classes, n_classes):
-        raise PlacecatError(f"its smoothing is not for {n_classes} places")
+        raise PlacecatError(f"its smoothing does not match its {n_classes} places")
     integrator = system.integrator
     for name, array in (("temperatures", integrator.temperatures), ("weights", integrator.weights)):
         if array is not None and array.shape != (len(names),):
-            raise PlacecatError(f"its {name} are not for {len(names)} cues")
+            raise PlacecatError(f"its {name} do not match its {len(names)} cues")
 
 
 def check_distribution(proba: Any, n_classes: int) -> None:
-    """Raise an error unless `proba` holds (n_classes,) probabilities that sum to 1."""
+    """Raise an error unless `proba` is (n_classes,) and contains probabilities that sum to 1."""
     values = np.asarray(proba)
     if values.shape != (n_classes,) or not np.isfinite(values).all():
-        raise PlacecatError(f"it does not give a distribution over {n_classes} places")
+        raise PlacecatError(f"it does not return a distribution over {n_classes} places")
     if values.min() < 0 or abs(values.sum() - 1.0) > 1e-6:
         raise PlacecatError("its probabilities do not sum to 1")
 

@@ -1,7 +1,7 @@
 """Pydantic validators for fields of a trained model, in addition to those in `placecat.ranges`.
 
-A letter stands for a size that several fields of an object share; the first field with that letter sets the
-size. A dictionary holds the sizes and is passed to pydantic as its validation context.
+A letter stands for a size that several fields of an object share. The first field with that letter sets the
+size. The sizes are stored in a dictionary that is passed to pydantic as its validation context.
 """
 
 from typing import Any
@@ -13,7 +13,7 @@ _LARGE = 10**15
 
 
 def side(letter: str) -> AfterValidator:
-    """Require a whole number, or the length of a list, to equal the size of this letter."""
+    """Require an integer, or the length of a list, to equal the size that this letter stands for."""
 
     def check(value: Any, info: ValidationInfo) -> Any:
         _same(value if isinstance(value, int) else len(value), letter, info)
@@ -32,10 +32,10 @@ def array(
 ) -> PlainValidator:
     """Accept an array with these sides and this type.
 
-    Each side is a number, the letter of a size, or None for any length. `kind` has one or more of NumPy's
-    letters ``i``, ``u`` (integers), ``f`` (floats) and ``b`` (booleans). Values must be finite and lie
-    between `low` and `high`. If `below` is given, they must also be below the size of that letter. `nan` also
-    allows NaN.
+    Each side is a number, the letter of a size, or None for any length. `kind` consists of one or more of
+    NumPy's letters ``i``, ``u`` (integers), ``f`` (floats) and ``b`` (booleans). Values must be finite and
+    lie between `low` and `high`. If `below` is a letter, they must also be below the size of that letter. If
+    `nan` is true, NaN is allowed too.
     """
 
     def check(value: Any, info: ValidationInfo) -> Any:
@@ -50,18 +50,18 @@ def array(
         if value.dtype.kind == "b" or not known.size:
             return value
         if not np.isfinite(known).all():
-            raise ValueError("it holds numbers that are not finite")
+            raise ValueError("it contains numbers that are not finite")
         sizes: Any = info.context
         least, most = known.min().item(), known.max().item()
         if least < low or most > high or (below and most >= sizes[below]):
-            raise ValueError(f"it holds numbers from {least} to {most}, some of which are out of range")
+            raise ValueError(f"it contains numbers from {least} to {most}, some of which are out of range")
         return value
 
     return PlainValidator(check)
 
 
 def having(*methods: str) -> PlainValidator:
-    """Accept a model object with these methods; its attributes are checked separately."""
+    """Accept a model object with these methods. Its attributes are checked separately."""
 
     def check(value: Any) -> Any:
         if not all(callable(getattr(value, name, None)) for name in methods):

@@ -1,7 +1,7 @@
 """The fields of each class in a trained model: their types, ranges and shapes.
 
 An estimator's parameters have the types and ranges that its constructor declares. A class that is not listed,
-such as an added classifier, is accepted without a check, since `Categorizer.load` tries out every model
+such as an added classifier, is accepted without a check, because `Categorizer.load` tries out every model
 before it is used.
 """
 
@@ -22,9 +22,9 @@ from placecat.ranges import Count, NonNegative, OneOf, Positive, Share, Two
 
 
 def check(kind: type, state: Mapping[str, Any]) -> None:
-    """Raise an error if attributes do not fit their class, such as :class:`NuSVM`, or each other.
+    """Raise PlacecatError if attributes do not fit their class or each other.
 
-    The PlacecatError names the class and, if possible, the attribute.
+    The message names the class and, if possible, the attribute.
     """
     class_name = kind.__name__
     if class_name not in FIELDS:
@@ -43,7 +43,7 @@ def check(kind: type, state: Mapping[str, Any]) -> None:
 
 @cache
 def _types(kind: type) -> dict[str, TypeAdapter[Any]]:
-    """Return the checks for a class: for its fields in `FIELDS` and, in an estimator, for its parameters."""
+    """Return the checks for the fields of a class in `FIELDS` and, for an estimator, for its parameters."""
     types = dict(FIELDS[kind.__name__])
     if issubclass(kind, BaseEstimator):
         hints = get_type_hints(kind.__init__, include_extras=True)  # type: ignore[misc]
@@ -65,9 +65,9 @@ def _probabilities(*sides: str) -> PlainValidator:
 
 
 def _in_order(numbers: np.ndarray) -> np.ndarray:
-    """Require the class numbers 0, 1, ..., K - 1 in this order, since they index columns of probabilities."""
+    """Require the class numbers 0, 1, ..., K - 1 in this order, because they index probability columns."""
     if not np.array_equal(numbers, np.arange(len(numbers))):
-        raise ValueError("it must hold the numbers 0, 1, 2, ...")
+        raise ValueError("it must contain the numbers 0, 1, 2, ...")
     return numbers
 
 
@@ -214,7 +214,7 @@ def _fit_tree(state: Mapping[str, Any], sizes: Sizes) -> bool:
     return bool(
         sizes["N"] == 1 + branching * splits
         and state["max_clusters_"] == 1 + (branching - 1) * splits
-        # A node can be split only once, and only after it was created.
+        # A node can be split only once, and only after it has been created.
         and (state["split_nodes_"] < 1 + branching * nodes).all()
         and len(np.unique(state["split_nodes_"])) == splits
     )

@@ -11,12 +11,12 @@ from placecat.errors import PlacecatError
 
 Size = tuple[int, int]
 LEAST = 0.5
-"""Share of a frame that must remain after cropping. A smaller part would be too different a view."""
+"""Share of a frame that must remain after cropping. A smaller part would show too different a view."""
 
 
 @dataclass(frozen=True)
 class Fit:
-    """How to crop and scale frames: the (width, height) of the footage, the centre crop, and the result."""
+    """How to crop and scale frames: the (width, height) of the footage, the centre crop and the result."""
 
     source: Size
     kept: Size
@@ -41,18 +41,18 @@ class Fit:
         return cv2.resize(middle, self.target, interpolation=method)  # type: ignore[return-value]
 
     def __str__(self) -> str:
-        cut = "" if self.kept == self.source else f" (the middle {_text(self.kept)} of it)"
+        cut = "" if self.kept == self.source else f" (cropped to the middle {_text(self.kept)})"
         return f"{_text(self.source)}{cut} is scaled to {_text(self.target)}"
 
 
 def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
     """Choose how to crop and scale footage to a frame size of the model.
 
-    `source` is the size of the footage, and `known` are the sizes that the model knows. With `resize`, frames
-    of other sizes are scaled, and are cropped around the centre if their aspect ratio differs. The target is
-    the size that keeps the most of the frame or, if several keep the same, the nearest of them. Raises
-    PlacecatError if the size is not in `known` and `resize` is false, or if less than half of the frame would
-    remain.
+    `source` is the size of the footage, and `known` lists the sizes that the model knows. With `resize`,
+    frames of other sizes are scaled, and are cropped around the centre if their aspect ratio differs. The
+    target is the size that keeps the largest part of the frame. In a tie, it is the size that requires the
+    least scaling. Raises PlacecatError if the size is not in `known` and `resize` is false, or if less than
+    half of the frame would remain.
     """
     if source in known:
         return Fit(source, source, source)
@@ -66,9 +66,9 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
     best = max(fits, key=lambda one: (_share(one), -abs(np.log(_area(one.target) / _area(one.kept)))))
     if _share(best) < LEAST:
         raise PlacecatError(
-            f"the footage has {_text(source)} pixels: cropped to the shape of the model's frames, "
-            f"{_text(best.target)}, only {_share(best):.0%} of it would remain; film in that shape, or train "
-            "a model on such frames"
+            f"the footage has {_text(source)} pixels: if it is cropped to the aspect ratio of the model's "
+            f"frames, {_text(best.target)}, only {_share(best):.0%} of it would remain; film in that format, "
+            "or train a model on such frames"
         )
     return best
 

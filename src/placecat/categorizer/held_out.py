@@ -1,4 +1,4 @@
-"""Measure a system in unseen homes: retrain it without each home in turn, and apply it to that home."""
+"""Measurements of a system in unseen homes. Each home is left out of training and then tested."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -28,7 +28,7 @@ def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
 
 
 def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], seed: int) -> HeldOut:
-    """Train the system `name` without each home in turn, and apply it to that home.
+    """For each home, train the system `name` without that home, and apply it to that home.
 
     Homes in `without` are always left out. If `without` is empty, the outputs are exactly those of the
     stages. If there are too few homes, the result is empty.
@@ -62,9 +62,9 @@ def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[st
     dictionary for the card, or None if there are fewer than two homes.
 
     In the dictionary, ``risk`` is `chosen`, and ``threshold`` is the chosen confidence, or None if no
-    confidence is high enough. ``measured`` has one entry per share, with its ``threshold`` and with
-    ``coverage``, ``wrong`` and ``worst``. These three result if the threshold for each home is chosen on the
-    other homes (see :class:`placecat.evaluation.selection.Selection`).
+    confidence is high enough. ``measured`` has one entry per share, with ``threshold``, ``coverage``,
+    ``wrong`` and ``worst``. For the last three, the threshold for each home is chosen on the other homes (see
+    :class:`placecat.evaluation.selection.Selection`).
     """
     homes = {home: decided(read_labels(home), proba) for home, proba in held_out.items()}
     if len(homes) < 2:

@@ -1,4 +1,4 @@
-"""Model files: archives that hold a trained system as JSON and arrays, with a readable card."""
+"""Model files: archives that contain a trained system as JSON and arrays, with a readable card."""
 
 import json
 import zipfile
@@ -21,7 +21,7 @@ _CARD, _TEXT, _SYSTEM = "card.json", "card.md", "system.json"
 
 
 def write(path: Path, system: TrainedSystem) -> None:
-    """Write a trained system; equal systems produce equal bytes."""
+    """Write a trained system. Identical systems produce identical bytes."""
     arrays: list[np.ndarray] = []
     content = {
         "vision": system.vision,
@@ -70,7 +70,7 @@ def read(path: Path) -> TrainedSystem:
             checks.check_content(content)
             names = [_array_name(number) for number in range(content["arrays"])]
             if set(members.names) != {_CARD, _TEXT, _SYSTEM, *names}:
-                raise PlacecatError(f"it should have {len(names)} arrays, but has other members")
+                raise PlacecatError(f"it should have {len(names)} arrays and no other members")
             arrays = [members.array(name) for name in names]
             cues = tuple(
                 TrainedCue(own["name"], own["descriptor"], from_plain(own["model"], arrays))

@@ -21,7 +21,7 @@ _KIND = "$"
 
 
 def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
-    """Convert a value to JSON types; append its arrays to `arrays` and replace each by its index.
+    """Convert a value to JSON types. Append its arrays to `arrays`, and replace each with its index.
 
     Attributes that a class lists as ``TRAINING_ONLY`` are omitted. Raises TypeError for any value that cannot
     be part of a model.
@@ -65,7 +65,7 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
             index = plain["index"]
             if type(index) is not int or not 0 <= index < len(arrays):
                 raise PlacecatError(
-                    f"a part of the model is array {index!r}, but there are {len(arrays)} arrays"
+                    f"a part of the model refers to array {index!r}, but there are {len(arrays)} arrays"
                 )
             array = arrays[index]
             return array if kind == "array" else array[()]
@@ -81,7 +81,7 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
         raise
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise PlacecatError(f"a part of the model cannot be read ({error!r})") from None
-    raise PlacecatError(f"a part of the model is of the unknown kind {kind!r}")
+    raise PlacecatError(f"a part of the model has an unknown kind, {kind!r}")
 
 
 def _rebuild(name: str, state: dict[str, Any]) -> Any:
@@ -92,7 +92,7 @@ def _rebuild(name: str, state: dict[str, Any]) -> Any:
         raise PlacecatError(f"a part of the model, a {name}, has an invalid attribute name")
     fields.check(kind, state)
     rebuilt: Any = object.__new__(kind)
-    # Bypass __setattr__, which frozen classes forbid.
+    # Bypass __setattr__, because frozen classes forbid it.
     rebuilt.__dict__.update(state)
     return rebuilt
 

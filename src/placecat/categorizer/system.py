@@ -1,4 +1,4 @@
-"""A trained system: everything needed to name a frame's place."""
+"""A trained system: everything needed to name the place in a frame."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -12,7 +12,7 @@ from placecat.fusion.smoothing import SmoothingModel
 class TrainedCue:
     """A trained cue: its name in conf/cue, its descriptor, and its model.
 
-    The descriptor is as for :func:`placecat.cues.cue_input.check`.
+    :func:`placecat.cues.cue_input.check` describes the keys of a descriptor.
     """
 
     name: str
@@ -29,10 +29,10 @@ class TrainedCue:
 class TrainedSystem:
     """The cues, their integration, and the smoothing, in order of use.
 
-    `card` has facts about the system, which have only JSON types; see :mod:`placecat.categorizer.card`.
-    `vision` has the settings of :func:`placecat.vision.frame.describe_frame` for regions that are not
-    tracked. `tracking` has the settings of :class:`placecat.vision.tracking.RegionTracker`, or is None if no
-    cue follows regions.
+    `card` contains facts about the system, with JSON types only; see :mod:`placecat.categorizer.card`.
+    `vision` contains the settings of :func:`placecat.vision.frame.describe_frame` for regions that are not
+    tracked. `tracking` contains the settings of :class:`placecat.vision.tracking.RegionTracker`, or is None
+    if no cue follows regions.
     """
 
     card: dict[str, Any]

@@ -1,4 +1,4 @@
-"""Train a system for new footage on homes whose features the stages have computed."""
+"""Train a system for new footage, on homes whose features the stages have computed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -19,10 +19,11 @@ from placecat.training.integration import fused_parts
 def train_command(system: str | None, without: Sequence[str], seed: int | None, output: Path | None) -> int:
     """Run `placecat train`: train a system, measure it in unseen homes, and write it to a file.
 
-    `system` is a system in conf/system; the default is ``model.system``. `seed` is one of ``protocol.seeds``;
-    the default is ``model.seed``. The homes `without` are left out of all training. By default, `output` is
-    data/model.placecat. If any other option is given, the default is a file in data/models that is named
-    after the options, such as SYSTEM-without-HOME.placecat. Returns 0. User errors raise PlacecatError.
+    `system` is the name of a system in conf/system, by default ``model.system``. `seed` is one of
+    ``protocol.seeds``, by default ``model.seed``. The homes `without` are left out of all training. By
+    default, `output` is data/model.placecat. If any other option is given, the default is a file in
+    data/models that is named after the options, such as SYSTEM-without-HOME.placecat. Returns 0. User errors
+    raise PlacecatError.
     """
     params = settings.load()
     name = system if system is not None else str(settings.get(params, "model.system"))
@@ -43,7 +44,9 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
             raise PlacecatError(f"{paths.FEATURES / home} is missing: run `placecat repro` first")
     trained = train(params, name, without=without, seed=seed)
     print(
-        "The system is trained. Now training it without each home in turn, to measure it there.", flush=True
+        "The system is trained. To measure it in unseen homes, training is now repeated with each home left "
+        "out.",
+        flush=True,
     )
     trained = measured(
         trained, params, held_out.by_training(params, name, without, trained.card["settings"]["seed"])
@@ -58,7 +61,7 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
 def train(
     params: Mapping[str, Any], name: str, *, without: Sequence[str] = (), seed: int | None = None
 ) -> TrainedSystem:
-    """Train the system `name` on all homes except `without`, with a seed as in :func:`train_command`.
+    """Train the system `name` on all homes except `without`. For `seed`, see :func:`train_command`.
 
     If `without` has one home, the system is exactly the one that the stages apply to that home. The card of
     the system has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system,
@@ -78,7 +81,7 @@ def train(
 def assemble(
     params: Mapping[str, Any], system: systems.System, trained: systems.Trained, card: dict[str, Any]
 ) -> TrainedSystem:
-    """Combine a system's trained parts, its vision settings, and its card."""
+    """Combine the trained parts of a system with its vision settings and its card."""
     sections = {section: settings.get(params, section) for section in ("attention", "regions", "information")}
     cues = tuple(TrainedCue(cue, dict(own.descriptor), own.model) for cue, own in trained.cues.items())
     tracking = None

@@ -8,7 +8,7 @@ UNKNOWN = "unknown"
 
 @dataclass(frozen=True)
 class Visit:
-    """A stay in a place, or in `UNKNOWN`.
+    """A stay in a place, which may be `UNKNOWN`.
 
     `start` is the time of its first frame, and `end` is the time of the first frame after it, both in
     seconds. A stay has at least one frame, and `confidence` is the mean over its frames.
@@ -22,7 +22,7 @@ class Visit:
 
 
 class VisitLog:
-    """Collects stays frame by frame. The memory that it needs grows with the number of stays, not frames."""
+    """Collects stays frame by frame. It needs memory for each stay, but not for each frame."""
 
     def __init__(self) -> None:
         self._visits: list[Visit] = []
@@ -38,7 +38,7 @@ class VisitLog:
         self._visits[-1] = replace(last, confidence=mean, frames=count)
 
     def until(self, seconds: float | None) -> list[Visit]:
-        """List the stays; the last one ends at `seconds`. The list is empty if `seconds` is None."""
+        """List the stays. The last one ends at `seconds`. The list is empty if `seconds` is None."""
         if not self._visits or seconds is None:
             return []
         return [*self._visits[:-1], replace(self._visits[-1], end=seconds)]

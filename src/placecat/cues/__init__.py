@@ -1,8 +1,8 @@
 """Cues, which turn a frame's descriptors into a distribution over places (thesis 3.3.1 and 3.3.2).
 
 Each module defines one model, such as `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8,
-modified nearest neighbours) and `joint_probability` (Figure 10). A cue's setting ``classifier.model`` names
-its module; a new module needs no registration.
+modified nearest neighbours) and `joint_probability` (Figure 10). The setting ``classifier.model`` of a cue
+names its module. A new module needs no registration.
 """
 
 import logging
@@ -23,7 +23,7 @@ logger = logging.getLogger(__name__)
 
 __all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "of_regions_only"]
 
-# Number of parts to leave out in turn if homes cannot be left out.
+# Number of parts into which the frames are divided if homes cannot be left out.
 _PARTS = 5
 # Calibration needs at least this many training frames of each place in the other homes.
 _LEAST = 2
@@ -40,8 +40,8 @@ def fit(
 ) -> CueModel:
     """Train one cue on the descriptors of training frames.
 
-    `labels` are (n,) class indices in [0, len(classes)); every class must be present. `homes` (n,) has the
-    home of each frame. Cross-validation keeps the frames of a home together, since neighbouring frames are
+    `labels` are (n,) class indices in [0, len(classes)), and every class must occur. `homes` (n,) is the home
+    of each frame. Cross-validation keeps the frames of a home together, because neighbouring frames are
     almost identical. In `classifier`, ``model`` names a module of this package, and the other keys are
     settings of that module. A model that needs clusters takes them from `codebook`, which must be trained on
     the same homes. Raises PlacecatError for an unknown model, unknown or invalid settings, or a class without
@@ -68,13 +68,13 @@ def cross_validate(
     classes: Sequence[str],
     codebook: Codebook | None = None,
 ) -> NDArray[np.float64]:
-    """Predict each home's frames with a cue trained on the other homes; return (n, n_classes) distributions.
+    """Predict the frames of each home with a cue trained on the other homes.
 
-    Parameters and errors are as in :func:`fit`. Everything, including calibration and scaling, is fitted
-    again for each home, so the homes' distributions are comparable. Only the codebook, which uses no labels,
-    is shared. If there is only one home, or if leaving one out would leave fewer than two frames of a place,
-    a warning is logged. Then the frames of each place are cut into five consecutive parts, which are left out
-    in turn instead of homes.
+    Parameters and errors are those of :func:`fit`. Returns (n, n_classes) distributions. Everything,
+    including calibration and scaling, is fitted again for each home, so the distributions of different homes
+    are comparable. Only the codebook, which uses no labels, is shared. If there is only one home, or if
+    leaving one out would leave fewer than two frames of a place, a warning is logged. In that case, the
+    frames of each place are cut into five consecutive parts, and these parts are left out instead of homes.
     """
     index = labels.astype(np.intp)
     names = np.unique(homes)
@@ -83,8 +83,8 @@ def cross_validate(
         folds = make_folds(index, homes, CENTRED, _PARTS)
     else:
         logger.warning(
-            "%s: too few of these homes show every place to leave out one home at a time; consecutive "
-            "frames are left out instead",
+            "%s: homes cannot be left out, because too few of them show every place; consecutive frames are "
+            "left out instead",
             ", ".join(names.tolist()),
         )
         folds = make_folds(index, None, CONSECUTIVE, _PARTS)

@@ -1,4 +1,4 @@
-"""Find a frame's codewords with one tree for all regions, or one tree per cell of a holistic descriptor."""
+"""Codebooks, with one tree for all salient regions or one tree per cell of a holistic descriptor."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 def seed_of(
     dataset: str, descriptor: Mapping[str, Any], cells: int, training_set: str, seed: int | str
 ) -> int:
-    """Derive the seed of a codebook, in [0, 2**32), from what it clusters; equal inputs give equal seeds.
+    """Derive the seed of a codebook, in [0, 2**32), from what the codebook clusters.
 
-    The inputs are the name of the data set, the descriptor as it is in the cue, the number of cells of a
-    holistic descriptor, the name of the training set, and one of ``protocol.seeds``. Raises the errors of
-    :func:`placecat.cues.cue_input.check`.
+    The inputs are the name of the data set, the descriptor of the cue, the number of cells of a holistic
+    descriptor, the name of the training set, and one of ``protocol.seeds``. Equal inputs produce equal seeds.
+    Raises the errors of :func:`placecat.cues.cue_input.check`.
     """
     cue_input.check(descriptor)
-    # The clustering depends on this text: after a setting or descriptor is renamed, write its old name here.
+    # The clustering depends on this text. If a setting or descriptor is renamed, keep its old name here.
     content = json.dumps(dict(descriptor), sort_keys=True)
     return seeds.derive("codebook", dataset, content, cells, training_set, int(seed))
 
 
 def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
-    """Look up a codebook's settings; for flat k-means, add the numbers of clusters that its cues use.
+    """Look up the settings of a codebook. For flat k-means, add the numbers of clusters that its cues use.
 
-    A hierarchy serves every number up to ``max_clusters``, but flat k-means clusters once for each of the
-    ``numbers`` in its ``tree``. Raises PlacecatError if `name` is not one of ``codebooks``.
+    One hierarchy serves all numbers up to ``max_clusters``, but flat k-means clusters once for each of the
+    ``numbers`` in ``tree``. Raises PlacecatError if `name` is not one of ``codebooks``.
     """
     codebook = dict(settings.get(params, f"codebooks.{name}"))
     tree = codebook["tree"]
@@ -71,9 +71,9 @@ class Codebook:
         """Cluster the descriptors of n training frames.
 
         `cells` is the number of equal parts into which a holistic descriptor is cut (16 in the thesis), or 1
-        for regions. The seed of each tree is derived from `seed` and the cell. `tree` holds the ``name`` of a
-        clustering module of `placecat.learning` and its settings. `numbers` are the numbers of clusters that
-        will be used; None means those in the settings.
+        for regions. The seed of each tree is derived from `seed` and the cell. `tree` contains the ``name``
+        of a clustering module in `placecat.learning` and the settings of this module. `numbers` are the
+        numbers of clusters that will be used. If it is None, those in the settings apply.
         """
         if train.is_set:
             parts = [train.rows()]
@@ -94,7 +94,7 @@ class Codebook:
     def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:
         """Return the nearest cluster of each region or cell.
 
-        The result is (n, max_regions), padded with -1, for regions, and (n, cells) for cells.
+        For regions, the result is (n, max_regions), padded with -1. For cells, it is (n, cells).
         """
         if self.of_sets:
             words = np.full(frames.x.shape[:2], -1, dtype=np.int32)

@@ -18,11 +18,11 @@ SETTINGS = {
 
 
 def check(descriptor: Mapping[str, Any]) -> None:
-    """Raise an error if a descriptor's kind or one of its settings is unknown, and name the valid ones.
+    """Raise an error that names the valid choices if a descriptor has an unknown kind or setting.
 
     A descriptor has ``kind`` (local or holistic) and ``name``. A local descriptor also has ``y_pos``,
     ``y_weight``, ``color`` (the colour descriptor to append, or None) and ``max_regions``. If its regions are
-    tracked, ``tracked`` is true; if they come from a variant in conf/region_variants, ``variant`` names it.
+    tracked, ``tracked`` is true. If they come from a variant in conf/region_variants, ``variant`` names it.
     """
     kind, name = descriptor["kind"], descriptor["name"]
     if kind not in SETTINGS:
@@ -47,17 +47,17 @@ def assemble(
     height: int,
     modules: Mapping[str, str],
 ) -> Descriptors:
-    """Assemble a descriptor of n frames; raise PlacecatError if `arrays` hold too few regions for it.
+    """Assemble a descriptor of n frames. Raises PlacecatError if `arrays` has too few regions for it.
 
     The shape descriptor of a region is joined with the vertical position of its centre and with its colour
     descriptor (thesis 4.4.1). The position is 0 at the top and 1 at the bottom, and is multiplied by
     ``y_weight``. Descriptors have different magnitudes (SIFT reaches 255, HOG 1), and the thesis does not say
-    how to weight them. Each is therefore divided by its module's ``SPREAD``, so that all of them influence a
-    distance equally.
+    how to weight them. Each is therefore divided by the ``SPREAD`` of its module, so that all of them
+    influence a distance equally.
 
-    `descriptor` is as for :func:`check`. `arrays` holds the arrays that :func:`array_names` lists, with n
-    frames along the first axis. `height` is the frame height in pixels. `modules` maps each region
-    descriptor to its module in `placecat.vision.local`.
+    `descriptor` has the keys that :func:`check` describes. `arrays` contains the arrays that
+    :func:`array_names` lists, with n frames along the first axis. `height` is the frame height in pixels.
+    `modules` maps each region descriptor to its module in `placecat.vision.local`.
     """
     if descriptor["kind"] == "holistic":
         return Descriptors(np.array(arrays[f"holistic_{descriptor['name']}"], np.float32))

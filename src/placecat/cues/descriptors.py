@@ -1,4 +1,4 @@
-"""Descriptors of frames, which are the input of a cue, and the interface of a trained cue."""
+"""Descriptors of frames as the input of cues, and the interface of a trained cue."""
 
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -12,7 +12,8 @@ class Descriptors:
     """Descriptors of n frames: one vector (holistic) or a set of vectors (salient regions) per frame.
 
     `x` is float32: (n, d) for holistic descriptors, and (n, max_regions, d) for regions. `counts` (n,) is the
-    number of regions in each frame, and further rows of `x` are padding. It is None for holistic descriptors.
+    number of regions in each frame, and the remaining rows of `x` are padding. `counts` is None for holistic
+    descriptors.
     """
 
     x: NDArray[np.float32]
@@ -38,8 +39,8 @@ class Descriptors:
     def rows(self) -> NDArray[np.float32]:
         """Return all vectors as one matrix.
 
-        It is (n, d) for holistic descriptors, and (sum of counts, d) for regions, in the order of frames and
-        then of regions.
+        It is (n, d) for holistic descriptors. For regions, it is (sum of counts, d), ordered by frame and
+        then by region.
         """
         return self.x if self.counts is None else self.x[self.valid()]
 
@@ -51,7 +52,7 @@ class Descriptors:
 
 
 class CueModel(Protocol):
-    """A trained cue. `facts` has facts about its training, such as the feasible nu, in JSON types only."""
+    """A trained cue. `facts` describes its training, such as the nu in use, with JSON types only."""
 
     facts: dict[str, Any]
 

@@ -1,4 +1,4 @@
-"""Model that uses only regions whose codewords tell places apart (an addition to the thesis)."""
+"""Model that uses only regions with discriminative codewords (an addition to the thesis)."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -54,9 +54,9 @@ def fit(
     clusters: Count,
     keep: PositiveShare,
 ) -> DiscriminativeRegionsCue:
-    """Choose codewords on the training frames, then train a cue on the regions that have them.
+    """Choose codewords on the training frames, then train a cue on the regions with these codewords.
 
-    `cue` holds the settings of that cue's classifier, which also uses `clusters` clusters. `keep` is the
+    `cue` contains the settings of this cue's classifier, which also uses `clusters` clusters. `keep` is the
     share of clusters to choose; see :func:`placecat.learning.discriminative.discriminative_codewords`.
     """
     from placecat import cues

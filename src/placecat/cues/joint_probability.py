@@ -1,4 +1,4 @@
-"""Classify places by the joint probability of a frame's codewords (thesis 3.3.2, Figure 10; cells in 4.2)."""
+"""Classify places by the joint probability of a frame's codewords (thesis 3.3.2 and 4.2, Figure 10)."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -17,7 +17,7 @@ from placecat.ranges import Count
 
 @dataclass
 class JointProbabilityCue:
-    """Joint model of a frame's 16 cell codewords (holistic), or of its N on-off activations (regions)."""
+    """Joint model of a frame's 16 cell codewords (holistic), or of its N binary activations (regions)."""
 
     codebook: Codebook
     clusters: int
@@ -47,8 +47,8 @@ def fit(
     """Train a joint model.
 
     `base` is an estimator of `placecat.learning` that takes integer codes: `naive_bayes` (equation 12) or
-    `dependency_tree` (equation 11). `clusters` is the number of clusters per tree, (16-1) k + 1 after k
-    splits in a hierarchy.
+    `dependency_tree` (equation 11). `clusters` is the number of clusters per tree, which is (16-1) k + 1
+    after k splits in a hierarchy.
     """
     if codebook is None:
         raise PlacecatError(

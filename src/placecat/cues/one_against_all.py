@@ -28,7 +28,7 @@ class OneAgainstAllCue:
         """Return (n, n_classes) distributions over places, multiplied over the regions of each frame."""
         _, rows = remembered("rows", (frames, None), lambda: _rows(frames, None))
         if len(rows) == 0:
-            # Without frames or regions, the matrix is empty, and estimators do not accept that.
+            # Without frames or regions, the matrix is empty, and estimators reject an empty matrix.
             proba = np.empty((0, len(self.scheme.classes_)))
         else:
             for step in self.steps:
@@ -45,8 +45,9 @@ def product_of_rows(
 ) -> NDArray[np.float64]:
     """Multiply and normalise the distributions of each frame's regions (thesis 3.3.1 and 4.4.1).
 
-    `log_proba` holds the log-probabilities of the regions, (rows, n_classes). `frame_of_row` holds the index
-    of each region's frame, (rows,). Returns (n_frames, n_classes); uniform for a frame without regions.
+    `log_proba` contains the (rows, n_classes) log-probabilities of the regions, and `frame_of_row` contains
+    the (rows,) frame index of each region. Returns (n_frames, n_classes) distributions. A frame without
+    regions has a uniform distribution.
     """
     total = np.zeros((n_frames, log_proba.shape[1]))
     np.add.at(total, frame_of_row, log_proba)
@@ -89,9 +90,9 @@ def fit(
     `base` is a two-class estimator of `placecat.learning`: `nu_svm`, `rvm` or `gentle_adaboost`. `scheme` is
     a multi-class estimator: `one_against_all` (parallel) or `sequential`. `scaling` is the kind of
     :class:`~placecat.learning.scaling.KernelScaling`, and `gamma_scale` is its factor for squared distances.
-    `reduction` holds settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, such as 16 cells of 64
-    components each for spatial PACT. `max_rows` limits slow classifiers to that many evenly spaced training
-    rows (not in the thesis).
+    `reduction` contains the settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, such as 16 cells
+    of 64 components each for spatial PACT. `max_rows` limits slow classifiers to that many evenly spaced
+    training rows (not in the thesis).
     """
     kept, x = remembered("rows", (train, max_rows), lambda: _rows(train, max_rows))
     frame = train.frame_of_row()[kept]

@@ -1,1 +1,1 @@
-"""Codebooks and classifiers that follow scikit-learn's conventions and never open files."""
+"""Codebooks and classifiers. They follow scikit-learn's conventions and never open files."""

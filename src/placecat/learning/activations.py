@@ -1,14 +1,14 @@
-"""Determine which clusters a frame's regions activate."""
+"""Activations of clusters by the regions of a frame."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 
 def activations(codewords: NDArray[np.integer], n_clusters: int) -> NDArray[np.uint8]:
-    """Mark the clusters that each frame's regions activate, called q_k in thesis section 3.3.2.
+    """Mark the clusters that each frame's regions activate (q_k in thesis section 3.3.2).
 
-    `codewords` holds (frames, max_regions) integers in [0, n_clusters), padded with -1. Returns a
-    (frames, n_clusters) uint8 array, which is 1 where at least one region of the frame has the codeword.
+    `codewords` is a (frames, max_regions) array of integers in [0, n_clusters), padded with -1. Returns a
+    (frames, n_clusters) uint8 array, with 1 where at least one region of the frame has the codeword.
 
     Examples
     --------

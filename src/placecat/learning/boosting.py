@@ -1,4 +1,4 @@
-"""Run rounds of Gentle AdaBoost for several two-class problems at once."""
+"""Gentle AdaBoost for several two-class problems at once."""
 
 from collections.abc import Sequence
 
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.learning.stumps import BinnedFeatures, Stump, best_stumps
 
-# Number of machines whose histograms are summed in one pass over the samples' bins.
+# Number of machines whose histograms are computed in one pass over the binned samples.
 _TOGETHER = 8
 
 # A two-class problem: (n,) bool labels, indices of the training samples (None for all), and a name for
@@ -19,12 +19,12 @@ Task = tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]
 class Boosting:
     """Boosted machines for several two-class problems on the same samples.
 
-    More rounds can be added later. No bit of a machine depends on the other machines.
-    Its first stumps do not depend on the number of rounds.
+    Each machine is exactly the same as if it were fitted alone. More rounds can be added later without
+    changing the first stumps.
 
-    `binned` holds the n samples, and `tasks` holds the two-class problems. Raises PlacecatError if a
-    problem's training samples all have the same class. `weight_trim` is as in
-    :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`.
+    `binned` contains the n samples, and `tasks` lists the two-class problems. `weight_trim` is the parameter
+    of :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`. Raises PlacecatError if all training
+    samples of a problem have the same class.
     """
 
     def __init__(self, binned: BinnedFeatures, tasks: Sequence[Task], weight_trim: float) -> None:
@@ -67,7 +67,7 @@ class _Machine:
             used[rows] = True
         if len(np.unique(positive[used])) < 2:
             raise PlacecatError(
-                f"{context}: boosting needs samples of both classes: add the missing ones or drop the class"
+                f"{context}: boosting needs samples of both classes; add samples or drop the class"
             )
         self.target = np.where(positive, 1.0, -1.0)
         self.stumps: list[Stump] = []

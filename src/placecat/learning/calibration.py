@@ -32,7 +32,7 @@ Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 class Calibration:
     """How decision values are converted to probabilities.
 
-    If each machine leaves out a different home, the machines' values are not comparable. For example, a
+    If each machine leaves out a different home, the values of the machines are not comparable. For example, a
     machine that leaves out a home with many positives sees few positives in training, so its values for that
     home are low. Such values are never pooled unchanged, because a sigmoid fitted to them can fall where it
     should rise.
@@ -45,7 +45,7 @@ class Calibration:
         consecutive samples, as in dlib without shuffling. Both fit one sigmoid to all values.
         ``homes_centred`` and ``homes_averaged`` hold out one home at a time. ``homes_centred`` shifts each
         home's values to a common mean and then fits one sigmoid to all of them. ``homes_averaged`` fits a
-        sigmoid for each machine and averages the machines' probabilities.
+        sigmoid for each machine and averages the resulting probabilities.
     folds
         Number of parts, at least 2. Ignored if homes are held out.
     own
@@ -77,14 +77,14 @@ class Problem:
 class FittedProblem:
     """The fitted machines for one two-class problem, and their outputs for held-out samples."""
 
-    #: Fitted base classifiers: one for all members, or one per home left out, whose probabilities are
-    #: averaged.
+    #: Fitted base classifiers: one fitted on all members, or one per home left out. The probabilities of the
+    #: latter are averaged.
     machines: list[Any]
     #: (machines, 2): A <= 0 and B in p = 1 / (1 + exp(A d + B)).
     sigmoids: NDArray[np.float64]
     #: (n,) held-out p(o|x).
     outputs: NDArray[np.float64]
-    #: nu of each machine that leaves out a part; NaN if the base classifier has no nu.
+    #: nu of each machine that leaves out a part, or NaN if the base classifier has no nu.
     nu: NDArray[np.float64]
     #: Number of sigmoids that are flat because the decision values were uninformative or reversed.
     flat: int
@@ -98,13 +98,13 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
     y
         (n,) class indices, where each class occurs at least twice.
     groups
-        (n,) home of each sample, or None. Raises PlacecatError if `kind` needs homes but there is not exactly
+        (n,) home of each sample, or None. Raises PlacecatError if `kind` needs homes and there is not exactly
         one per sample.
     kind
         The `kind` of a :class:`Calibration`. If it holds out homes but there is only one home, consecutive
         samples are held out instead.
     folds
-        Number of stratified parts, which is reduced to the size of the smallest class if necessary.
+        Number of stratified parts. It is reduced to the size of the smallest class if necessary.
 
     Returns
     -------
@@ -120,7 +120,7 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
         _, home = np.unique(np.asarray(groups), return_inverse=True)
         if home.shape != y.shape:
             raise PlacecatError(
-                f"groups has shape {home.shape} for {len(y)} samples; give one group per sample"
+                f"groups has shape {home.shape} for {len(y)} samples; pass one group per sample"
             )
         if home.max() > 0:
             return [(np.flatnonzero(home != g), np.flatnonzero(home == g)) for g in range(home.max() + 1)]
@@ -149,8 +149,9 @@ def fit_problems(
     Each (problem, fold) pair is a separate task, so that threads can share the work.
 
     The training part of a fold may lack positives or negatives, for example if only one home has the class.
-    Then a warning is logged, and stratified parts of consecutive samples are held out instead. `shared` comes
-    from ``base.prepare``, and `folds` comes from :func:`make_folds`. `base` itself is not fitted.
+    In that case, a warning is logged, and stratified parts of consecutive samples are held out instead.
+    `shared` comes from ``base.prepare``, and `folds` comes from :func:`make_folds`. `base` itself is not
+    fitted.
     """
     n = len(problems[0].positive)
     everything = np.arange(n)
@@ -177,7 +178,7 @@ def fit_problems(
         fitted.append(FittedProblem(kept, sigmoids, outputs, nu, flat))
     flat_names = [problem.name for problem, one in zip(problems, fitted, strict=True) if one.flat]
     if flat_names:
-        # A stage may have thousands of these, so the caller logs one warning with their total.
+        # A stage may log thousands of these messages, so the caller logs one warning with the total.
         logger.info(
             "the held-out decision values of %s are uninformative or reversed, so the sigmoid is flat",
             ", ".join(flat_names),
@@ -190,7 +191,7 @@ def _fit_all(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | N
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
         return _fit_missing(base, shared, tasks, n_jobs)
-    # Keep only the machines of the latest preparation, because a preparation may be large.
+    # Keep only the machines for the latest prepared samples, because these may be large.
     machines: dict[Any, Any] = remembered("machines", (shared,), dict, latest=True)
     of_base = type(base).__name__, tuple(sorted(settings.items()))
     keys = [(of_base, positive.tobytes(), bytes_of(rows)) for positive, rows, _ in tasks]
@@ -209,8 +210,8 @@ def _fit_missing(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int
 def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
     """Make decision values comparable between machines that each leave out a different home.
 
-    `values` and the result have one array per home. Each array is shifted so that its mean equals the average
-    of all the arrays' means, which is the expected mean for an unseen home.
+    `values` and the result have one array per home. Each array is shifted to the same mean, which is the
+    average of the original means. This is the expected mean for an unseen home.
 
     Examples
     --------

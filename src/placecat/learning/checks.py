@@ -11,13 +11,13 @@ from placecat.errors import PlacecatError
 
 
 def check_samples(X: ArrayLike, least: int = 1) -> NDArray[np.float32]:
-    """Return `X` as a finite, C-contiguous (n, D) float32 matrix, without copying if it already is one.
+    """Return `X` as a finite, C-contiguous (n, D) float32 matrix, copied only if necessary.
 
-    Raises PlacecatError for sparse matrices, for complex, infinite or NaN values, for other shapes, and for
-    fewer than `least` samples.
+    Raises PlacecatError if `X` is sparse or not two-dimensional, if it has complex, infinite or NaN values,
+    or if it has fewer than `least` samples.
     """
     if isinstance(X, np.ndarray) and X.dtype == np.float32 and X.ndim == 2 and X.size:
-        # scikit-learn's own check would take longer than many predictions do.
+        # scikit-learn's own check would take longer than many predictions.
         samples = np.ascontiguousarray(X)
     else:
         try:
@@ -40,12 +40,15 @@ def check_width(X: NDArray[Any], estimator: Any) -> None:
     if X.shape[1] != expected:
         raise PlacecatError(
             f"X has {X.shape[1]} features, but {type(estimator).__name__} is expecting {expected} features "
-            "as input, as in its training data"
+            "as input, like its training data"
         )
 
 
 def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
-    """Return `y` as (n,) class labels. Raise PlacecatError for missing labels and non-classes such as 0.5."""
+    """Return `y` as (n,) class labels.
+
+    Raises PlacecatError if labels are missing or are not classes, such as 0.5.
+    """
     if y is None:
         raise PlacecatError("a classifier requires y to be passed, but the target y is None")
     try:
@@ -54,12 +57,12 @@ def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
     except ValueError as error:
         raise PlacecatError(f"y: {error}") from None
     if len(labels) != n:
-        raise PlacecatError(f"y has shape {labels.shape} for {n} samples; give one label per sample")
+        raise PlacecatError(f"y has shape {labels.shape} for {n} samples; pass one label per sample")
     return labels
 
 
 def encode_two_classes(y: ArrayLike | None, n: int) -> tuple[NDArray[Any], NDArray[np.bool_]]:
-    """Return the two classes of (n,) labels, sorted, and (n,) bools that are true for the second class."""
+    """Return the two sorted classes of (n,) labels, and (n,) bools that are true for the second class."""
     classes, index = np.unique(check_labels(y, n), return_inverse=True)
     if len(classes) != 2:
         held = f"{len(classes)} class{'es' if len(classes) > 1 else ''}"

@@ -1,4 +1,4 @@
-"""Count discrete variables, and compute their pairwise mutual information and maximum spanning tree."""
+"""Value counts, pairwise mutual information and maximum spanning trees of discrete variables."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 # A pair's table is stored in full if it has at most this many cells per sample. Otherwise the pair is counted
 # by sorting the samples.
 _CELLS_PER_SAMPLE = 16
-# float32 represents every whole number up to this one.
+# float32 represents every integer up to this value exactly.
 _EXACT_FLOAT32 = 1 << 24
 
 
@@ -15,7 +15,8 @@ def value_counts(
 ) -> NDArray[np.int64]:
     """Return (n_classes, V, n_values) counts of how often each variable has each value in each class.
 
-    `codes` holds (n, V) integers in [0, n_values), and `labels` holds (n,) integers in [0, n_classes).
+    `codes` is an (n, V) array of integers in [0, n_values), and `labels` is an (n,) array of integers in
+    [0, n_classes).
 
     Examples
     --------
@@ -41,11 +42,11 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
 
     If n_ab are the counts of a pair, its mutual information I follows from
     n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. For binary variables, one matrix
-    product counts all pairs. Larger tables are filled cell by cell. Tables with far more cells than samples
-    are counted by sorting, so memory does not grow with the square of `n_values`.
+    product counts all pairs. Larger tables are filled cell by cell. If a table would have far more cells than
+    samples, the samples are sorted instead, so memory does not grow with the square of `n_values`.
 
-    `codes` holds (n, V) integers in [0, n_values), with n >= 1. Returns a (V, V) float64 matrix in nats. It
-    is symmetric and non-negative, with 0 on the diagonal.
+    `codes` is an (n, V) array of integers in [0, n_values), with n >= 1. Returns a (V, V) float64 matrix in
+    nats. It is symmetric and non-negative, with 0 on the diagonal.
 
     Examples
     --------
@@ -65,7 +66,7 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
 def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
     """Return (V, V) counts of the samples in which both variables of a pair are 1.
 
-    `codes` holds (n, V) zeros and ones. The diagonal of the result holds the number of ones of each variable.
+    `codes` is an (n, V) array of zeros and ones. The diagonal of the result counts the ones of each variable.
 
     Examples
     --------
@@ -73,7 +74,7 @@ def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
     [[2, 1], [1, 1]]
     """
     ones = codes.astype(_exact_dtype(len(codes)))
-    # If an array is multiplied by itself, BLAS computes only half of the product.
+    # If a matrix is multiplied by its own transpose, NumPy computes only half of the product.
     return (ones.T @ ones).astype(np.int64)
 
 
@@ -97,7 +98,7 @@ def _weighted_logs(n: int) -> NDArray[np.float64]:
 def _information(
     joint: NDArray[np.float64], marginal: NDArray[np.float64], weighted_log: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Compute mutual information from sums of m log m over the cells of each pair and of each variable."""
+    """Compute mutual information from the sums of m log m over the cells of each pair and each variable."""
     information = weighted_log[-1] + joint
     information -= marginal[:, None] + marginal
     information /= len(weighted_log) - 1
@@ -107,11 +108,11 @@ def _information(
 
 
 def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np.int32]:
-    """Find the spanning tree with the greatest total weight by Prim's algorithm.
+    """Find the spanning tree with the greatest total weight, using Prim's algorithm.
 
     `weights` is a symmetric (V, V) matrix, and `root` is in [0, V). The tree is directed away from the root.
-    If weights are equal, the variable with the lowest index joins first, under the parent that joined first.
-    Returns the parent of each variable, (V,) int32, with -1 for the root.
+    If weights are equal, the variable with the lowest index joins first, and its parent is the one that
+    joined earliest. Returns the parent of each variable, (V,) int32, with -1 for the root.
 
     Examples
     --------
@@ -146,7 +147,7 @@ def _joint_by_tables(
             # bincount would allocate a new table each time, which takes several times as long as counting.
             counts.fill(0)
             np.add.at(counts, np.add(rows, columns[second], out=cells), np.int32(1))
-            # Counts of 0 and 1 can be left out, because their m log m is 0.
+            # Counts of 0 and 1 can be left out, because m log m is 0 for them.
             joint[first, second] = weighted_log[counts[counts > 1]].sum()
     return joint
 
@@ -169,5 +170,5 @@ def _joint_by_sorting(
 
 
 def _exact_dtype(n: int) -> type[np.floating]:
-    """Return a dtype in which dot products of n zeros and ones are exact, whatever the order of summation."""
+    """Return a dtype in which dot products of n zeros and ones are exact in any order of summation."""
     return np.float32 if n < _EXACT_FLOAT32 else np.float64

@@ -16,28 +16,29 @@ from placecat.learning.contingency import (
 from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.ranges import Index, OneOf, Positive, Two
 
-# Number of cells up to which a table of pair counts is stored in full (32 MB). Larger tables store only the
-# pairs that occur.
+# Maximum number of cells for which a table of pair counts is stored in full (32 MB). Larger tables store only
+# the pairs that occur.
 _DENSE_CELLS = 1 << 22
 # Number of table look-ups per block.
 _BLOCK = 1 << 18
 
 
 class DependencyTree(DiscreteBayes):
-    """Model of p(c_1, ..., c_V | l_i) that uses an optimal dependency tree per class (equation 11).
+    """Model of p(c_1, ..., c_V | l_i) with an optimal dependency tree per class (equation 11).
 
-    The model multiplies p(c_r | l_i) for the root r by p(c_k | c_parent(k), l_i) for each other variable. A
-    class's tree is the maximum spanning tree of the mutual information within the class. Among all trees, it
-    maximises the likelihood of the class's samples (Chow and Liu). The mutual information is computed from
-    relative frequencies. Only the conditional probabilities are smoothed.
+    The model multiplies p(c_r | l_i) for the root r by p(c_k | c_parent(k), l_i) for each other variable. The
+    tree of a class is the maximum spanning tree of the mutual information within the class. Among all trees,
+    it maximises the likelihood of that class's samples (Chow and Liu). The mutual information is computed
+    from relative frequencies. Only the conditional probabilities are smoothed.
 
     Parameters
     ----------
     alpha, n_values, prior
-        See `DiscreteBayes`. `alpha` is added to the count of each pair of a parent value and a value.
+        See `DiscreteBayes`. `alpha` is added to the count of each combination of a variable's value and its
+        parent's value.
     root
-        The root variable r. Without smoothing, the choice would make no difference. The thesis does not give
-        it.
+        The root variable r. Without smoothing, the choice would make no difference. The thesis does not
+        specify it.
 
     Attributes
     ----------
@@ -91,12 +92,12 @@ class DependencyTree(DiscreteBayes):
             counts = value_counts(codes, labels, n_classes, n_values)
             self._fit_pairs(members)
         parent_counts = np.take_along_axis(counts, self.parents_[:, :, None].astype(np.intp), axis=1)
-        # The root is treated as having a constant parent of value 0.
+        # The root is treated as if it had a parent whose value is always 0.
         parent_counts[:, self.root, 0] = self.class_count_
         self._log_parents = np.log(parent_counts + self.alpha * n_values)
 
     def _fit_binary(self, members: list[NDArray[np.integer]]) -> NDArray[np.int64]:
-        """Fit trees and tables by one matrix product per class. Return (n_classes, V, 2) value counts."""
+        """Fit trees and tables with one matrix product per class. Return (n_classes, V, 2) value counts."""
         parents, counts = [], []
         for part in members:
             both, n = both_ones(part), len(part)
@@ -128,11 +129,11 @@ class DependencyTree(DiscreteBayes):
     def _pairs(
         self, codes: NDArray[np.integer], label: int
     ) -> tuple[NDArray[np.integer], NDArray[np.integer]]:
-        """Return the cell numbers of all (variable, parent value, value) and all (variable, parent value)."""
+        """Return the cells of all (variable, parent value, value) and (variable, parent value) tuples."""
         narrow = self.n_features_in_ * self.n_values_**2 < 2**31
         wide_codes: NDArray[np.integer] = codes.astype(np.int32 if narrow else np.int64)
-        # Indexing with a list would return a column-ordered array, whose rows numpy sums in a different
-        # order.
+        # Indexing with a list would return a column-ordered array, and numpy would sum its rows in a
+        # different order.
         parent_cells = np.take(wide_codes, self.parents_[label], axis=1)
         parent_cells[:, self.root] = 0
         parent_cells += np.arange(self.n_features_in_, dtype=wide_codes.dtype) * self.n_values_

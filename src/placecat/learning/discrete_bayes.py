@@ -1,4 +1,4 @@
-"""Common base class of the two models of joint probabilities, which applies Bayes' rule to codes."""
+"""Base class of the two joint-probability models. It applies Bayes' rule to codes."""
 
 from abc import abstractmethod
 from typing import Any, Self
@@ -24,13 +24,13 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     Parameters
     ----------
     alpha
-        Number that is added to every count (Laplace smoothing). It must be above 0; otherwise a value that
-        never occurs in a class would rule out the class. The thesis does not give this.
+        Number that is added to every count (Laplace smoothing). It must be above 0. Otherwise, a value that
+        never occurs in a class would rule out the class. The thesis does not specify this.
     n_values
-        Number of values per variable, which is the number of clusters, or 2 for activations. By default, it
-        is the largest training code plus 1, but at least 2.
+        Number of values per variable: the number of clusters, or 2 for activations. By default, it is the
+        largest training code plus 1, but at least 2.
     prior
-        p(l_i) in equation (10), ``uniform`` or ``frequency``. The thesis does not give this. ``uniform``
+        p(l_i) in equation (10), ``uniform`` or ``frequency``. The thesis does not specify this. ``uniform``
         matches the thesis's KNN (3.3.1.1) and its accuracy measure, which is a mean over classes.
 
     Attributes
@@ -67,8 +67,8 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Estimate the model from codes and their classes.
 
-        `X` holds (n, V) integers in [0, n_values), which are codewords of V cells or activations of V
-        clusters. `y` holds (n,) classes, which are strings or whole numbers. Raises PlacecatError if a
+        `X` is an (n, V) array of integers in [0, n_values): the codewords of V cells or the activations of V
+        clusters. `y` is an (n,) array of classes, which are strings or integers. Raises PlacecatError if a
         setting is invalid or a code is out of range.
         """
         check_parameters(self)
@@ -85,10 +85,10 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return self
 
     def predict_joint_log_likelihood(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return (n, n_classes) logarithms of p(codes, class), which is the numerator of equation (10).
+        """Return (n, n_classes) logarithms of p(codes, class), the numerator of equation (10).
 
-        X holds (n, V) integers. Raises PlacecatError if a code is outside [0, n_values_), or if V differs
-        from the training data.
+        X is an (n, V) array of integers. Raises PlacecatError if a code is outside [0, n_values_), or if V
+        differs from the training data.
         """
         check_is_fitted(self)
         codes = self._read_codes(X)
@@ -123,11 +123,11 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         if codes.dtype.kind == "b":
             return codes.astype(np.uint8)
         if codes.dtype.kind != "f" or not np.array_equal(codes, np.floor(codes)):
-            raise PlacecatError("X must hold codes, which are whole numbers from 0")
+            raise PlacecatError("X must contain codes, which are non-negative integers")
         return codes.astype(np.int64)
 
     def _narrow(self, codes: NDArray[np.integer]) -> NDArray[np.integer]:
-        """Check the codes' range and convert them to a small dtype."""
+        """Check the range of the codes, and convert them to a small dtype."""
         if codes.min() >= 0 and codes.max() < self.n_values_:
             return codes.astype(np.uint8 if self.n_values_ <= 256 else np.int32, copy=False)
         sample, variable = np.argwhere((codes < 0) | (codes >= self.n_values_))[0]

@@ -1,4 +1,4 @@
-"""Select the codewords that tell classes apart."""
+"""Select the most discriminative codewords."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -7,18 +7,18 @@ from placecat.learning.contingency import value_counts
 
 
 def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: float) -> NDArray[np.bool_]:
-    """Mark the codewords whose presence in a frame reveals most about the frame's class.
+    """Mark the codewords whose presence in a frame is most informative about the frame's class.
 
     Parameters
     ----------
     active
-        (frames, N) uint8, which is 1 where a frame has a region with the codeword. See
+        (frames, N) uint8, with 1 where a frame has a region with the codeword. See
         :func:`placecat.learning.activations.activations`.
     y
         (frames,) classes.
     keep
-        Share of codewords to mark, in (0, 1]. At least one codeword is marked. In a tie, codewords with lower
-        numbers are marked.
+        Share of codewords to mark, in (0, 1]. At least one codeword is marked. In a tie, the lower codeword
+        numbers win.
 
     Returns
     -------

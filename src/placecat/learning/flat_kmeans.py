@@ -26,12 +26,12 @@ class FlatKMeans(BaseEstimator):
     Parameters
     ----------
     numbers : sequence of int
-        Numbers of clusters to compute.
+        Numbers of clusters for which k-means is run.
     max_iter : int
-        Maximum number of Lloyd iterations, which the thesis does not give. The default is 11, as in the
+        Maximum number of Lloyd iterations. The thesis does not specify this. The default, 11, is that of
         hierarchical clustering, so that the two differ only in the hierarchy.
     seed : int
-        Random seed, at least 0. Random draws are independent for each number of clusters.
+        Random seed, at least 0. The random draws for each number of clusters are independent.
 
     Attributes
     ----------
@@ -103,7 +103,7 @@ class FlatKMeans(BaseEstimator):
             return self.centers_[n_clusters]
         if n_clusters in self.numbers:
             raise NotComputable(
-                f"{n_clusters} clusters need as many points, but there are only {self.n_points_}"
+                f"{n_clusters} clusters need at least as many points, but there are only {self.n_points_}"
             )
         raise PlacecatError(
             f"n_clusters={n_clusters} was not computed: use one of {', '.join(map(str, self.numbers))}"

@@ -52,20 +52,21 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
     Parameters
     ----------
     n_rounds
-        Number of weak classifiers. Thesis Table 2 has 20, 50 and 100.
+        Number of weak classifiers. Thesis Table 2 uses 20, 50 and 100.
     max_bins
         Maximum number of bins per feature. If a feature has no more distinct values than this, it can be cut
-        between any two adjacent values, as in exact boosting. The thesis does not give this.
+        between any two adjacent values, as in exact boosting. The thesis does not specify this.
     weight_trim
         Each round leaves out the lightest samples, whose weights add up to 1 - weight_trim. The value 1 keeps
-        all samples. The default 0.95 is that of OpenCV, which the thesis uses.
+        all samples. The default is 0.95, as in OpenCV, which the thesis uses.
 
     Attributes
     ----------
     classes_, n_features_in_
         See `TwoClass`.
     feature_, threshold_, low_, high_
-        (T,) feature and cut of each stump, and its values up to the cut and above it, where T <= n_rounds.
+        (T,) arrays, where T <= n_rounds: the feature and threshold of each stump, and its values above the
+        threshold (`high_`) and at or below it (`low_`).
 
     References
     ----------
@@ -92,7 +93,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         self.weight_trim = weight_trim
 
     def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> BinnedFeatures:
-        """Bin the features once for all classes and folds, since labels are not needed. Ignores `n_jobs`."""
+        """Bin the features once for all classes and folds, without the labels. Ignores `n_jobs`."""
         return remembered("bins", (X, self.max_bins), lambda: bin_features(X, self.max_bins), latest=True)
 
     def fit_rows(
@@ -140,7 +141,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
 
     @staticmethod
     def collect(machines: Sequence["GentleAdaBoost"], X: object = None) -> StumpEnsembles:
-        """Combine machines fitted on the same features, and pad shorter ones with zeros. Ignores `X`."""
+        """Combine machines fitted on the same features. Shorter ones are padded with zeros. Ignores `X`."""
         length = max(len(machine.feature_) for machine in machines)
 
         def stack(name: str) -> NDArray[Any]:
@@ -152,7 +153,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         )
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return the (n,) values F(x) of (n, D) samples, which are positive for ``classes_[1]``."""
+        """Return the (n,) values F(x) of (n, D) samples, positive for ``classes_[1]``."""
         check_is_fitted(self, "feature_")
         samples = check_samples(X)
         check_width(samples, self)

@@ -1,4 +1,4 @@
-"""Hierarchical k-means, which grows one tree of clusters and cuts it to the desired number of codewords."""
+"""Hierarchical k-means. It grows one tree of clusters and cuts it to the desired number of codewords."""
 
 import heapq
 from collections.abc import Mapping, Sequence
@@ -22,7 +22,7 @@ from placecat.schema.signatures import check_parameters
 def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
     """Raise PlacecatError if a tree with this branching cannot be cut to `n_clusters` clusters.
 
-    Each split replaces one cluster by `branching` clusters, so a cut after k splits has (branching - 1) k + 1
+    Each split replaces one cluster with `branching` clusters, so k splits produce (branching - 1) k + 1
     clusters. The message names the two nearest valid numbers.
 
     Examples
@@ -44,20 +44,20 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
 
 
 class HierarchicalKMeans(BaseEstimator):
-    """Hierarchical k-means as in FLANN, the thesis's codebook (sections 3.3.2 and 4.2).
+    """Hierarchical k-means as in FLANN, which the thesis uses for codebooks (sections 3.3.2 and 4.2).
 
     K-means (k-means++ seeds, then Lloyd's iterations) splits the points into `branching` clusters, then
     splits each cluster into `branching` smaller ones, and so on. A cut of this tree starts at the root and
     always splits the node whose split most reduces the total variance (the sum of squared distances to the
-    centres). Every larger cut begins with the same splits. So one tree provides every number of clusters of
-    the form (branching - 1) k + 1.
+    centres). Every larger cut begins with the same splits. One tree therefore provides every number of
+    clusters of the form (branching - 1) k + 1.
 
     A node can be split only if it has at least `branching` distinct points. An empty cluster receives the
     point that is farthest from its cluster's centre. A node's centre is the mean of its points. Distances are
     computed in float32 relative to the node's centre, so a split resolves distances of about 1/1000 of the
     node's radius.
 
-    The tree is grown lazily, which does not change the result. A split gains at most the node's sum of
+    The tree is grown lazily. This does not change the result. A split gains at most the node's sum of
     squares, so a node is split only when this bound reaches the best known gain. A node's random draws depend
     on its position in the tree, not on the order of the splits.
 
@@ -66,10 +66,10 @@ class HierarchicalKMeans(BaseEstimator):
     branching : int
         Number of children per node, 16 in the thesis.
     max_clusters : int
-        Number of clusters in the largest cut, of the form (branching - 1) k + 1. It is at most 991 in the
-        thesis.
+        Number of clusters in the largest cut, of the form (branching - 1) k + 1. The thesis uses at most 991.
     max_iter : int
-        Maximum number of Lloyd iterations per split. The thesis does not give this. 11 is FLANN's default.
+        Maximum number of Lloyd iterations per split. The thesis does not specify this. The default, 11, is
+        FLANN's.
     seed : int
         Seed of the k-means++ draws, at least 0.
 
@@ -131,11 +131,11 @@ class HierarchicalKMeans(BaseEstimator):
     def fit(self, X: ArrayLike, y: object = None) -> Self:
         """Grow the tree until it can be cut to `max_clusters`.
 
-        This takes the memory of two float32 copies of X. The result is exactly the same for any number of
+        This needs memory for two float32 copies of X. The result is exactly the same for any number of
         threads. `y` is ignored.
 
-        `X` holds finite (n, D) descriptors, which are converted to float32. Raises PlacecatError if `X` or a
-        setting is invalid.
+        `X` is an (n, D) array of finite descriptors, which are converted to float32. Raises PlacecatError if
+        `X` or a setting is invalid.
         """
         check_parameters(self)
         check_cluster_number(self.max_clusters, self.branching)
@@ -149,7 +149,7 @@ class HierarchicalKMeans(BaseEstimator):
     def _grow(self, points: NDArray[np.float32], n_splits: int) -> None:
         root = make_root(points)
         nodes = [root]
-        # (negative gain or its bound, whether the gain is known, node); a bound precedes an equal known gain.
+        # Entries: (negative gain or bound, whether the gain is known, node). A bound precedes an equal gain.
         queue: list[tuple[float, bool, int]] = [(-root.sse, False, 0)]
         split_nodes: list[int] = []
         while queue and len(split_nodes) < n_splits:
@@ -186,13 +186,13 @@ class HierarchicalKMeans(BaseEstimator):
         return self.node_centers_[cut]
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
-        """Find each point's codeword, which is the nearest centre in the cut.
+        """Assign each point to its codeword, the nearest centre in the cut.
 
         All centres are compared (see `nearest_centers`), and the lowest index wins ties. The thesis does not
         say whether it descends the tree instead.
 
-        `X` holds finite (n, D) descriptors, where n may be 0. Returns (n,) int32 in [0, n_clusters). Raises
-        PlacecatError in the same cases as `centers`, and if D differs from the training data.
+        `X` is an (n, D) array of finite descriptors, where n may be 0. Returns (n,) int32 in [0, n_clusters).
+        Raises PlacecatError in the same cases as `centers`, and if D differs from the training data.
         """
         centers = self.centers(n_clusters)
         points = check_samples(X, least=0)
@@ -202,7 +202,7 @@ class HierarchicalKMeans(BaseEstimator):
     def labels(self, n_clusters: int) -> NDArray[np.int32]:
         """Return each training point's cluster in the cut, as (n,) int32 indices into `centers`.
 
-        This is the partition that k-means found, which differs from `assign` near cluster borders. Raises
+        This is the partition that k-means found. It differs from `assign` near cluster borders. Raises
         PlacecatError in the same cases as `centers`, and also if the tree comes from `from_arrays`.
         """
         cut = self._cut(n_clusters)
@@ -229,7 +229,7 @@ class HierarchicalKMeans(BaseEstimator):
                     "raise max_clusters and fit again"
                 )
             raise NotComputable(
-                f"{n_clusters} clusters are impossible: the training data split into at most "
+                f"{n_clusters} clusters cannot be formed: the training data split into at most "
                 f"{self.max_clusters_}, and none of these has {self.branching} distinct points"
             )
         n_splits = (n_clusters - 1) // (self.branching - 1)

@@ -1,4 +1,4 @@
-"""Common base class of the two-class classifiers that use a Gram matrix."""
+"""Base class of the two-class classifiers that use a Gram matrix."""
 
 from collections.abc import Sequence
 from typing import Any, Self
@@ -28,7 +28,7 @@ class KernelMachine(TwoClass):
     dual_coef_
         (s,) float64, the weights of the support vectors in the sum.
     intercept_
-        Number that is added to the sum.
+        Constant that is added to the sum.
     """
 
     gamma: float
@@ -40,13 +40,13 @@ class KernelMachine(TwoClass):
     gram_dtype: DTypeLike = np.float32
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
-        """Fit as in `TwoClass.fit`."""
+        """See `TwoClass.fit`."""
         super().fit(X, y)
         self.support_vectors_ = check_samples(X)[self.support_]
         return self
 
     def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> NDArray[Any]:
-        """Compute the C-contiguous (n, n) Gram matrix of (n, D) samples, with the dtype `gram_dtype`."""
+        """Compute the C-contiguous (n, n) Gram matrix of (n, D) samples in the dtype `gram_dtype`."""
         return remembered(
             "gram",
             (X, float(self.gamma), np.dtype(self.gram_dtype).char),

@@ -12,10 +12,10 @@ from placecat.learning.checks import check_samples
 from placecat.learning.products import RowProducts, squared_lengths
 from placecat.learning.single_thread import single_blas_thread
 
-# Number of rows and columns per tile, which takes 2 MiB in float32.
+# Number of rows and columns per tile. A tile takes 2 MiB in float32.
 ROW_TILE = 512
 COLUMN_TILE = 1024
-# The same for predictions, where even the last bits of a row must not depend on other rows.
+# The same for predictions, where not even the last bits of a row may depend on other rows.
 PREDICTION_ROWS = 480
 PREDICTION_COLUMNS = 912
 
@@ -33,7 +33,7 @@ def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32],
 
 
 def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> NDArray[np.float32]:
-    """Return the (n, D + 2) rows. No bit of a row depends on the other rows."""
+    """Return the (n, D + 2) rows. Rows do not affect each other, not even in the last bits."""
     rows = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
     np.subtract(X, origin, out=rows[:, :-2])
     rows[:, -2] = -gamma * squared_lengths(rows[:, :-2])
@@ -43,7 +43,7 @@ def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> 
 
 
 def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Replace the products in place by exp(-gamma ||x - y||^2)."""
+    """Replace the products in place with exp(-gamma ||x - y||^2)."""
     # Rounding can make a squared distance negative.
     np.minimum(products, 0.0, out=products)
     return np.exp(products, out=products)
@@ -52,7 +52,7 @@ def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
 def rbf_gram(
     X: ArrayLike, gamma: float, dtype: DTypeLike = np.float32, n_jobs: int | None = None
 ) -> NDArray[Any]:
-    """Compute the Gram matrix exp(-gamma ||x_i - x_j||^2) of a training set, for all classes and folds.
+    """Compute the Gram matrix exp(-gamma ||x_i - x_j||^2) of a training set, once for all classes and folds.
 
     The matrix is computed block by block. It is exactly symmetric, with ones on the diagonal.
 
@@ -61,10 +61,10 @@ def rbf_gram(
     X
         (n, D) finite samples, converted to float32. Raises PlacecatError for other input.
     gamma
-        Inverse squared width, > 0, in units of 1 / X^2. It is 2.0 in thesis 4.2, which does not give the
-        scale of X.
+        Inverse squared width, > 0, in units of 1 / X^2. Thesis 4.2 uses 2.0, but does not specify the scale
+        of X.
     dtype
-        dtype of the result, which is float32, or float64 for libsvm. Values are always computed in float32.
+        dtype of the result: float32, or float64 for libsvm. Values are always computed in float32.
     n_jobs
         Number of threads. The result does not depend on it.
 
@@ -130,8 +130,8 @@ class KernelExpansion:
     def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
         """Evaluate all K functions for (n, D) samples, and return (n, K) float64 values.
 
-        One matrix product computes the kernel, and another computes the sums. Even the last bits of a row do
-        not depend on other rows.
+        One matrix product computes the kernel, and another computes the sums. Rows do not affect each other,
+        not even in the last bits.
         """
         result = np.tile(self.intercept, (len(X), 1))
         if len(self.support_vectors) == 0:

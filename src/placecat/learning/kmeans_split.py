@@ -1,11 +1,11 @@
-"""Split one node in hierarchical k-means, with k-means++ seeds and then Lloyd's iterations."""
+"""Split one node in hierarchical k-means, by k-means++ seeding and Lloyd's iterations."""
 
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-# Number of floats per block of points, which takes 1 MB in float32, half a level-2 cache.
+# Number of floats per block of points. A block takes 1 MB in float32, half of a level-2 cache.
 _BLOCK = 1 << 18
 # The float32 result of |x|^2 - 2xc + |c|^2 has lost its significant digits if it is below this fraction of
 # |x|^2 + |c|^2.
@@ -14,7 +14,7 @@ _CANCELLATION = 1e-4
 
 @dataclass
 class Node:
-    """A cluster in the growing tree, where `path` is its position in the tree."""
+    """A cluster in the growing tree. `path` is its position in the tree."""
 
     path: tuple[int, ...]
     members: NDArray[np.int32]
@@ -26,7 +26,7 @@ class Node:
 
 
 def make_root(points: NDArray[np.float32]) -> Node:
-    """Make the root node, which holds all (n, D) points."""
+    """Make the root node, which contains all (n, D) points."""
     # The points are centred on the rounded centre, not on the exact mean.
     center = _mean(points).astype(np.float32)
     centred = points - center
@@ -60,7 +60,7 @@ def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generat
 def seed_clusters(
     points: NDArray[np.float32], n_clusters: int, rng: np.random.Generator
 ) -> NDArray[np.uint16] | None:
-    """Draw k-means++ seeds, with one try each as in FLANN, and return the index of each point's nearest seed.
+    """Draw k-means++ seeds with one try each, as in FLANN. Return the index of each point's nearest seed.
 
     Returns None if there are too few distinct points.
     """
@@ -84,7 +84,7 @@ def seed_clusters(
 def _squared_distances(
     points: NDArray[np.float32], norms: NDArray[np.float32], seed: int
 ) -> NDArray[np.float32]:
-    """Compute the squared distances of all points from one of them, exactly 0 for its duplicates."""
+    """Compute the squared distances of all points from one of them. They are exactly 0 for its duplicates."""
     distances = points @ points[seed]
     distances *= -2
     distances += norms

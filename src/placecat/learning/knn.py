@@ -34,18 +34,18 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     Parameters
     ----------
     n_clusters : int
-        Number of clusters, which has the form (branching - 1) k + 1 for the codebook's branching.
+        Number of clusters, of the form (branching - 1) k + 1 for the branching of the codebook.
     n_neighbors : int
-        K.
+        K, the number of nearest centres.
     smoothing : float
-        Number that is added to every f(l, c), and therefore n_clusters times to f(l). The thesis does not
-        give this. If it is 0, a cluster rules out every class that it does not contain. If all classes are
-        ruled out, the result is uniform.
+        Number that is added to every f(l, c). It is therefore added n_clusters times to f(l). The thesis does
+        not specify this. If it is 0, a cluster rules out every class that it does not contain. If all classes
+        are ruled out, the result is uniform.
     class_weighting : {"once", "per_region"}
         "once" divides by f(l) once, like equations (2) and (4) and the text of the thesis. "per_region"
-        divides by f(l)^n, which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). Both agree for
-        single points and for balanced classes. Otherwise "once" favours frequent classes, and does so more
-        strongly the more regions a frame has.
+        divides by f(l)^n, which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). The two agree
+        for single points and for balanced classes. Otherwise, "once" favours frequent classes. The more
+        regions a frame has, the stronger this effect is.
     codebook : HierarchicalKMeans or FlatKMeans, optional
         A fitted codebook. By default, a new tree is grown to `n_clusters` on the training points.
     seed : int
@@ -96,8 +96,9 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Count the classes of the training points in each cluster.
 
-        `X` holds finite (n, D) descriptors, and `y` holds (n,) classes, which are strings or whole numbers.
-        Raises PlacecatError if a setting is invalid, and in the same cases as `HierarchicalKMeans.centers`.
+        `X` is an (n, D) array of finite descriptors, and `y` is an (n,) array of classes, which are strings
+        or integers. Raises PlacecatError if a setting is invalid, and in the same cases as
+        `HierarchicalKMeans.centers`.
         """
         check_parameters(self)
         if self.n_neighbors > self.n_clusters:
@@ -128,9 +129,10 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     def predict_proba_sets(self, X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.float64]:
         """Return p(class | x_1, ..., x_n) for each frame's set of descriptors.
 
-        `X` holds (frames, max_regions, D) descriptors, and `counts` holds the (frames,) numbers of regions.
-        Rows beyond a frame's number of regions are ignored. Returns (frames, n_classes) float64, and rows sum
-        to 1. A frame without regions has a uniform distribution, because the thesis assumes uniform priors.
+        `X` is a (frames, max_regions, D) array of descriptors, and `counts` (frames,) is the number of
+        regions in each frame. Rows beyond this number are ignored. Returns (frames, n_classes) float64,
+        where each row sums to 1. A frame without regions has a uniform distribution, because the thesis
+        assumes uniform priors.
         """
         check_is_fitted(self)
         numbers = np.asarray(counts)
@@ -189,7 +191,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self
 
     def _measure(self, cluster: int) -> None:
-        """Update the distances of one centre to all others; its distance to itself is infinite."""
+        """Update the distances from one centre to all others. Its distance to itself is infinite."""
         assert self._pair_distances is not None
         distances = np.linalg.norm(self.centers_ - self.centers_[cluster], axis=1)
         distances[cluster] = np.inf
@@ -202,12 +204,12 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return points
 
     def _log_frequencies(self, points: NDArray[np.float32]) -> NDArray[np.float64]:
-        """Return (n, n_classes) values log f(l, x_k) of equation (5), up to a term common to all classes."""
+        """Return the (n, n_classes) log f(l, x_k) of equation (5), up to a term common to all classes."""
         frequencies = self.frequencies_ + self.smoothing
         neighbors = nearest_centers(points, self.centers_, self.n_neighbors)
         with np.errstate(divide="ignore"):
             if self.n_neighbors == 1:
-                # The single weight is the same for all classes, so it can be left out.
+                # A single weight is the same for all classes, so it can be left out.
                 return np.log(frequencies)[neighbors[:, 0]]
             interpolated = np.empty((len(points), len(self.classes_)))
             rows = max(1, _BLOCK // (self.n_neighbors * self.n_features_in_))

@@ -1,4 +1,4 @@
-"""Cache intermediate results when several classifiers are trained in turn on the same data."""
+"""Cache of intermediate results, for several classifiers that are trained on the same data."""
 
 import hashlib
 from collections.abc import Callable, Iterator
@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 _Result = TypeVar("_Result")
 _by_value = (str, bytes, int, float, type(None))
-# Maps each kind of result to its keys, and each key to the result and to the key's objects, which are thus
-# kept alive.
+# Maps each kind of result to its keys, and each key to the result and the objects in the key. This keeps
+# these objects alive.
 _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("memory", default=None)
 
 
@@ -20,7 +20,7 @@ _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("
 def remembering() -> Iterator[None]:
     """Keep the results of :func:`remembered` until the end of the block. Other threads do not see them.
 
-    This only saves time. The results are identical without it.
+    This only saves time. It does not change the results.
     """
     token = _memory.set({})
     try:
@@ -44,7 +44,7 @@ def remembered(
     compute
         Function that computes the result.
     latest
-        Whether to keep only the latest result with this name, which is useful for large results.
+        Whether to keep only the latest result with this name, to save memory.
 
     Examples
     --------
@@ -74,7 +74,7 @@ def bytes_of(array: NDArray[Any] | None) -> bytes | None:
 
 
 def content(array: NDArray[Any]) -> bytes:
-    """Return a checksum, which serves as the key of an array that is created repeatedly.
+    """Return a checksum to use as the key of an array that is created repeatedly.
 
     Outside `remembering`, return b"".
     """

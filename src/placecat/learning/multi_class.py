@@ -1,4 +1,4 @@
-"""Common base class of the multi-class schemes, which have a two-class classifier p(o_k|x) per class."""
+"""Base class of the multi-class schemes, which have a two-class classifier p(o_k|x) per class."""
 
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
@@ -54,7 +54,7 @@ class MultiClass:
         y
             (n,) labels, where every class occurs at least twice.
         groups
-            (n,) home of each sample. It is needed if the calibration holds out homes.
+            (n,) home of each sample. Required if the calibration holds out homes.
         class_names
             Name of each integer label, for messages only.
 
@@ -62,7 +62,7 @@ class MultiClass:
         ------
         PlacecatError
             If there are fewer than 2 classes, if a class has only 1 sample, if a setting is invalid, or if nu
-            leaves no margin. With the policy ``refuse``, also if nu is infeasible.
+            leaves no margin. With the policy ``refuse``, it is also raised if nu is infeasible.
         """
         check_parameters(self)
         base = as_two_class(NuSVM() if self.base is None else self.base)
@@ -115,13 +115,13 @@ class MultiClass:
         """Combine (n, K) outputs p(o_k|x) into (n, K) distributions."""
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Decide from (n, K) outputs p(o_k|x), and return (n,) indices into `classes_`."""
+        """Choose a class for each row of (n, K) outputs p(o_k|x), and return (n,) indices into `classes_`."""
         return self.combine(outputs).argmax(axis=1)
 
     def _uses_own_sigmoid(self, base: TwoClass) -> bool:
         if self.sigmoid == "own" and base.own_sigmoid is None:
             raise PlacecatError(
-                "sigmoid 'own' needs a base classifier with probabilities, unlike a nu-SVM: use 'platt'"
+                "sigmoid 'own' needs a base classifier with probabilities, which a nu-SVM lacks: use 'platt'"
             )
         if self.sigmoid == "auto":
             return base.own_sigmoid is not None and base.prefers_own_sigmoid
@@ -134,11 +134,11 @@ class MultiClass:
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Return the final fits, where a subclass may fit some problems again."""
+        """Return the final fits. A subclass may refit some problems."""
         return fitted
 
     def _fit_combination(self, index: NDArray[np.intp]) -> None:
-        """Fit the combination, where `index` holds the class index of each sample."""
+        """Fit the combination. `index` contains the class index of each sample."""
 
 
 def encode_classes(
@@ -150,7 +150,7 @@ def encode_classes(
     names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]
     if len(classes) < 2:
         raise PlacecatError(
-            f"all training samples are of one class, {names[0]!r}: a multi-class scheme needs at least 2"
+            f"all training samples belong to one class, {names[0]!r}: a multi-class scheme needs at least 2"
         )
     counts = np.bincount(index)
     if counts.min() < 2:

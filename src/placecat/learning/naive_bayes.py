@@ -18,7 +18,7 @@ class NaiveBayes(DiscreteBayes):
     """Model of p(c_1 = q_1, ..., c_V = q_V | l_i) as the product of all p(c_k = q_k | l_i) (equation 12).
 
     The variables are either the codewords of the 16 image cells (section 4.2) or the activations of a
-    codebook's clusters (3.3.2). With activations, a cluster that is *missing* is evidence too.
+    codebook's clusters (3.3.2). With activations, the *absence* of a cluster is evidence too.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Find the exact nearest centres of points by matrix products in blocks."""
+"""Exact search for the nearest centres of points, by matrix products in blocks."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 from placecat.learning.memory import content, remembered
 from placecat.learning.products import RowProducts
 
-# Number of floats per block of scores, which takes 4 MB in float32, about a level-2 cache plus a level-3
+# Number of floats per block of scores. A block takes 4 MB in float32, about a level-2 cache plus a level-3
 # slice.
 _BLOCK = 1 << 20
 
@@ -18,7 +18,7 @@ def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: in
     distinguish count as equal, and the lowest index wins ties. The result for a point does not depend on
     other points.
 
-    `X` holds finite (n, D) points, `centers` is (N, D), and `n_neighbors` is in [1, N]. Returns
+    `X` is an (n, D) array of finite points, `centers` is (N, D), and `n_neighbors` is in [1, N]. Returns
     (n, n_neighbors) int32 indices into `centers`.
 
     Examples

@@ -43,8 +43,8 @@ def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
 class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary nu-SVM (thesis 3.3.1.2, [66]) with the kernel exp(-gamma ||x - y||^2).
 
-    The solver is libsvm, which is called through scikit-learn's NuSVC. `fit` takes samples. With `prepare`
-    and `fit_rows`, many fits can share one Gram matrix.
+    The solver is libsvm, called through scikit-learn's NuSVC. `fit` takes samples. With `prepare` and
+    `fit_rows`, many fits can share one Gram matrix.
 
     Parameters
     ----------
@@ -56,15 +56,14 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         What to do if nu exceeds 2 min(n+, n-) / n. ``lower`` lowers nu to this limit, as in thesis 4.2 and
         4.3, and ``refuse`` raises PlacecatError.
     tol
-        libsvm's stopping tolerance. The thesis does not give this.
+        libsvm's stopping tolerance. The thesis does not specify this.
     cache_mb
-        libsvm's cache size per fit in MB. It affects only the speed.
+        Size of libsvm's cache per fit, in MB. It affects only the speed.
 
     Attributes
     ----------
     nu_
-        The nu in use, which is the lower of `nu` and the largest feasible nu. It is doubled until there is a
-        margin.
+        The nu in use. It is the smaller of `nu` and the largest feasible nu, doubled until there is a margin.
     classes_, support_, support_vectors_, dual_coef_, intercept_
         See `KernelMachine`.
 
@@ -115,7 +114,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         n_negative = len(chosen) - n_positive
         if min(n_positive, n_negative) == 0:
             raise PlacecatError(
-                f"{context}: a nu-SVM needs samples of both classes: add the missing ones or drop the class"
+                f"{context}: a nu-SVM needs samples of both classes; add samples or drop the class"
             )
         largest = largest_feasible_nu(n_positive, n_negative)
         counts = f"{n_positive} of {len(chosen)} samples positive"
@@ -150,8 +149,9 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                     raise
                 if self.nu_policy == "refuse" or nu >= largest:
                     raise PlacecatError(
-                        f"nu = {nu:.6g} leaves no margin for {context} ({counts}), since descriptors of both "
-                        f"classes coincide: use a nu nearer {largest:.6g}, or another descriptor or scaling"
+                        f"nu = {nu:.6g} leaves no margin for {context} ({counts}), since descriptors of "
+                        f"both classes coincide: use a nu closer to {largest:.6g}, or another descriptor or "
+                        "scaling"
                     ) from None
                 logger.info("nu raised from %g for %s: no margin", nu, context)
                 nu = min(2 * nu, largest)

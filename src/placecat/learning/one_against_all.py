@@ -21,14 +21,14 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     """Parallel probabilistic multi-class scheme (thesis 3.3.1.2, equations 6 to 9).
 
     One base classifier per class estimates p(o_k|x). Cross-validation yields the reliabilities p(o_k|l_i),
-    and the classes have the frequencies p(l_i). Then p(l_i|o_k) = p(o_k|l_i) p(l_i) / p(o_k), and p(l_i|x) is
-    sum_k p(l_i|o_k) p(o_k|x), normalised.
+    and p(l_i) is the prior of class i. Then p(l_i|o_k) = p(o_k|l_i) p(l_i) / p(o_k), and p(l_i|x) is the
+    normalised sum_k p(l_i|o_k) p(o_k|x).
 
     Parameters
     ----------
     base
         Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any scikit-learn classifier.
-        Fits of the latter share no preparation.
+        Fits of scikit-learn classifiers cannot share preparatory work.
     calibration
         Which samples are held out for the sigmoids and reliabilities: ``samples`` (the default),
         ``consecutive``, ``homes_centred`` or ``homes_averaged``. See
@@ -36,14 +36,14 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     sigmoid
         Source of p(o_k|x). ``platt`` fits a sigmoid to held-out decision values. ``own`` uses the base
         classifier's probability, which is equation (8) for boosting and the logistic likelihood for the RVM.
-        ``auto`` uses equation (8) for boosting and ``platt`` for the nu-SVM and the RVM, like dlib and
-        therefore the thesis.
+        ``auto`` uses equation (8) for boosting and ``platt`` for the nu-SVM and the RVM, as in dlib, which
+        the thesis uses.
     sigmoid_weights
         ``balanced`` gives positives and negatives equal total weight when Platt's sigmoid is fitted. ``none``
         does not, as in Platt's paper.
     combination
         ``parallel`` uses equation (6). ``certainty`` normalises p(o_k|x), so the most certain classifier
-        decides, which is the simpler method of 3.3.1.2.
+        decides. This is the simpler method of 3.3.1.2.
     exclusive
         Whether to divide each sample's p(o_k|x) by their sum before equations (6) and (7) are applied.
         Equation (6) is the law of total probability only if exactly one o_k occurs.
@@ -52,17 +52,17 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         is the share of samples with p(o_k|x) >= 0.5 or, with `exclusive`, the share for which p(o_k|x) is the
         largest. The thesis says only "statistics from cross-validating".
     reliability_smoothing
-        Number that is added to each count. If it is 0, p(l_i|o_k) is uniform if classifier k never answers
-        yes. The thesis does not give this.
+        Number that is added to each count. If it is 0 and classifier k never answers yes, p(l_i|o_k) is
+        uniform. The thesis does not specify this.
     prior
         How to choose p(l_i). ``training`` uses the class frequencies in training, as in the thesis.
-        ``uniform`` is the choice for the thesis's nearest neighbours (3.3.1.1). It suits the accuracy
+        ``uniform`` is what the thesis assumes for nearest neighbours (3.3.1.1). It suits the accuracy
         measure, which is a mean over places.
     uncertainty
         gamma in equation (9). A total of beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the
         classes before normalisation. The value 0 turns this off.
     folds
-        Number of parts for cross-validation. The thesis does not give this.
+        Number of parts for cross-validation. The thesis does not specify this.
     n_jobs
         Number of threads for the (class, fold) pairs. The result does not depend on it.
 
@@ -88,7 +88,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     nu_
         (K,) smallest nu in use for each class, or NaN if the base classifier has no nu.
     fold_nu_
-        K arrays, each of which holds the nu in use for every held-out part.
+        K arrays with the nu in use for each held-out part.
     scorer_
         One object that evaluates all M decision functions.
     n_features_in_

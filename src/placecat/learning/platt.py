@@ -1,4 +1,4 @@
-"""Turn decision values into probabilities with a fitted sigmoid."""
+"""Convert decision values to probabilities with a fitted sigmoid."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -6,8 +6,8 @@ from scipy.special import expit
 
 from placecat.errors import PlacecatError
 
-# Newton's method stops after this many steps, or when the gradient per sample falls to this value. The
-# decisions are standardised first.
+# Newton's method stops after this many steps, or once the gradient per sample is at most this large. The
+# decision values are standardised first.
 _STEPS, _TOLERANCE = 100, 1e-10
 
 
@@ -18,8 +18,8 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
     method with step halving solves the convex problem. The thesis (3.3.1.2) uses this method through dlib's
     probabilistic decision function.
 
-    A larger decision value never makes the positive class less probable. If the best sigmoid falls, the
-    result is flat (A = 0) instead. It is also flat if all decision values are equal.
+    A larger decision value never makes the positive class less probable. If the best sigmoid is decreasing,
+    the result is flat (A = 0) instead. It is also flat if all decision values are equal.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
     positive
         (n,) bool, true for positive samples.
     balanced
-        Whether to give positives and negatives a total weight of n / 2 each. Then p holds for equally
+        Whether positives and negatives have a total weight of n / 2 each. If so, p applies to equally
         frequent classes.
 
     Returns
@@ -63,7 +63,7 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
     if balanced and n_positive and n_negative:
         weights = np.where(is_positive, 0.5 * len(d) / n_positive, 0.5 * len(d) / n_negative)
 
-    # Standardising the decisions makes the Hessian well conditioned, whatever their unit.
+    # Standardising the decision values makes the Hessian well conditioned, whatever their unit.
     shift, scale = float(d.mean()), float(d.std())
     rate = float(np.average(target, weights=weights))
     flat = 0.0, float(np.log((1.0 - rate) / rate))
@@ -100,7 +100,7 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
         else:
             break
         slope, offset, value = slope + step * d_slope, offset + step * d_offset, new
-    # The problem is convex, so if the best sigmoid falls, the best one that does not fall is flat.
+    # The problem is convex, so if the best sigmoid is decreasing, the best non-decreasing one is flat.
     return flat if slope > 0.0 else (slope / scale, offset - slope * shift / scale)
 
 

@@ -1,9 +1,9 @@
-"""Multiply matrices so that each row of the result depends only on the matching input row.
+"""Matrix products in which each row of the result depends only on the matching input row.
 
-This must hold even for the last bits, which BLAS does not guarantee. BLAS multiplies in tiles, sums in a
-different order at a matrix's edges, and uses different routines for one row and for many rows. So the last
-bits of a frame's result would depend on the other frames. Here every product has one of a few fixed row
-counts (the last product is padded with zeros), and zero margins surround the columns. Whether this works
+This must be true even of the last bits, which BLAS does not guarantee. BLAS multiplies in tiles, sums in a
+different order at a matrix's edges, and uses different routines for one row and for many rows. The last bits
+of a frame's result would therefore depend on the other frames. Here, every product has one of a few fixed row
+counts, and the last product is padded with zeros. Zero margins surround the columns. Whether this works
 depends on the BLAS kernels for the processor, so each shape is tested once. If the test fails, rows are
 multiplied one by one.
 """
@@ -17,23 +17,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from placecat.learning.single_thread import single_blas_thread
 
-# Number of columns per product, without margins. With margins, there are 320, one block of OpenBLAS's AVX2
-# float32 kernels.
+# Number of columns per product, without margins. With margins, there are 320, which is one block of
+# OpenBLAS's AVX2 float32 kernels.
 _COLUMNS = 304
-# Number of zero columns on each side, which is the tile size of these kernels. The total number of columns is
+# Number of zero columns on each side, equal to the tile size of these kernels. The total number of columns is
 # padded to a multiple of the second number.
 _MARGIN, _TILE = 8, 16
 # Numbers of rows per product, in order of preference. They are multiples of 12, the tile height of these
 # kernels.
 _ROWS = (48, 240, 12)
-# Minimum number of random columns with which a shape is tested.
+# Minimum number of random columns in the test of a shape.
 _TRIED = 256
 
 
 class RowProducts:
-    """Compute left @ right.T for a fixed `right` such that rows do not affect each other's last bits.
+    """Compute left @ right.T for a fixed `right`, so that rows do not affect each other's last bits.
 
-    `right` is an (m, k) float32 or float64 matrix, which is copied. m may be 0.
+    `right` is an (m, k) float32 or float64 matrix, where m may be 0. It is copied.
 
     Examples
     --------
@@ -69,12 +69,12 @@ class RowProducts:
 
 
 def row_products(left: ArrayLike, right: ArrayLike) -> NDArray[Any]:
-    """Multiply (n, k) by (m, k) rows and return (n, m) in `right`'s dtype. See :class:`RowProducts`."""
+    """Return the (n, m) products of (n, k) and (m, k) rows, in `right`'s dtype. See :class:`RowProducts`."""
     return RowProducts(right)(left)
 
 
 def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Multiply (n, k) by (m, k) float64 rows as :func:`row_products` does, and return (n, m) float64.
+    """Return the (n, m) products of (n, k) and (m, k) float64 rows, as :func:`row_products` does.
 
     This is meant for small k, at least 1. It adds term by term without BLAS.
     """
@@ -104,7 +104,7 @@ def _padded(columns: int) -> int:
 
 @cache
 def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
-    """Return, in descending order, the row counts whose products agree in every row; empty if none do.
+    """Return the row counts whose products agree in every row, in descending order; empty if none do.
 
     The test repeats one row of random numbers. All rows of the product must then be exactly equal.
     """
@@ -123,7 +123,7 @@ def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
 
 
 def _blocks(n: int, sizes: tuple[int, ...]) -> Iterator[tuple[int, int]]:
-    """Yield the first row and the row count of each product needed for n rows; the last may go beyond n."""
+    """Yield the first row and the row count of each product for n rows. The last may extend beyond n."""
     start = 0
     while start < n:
         rest = n - start

@@ -16,7 +16,7 @@ from placecat.ranges import Count, Positive
 
 logger = logging.getLogger(__name__)
 
-# Number of Gram matrix rows that are squared at a time, which takes 4 MiB for 8000 samples.
+# Number of Gram matrix rows that are squared at once. This takes 4 MiB for 8000 samples.
 SQUARE_ROWS = 128
 # Number of functions whose sparsity factors are updated in each round.
 SHORTLIST = 1024
@@ -28,15 +28,15 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     The model has a basis function per training sample, a bias, a logistic likelihood, and weights w with the
     prior N(0, diag(1/alpha)). Fitting maximises the evidence over alpha by adding, re-estimating or deleting
     one basis function at a time (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the
-    problem Gaussian. After each approximation, the statistics that rank all functions are updated. Then many
-    additions, re-estimates and deletions follow, which involve the functions in the model and the most
-    promising ones outside it.
+    problem Gaussian. After each approximation, the statistics that rank all functions are updated. Many
+    additions, re-estimates and deletions follow, limited to the functions in the model and the most promising
+    ones outside it.
 
     Parameters
     ----------
     gamma
-        Inverse squared kernel width, > 0. The thesis gives no value for the RVM. The default 2.0 is that of
-        the nu-SVM.
+        Inverse squared kernel width, > 0. The thesis specifies no value for the RVM. The default, 2.0, is
+        that of the nu-SVM.
     tol
         Fitting stops when further rounds raise the log evidence by less than this, in nats per sample.
     max_iter
@@ -74,7 +74,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ([False, True], True)
     """
 
-    #: The logistic likelihood.
+    #: The sigmoid of the logistic likelihood.
     own_sigmoid = (-1.0, 0.0)
     prefers_own_sigmoid = False
 
@@ -98,7 +98,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         target = positive[chosen].astype(np.float64)
         if target.min() == target.max():
             raise PlacecatError(
-                f"{context}: an RVM needs samples of both classes: add the missing ones or drop the class"
+                f"{context}: an RVM needs samples of both classes; add samples or drop the class"
             )
         gram = shared if rows is None else shared[np.ix_(rows, rows)]
         with single_blas_thread():
@@ -115,7 +115,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     def _maximise(
         self, gram: NDArray[np.float32], target: NDArray[np.float64], context: str
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64]]:
-        """Maximise the evidence over alpha. Return active functions (n is the bias), weights and alpha."""
+        """Maximise the evidence. Return the active functions (n is the bias), their weights and alpha."""
         tol = self.tol * len(target)
         active = np.array([len(target)])
         basis = _basis(gram, active)
@@ -184,7 +184,7 @@ def _laplace_mode(
 ) -> _Mode:
     """Find the mode of w by Newton's method.
 
-    `basis` is (m, n), `target` holds (n,) zeros and ones, and `alpha` and `start` are (m,).
+    `basis` is (m, n), `target` is (n,) and contains zeros and ones, and `alpha` and `start` are (m,).
     """
     narrow = basis.astype(np.float32)
     diagonal = np.diag_indices(len(alpha))
@@ -246,11 +246,11 @@ def _factor(
 
 
 class _Statistics:
-    """Sparsity and quality factors of the n kernels and the bias, which show promising functions.
+    """Sparsity and quality factors of the n kernels and the bias. They show which functions are promising.
 
     The quality factors are always current. The sparsity factors require a product of Gram matrix rows with
-    all functions in the model. So in most rounds, they are updated only for the most promising functions.
-    Before convergence is declared, they are updated for all functions.
+    all functions in the model. In most rounds, they are therefore updated only for the most promising
+    functions. Before convergence is declared, they are updated for all functions.
     """
 
     def __init__(self, gram: NDArray[np.float32]) -> None:
@@ -259,7 +259,7 @@ class _Statistics:
         self.current = False
 
     def promising(self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool) -> NDArray[np.intp]:
-        """Return at most `count` functions, in ascending order, whose addition raises the evidence most."""
+        """Return up to `count` functions whose addition raises the evidence most, in ascending order."""
         gram, n = self.gram, len(self.gram)
         squared_quality = np.empty(n + 1)
         squared_quality[:n] = gram @ mode.error.astype(np.float32)
@@ -294,7 +294,7 @@ class _Surrogate:
     (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting a function differ
     only in d.
 
-    The pool holds u basis functions, beginning with those in the model.
+    The pool lists the functions in the model first.
     """
 
     def __init__(
@@ -318,9 +318,9 @@ class _Surrogate:
     def ascend(
         self, alpha: NDArray[np.float64], steps: int
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64], float]:
-        """Change the alpha with the greatest gain, and repeat this at most `steps` times.
+        """Change the alpha with the greatest gain, up to `steps` times.
 
-        `alpha` holds the (m,) precisions of the functions in the model. Returns the (m',) functions of the
+        `alpha` contains the (m,) precisions of the functions in the model. Returns the (m',) functions of the
         new model, their precisions, their mean weights in the Gaussian problem, and the sum of the gains in
         nats.
         """

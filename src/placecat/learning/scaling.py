@@ -1,4 +1,4 @@
-"""Scale descriptors before they enter the kernel, which fixes the unit of gamma."""
+"""Scaling of descriptors for the kernel. The effect of a given gamma depends on it."""
 
 from typing import Annotated, Self
 
@@ -18,15 +18,16 @@ KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 class KernelScaling(TransformerMixin, BaseEstimator):
     """Scale descriptors so that the same gamma suits descriptors of any unit and length.
 
-    The thesis gives gamma = 2 but not its scale. In the following list of kinds, m is the resulting mean of
-    ||x - y||^2 over pairs of different training samples, and D is the number of dimensions that vary:
+    The thesis specifies gamma = 2, but not the scale of the descriptors. In the following list of kinds, m is
+    the resulting mean of ||x - y||^2 over pairs of different training samples, and D is the number of
+    dimensions that vary:
 
     - ``none``: leave x unchanged.
     - ``minmax``: scale each dimension to [0, 1] on the training data; m depends on the data.
     - ``standard``: scale each dimension to mean 0 and variance 1 / D; m is 2 n / (n - 1).
-    - ``root``: divide each dimension by the square root of its standard deviation, which is halfway between
-      ``standard`` and ``distance``, then scale as for ``distance``; m is 1.
-    - ``distance``: subtract the mean of x, then divide by the square root of the mean ||x - y||^2, which
+    - ``root``: divide each dimension by the square root of its standard deviation, then scale as for
+      ``distance``. This is halfway between ``standard`` and ``distance``; m is 1.
+    - ``distance``: subtract the mean of x, then divide by the square root of the mean ||x - y||^2. This
       preserves the relative weights of the dimensions; m is 1.
     - ``unit``: scale each sample to Euclidean length 1 (a zero sample stays zero); m is at most 4.
 
@@ -37,15 +38,15 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     kind
         One of the kinds above.
     gamma_scale
-        Additional factor for squared distances, > 0. With 1, the values of m above hold.
+        Additional factor for squared distances, > 0. The values of m above are for a factor of 1.
 
     Attributes
     ----------
     offset_
-        (D,) float64, which is subtracted first.
+        (D,) float64, subtracted from each sample.
     factor_
-        (D,) float64, by which the difference is multiplied. It is 0 for a dimension that is constant in
-        training, because its test values could dominate. But ``none``, ``distance`` and ``unit`` keep
+        (D,) float64, applied after the subtraction. It is 0 for a dimension that is constant in training,
+        because its test values could otherwise dominate. The kinds ``none``, ``distance`` and ``unit`` keep
         constant dimensions.
     n_features_in_
         D.

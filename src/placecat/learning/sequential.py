@@ -1,4 +1,4 @@
-"""Mozos's sequential multi-class scheme, which is a list of two-class decisions, strongest first."""
+"""Mozos's sequential multi-class scheme, a list of two-class classifiers with the strongest first."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -21,7 +21,7 @@ OUTPUTS = ("product", "decision")
 
 
 class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
-    """Decision list over two-class classifiers, the baseline of thesis 4.8.
+    """Decision list over two-class classifiers, the baseline in thesis 4.8.
 
     Each node of the list is the classifier of one class, and the strongest comes first. If a node rejects a
     sample, the next node decides. If all nodes reject the sample, it is assigned to the last class. The
@@ -40,7 +40,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     training
         Training samples of a node. With ``all``, this scheme uses the same classifiers as `OneAgainstAll`,
         since thesis 4.8 compares ways of combining their outputs. ``remaining`` leaves out the classes of
-        earlier nodes. The thesis does not give this.
+        earlier nodes. The thesis does not specify this.
     decision
         How `predict` decides. ``sign`` and ``probability`` choose the first class whose node accepts the
         sample, or the last class if there is none. With ``sign``, a node accepts a sample whose decision
@@ -55,11 +55,11 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     Attributes
     ----------
     classes_
-        (K,) labels, sorted. All outputs have their columns in this order.
+        (K,) labels, sorted. The columns of all outputs are in this order.
     order_
         (K,) indices into `classes_`, strongest first. The last class has no node.
     strength_
-        (K,) strength of each class, where larger means stronger.
+        (K,) strength of each class. Larger is stronger.
     sigmoid_, machine_class_, flat_, cv_outputs_, nu_, fold_nu_, scorer_, n_features_in_
         See `OneAgainstAll`.
 
@@ -108,7 +108,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Order the nodes, and if `training` is ``remaining``, fit later nodes on the remaining classes."""
+        """Order the nodes. If `training` is ``remaining``, fit later nodes on the remaining classes."""
         self.strength_ = np.array(
             [
                 self._strength(f.outputs, self._threshold(f.sigmoids), p.positive)
@@ -121,7 +121,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
             again = [
                 replace(
                     problems[k],
-                    name=f"{problems[k].name} at place {place + 1} of the list",
+                    name=f"{problems[k].name} at position {place + 1} of the list",
                     member=~np.isin(index, self.order_[:place]),
                 )
                 for place, k in enumerate(later, start=1)
@@ -142,7 +142,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return float((right[positive].mean() + right[~positive].mean()) / 2.0)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Combine (n, K) outputs p(o_k|x) into (n, K) distributions of the kind `output`."""
+        """Combine (n, K) outputs p(o_k|x) into (n, K) distributions, as set by `output`."""
         if self.output == "decision":
             return np.eye(len(self.order_))[self.decide(outputs)]
         return self._product(outputs)
@@ -157,7 +157,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return proba
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Choose classes from (n, K) outputs p(o_k|x) by `decision`; return (n,) indices into `classes_`."""
+        """Return (n,) indices into `classes_`, chosen from (n, K) outputs p(o_k|x) as set by `decision`."""
         if self.decision == "product":
             return self._product(outputs).argmax(axis=1)
         of_class = [self.sigmoid_[self.machine_class_ == k] for k in range(len(self.order_))]

@@ -18,7 +18,7 @@ _limit: Any = None
 
 @cache
 def _libraries() -> ThreadpoolController:
-    # Listing the libraries takes 30 times as long as setting their numbers of threads.
+    # Listing the libraries takes 30 times as long as setting their number of threads.
     return ThreadpoolController()
 
 
@@ -26,7 +26,7 @@ def _libraries() -> ThreadpoolController:
 def single_blas_thread() -> Iterator[None]:
     """Limit BLAS to one thread, so that sums do not depend on the number of cores.
 
-    The limit applies to the whole process. The first of several concurrent users sets it, and the last one
+    The limit applies to the entire process. The first of several concurrent users sets it, and the last one
     removes it.
     """
     global _users, _limit

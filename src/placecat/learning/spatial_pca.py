@@ -1,4 +1,4 @@
-"""A separate PCA for each image cell, which is plain PCA if there is only one cell."""
+"""A separate PCA for each image cell. With only one cell, this is plain PCA."""
 
 from typing import Self
 
@@ -16,7 +16,7 @@ from placecat.schema.signatures import check_parameters
 
 
 class SpatialPCA(TransformerMixin, BaseEstimator):
-    """Reduce each cell's part of a descriptor by a separate PCA (spatial PACT, thesis 4.3).
+    """Reduce each cell's part of a descriptor with a separate PCA (spatial PACT, thesis 4.3).
 
     With 16 cells, 4096 Centrist dimensions become 16 x 64 = 1024. With one cell and a factor, this is the PCA
     reduction of thesis 4.2 (Table 2). Fit it only on training homes.
@@ -26,20 +26,19 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     cells
         Number of equal, consecutive parts into which the D dimensions are divided.
     components
-        Number of dimensions that are kept per cell. The thesis keeps 64 of 256.
+        Number of dimensions to keep per cell. The thesis keeps 64 of 256.
     factor
-        Alternative to `components`, which keeps 1 / factor of each cell's dimensions, rounded to a whole
-        number.
+        Alternative to `components`: keep 1 / factor of each cell's dimensions, rounded to an integer.
     whiten
-        Whether to divide each component by its standard deviation. The thesis does not give this.
+        Whether to divide each component by its standard deviation. The thesis does not specify this.
 
     Attributes
     ----------
     mean_
         (cells, D / cells) float64.
     components_
-        (cells, components, D / cells) float64, orthonormal rows in order of decreasing variance. Each row's
-        largest entry in magnitude is positive.
+        (cells, components, D / cells) float64, orthonormal rows in order of decreasing variance. In each row,
+        the entry with the largest magnitude is positive.
     explained_variance_
         (cells, components) float64.
     explained_variance_ratio_
@@ -72,19 +71,19 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
 
     def _kept(self, width: int) -> int:
         if (self.components is None) == (self.factor is None):
-            raise PlacecatError("set either `components` or `factor` of the PCA, and the other to None")
+            raise PlacecatError("set either `components` or `factor` of the PCA; the other must be None")
         kept = round(width / self.factor) if self.factor is not None else int(self.components or 0)
         if not 1 <= kept <= width:
             raise PlacecatError(
-                f"the PCA cannot keep {kept} components: use 1 to {width}, the dimensions of a cell"
+                f"the PCA cannot keep {kept} components: use 1 to {width}, the number of dimensions per cell"
             )
         return kept
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Learn one PCA per cell from real (n, D) samples X. `y` is ignored.
+        """Fit one PCA per cell to real (n, D) samples X. `y` is ignored.
 
         Raises PlacecatError if D is not divisible by `cells`, or if the number of components is invalid or
-        not below n.
+        not less than n.
         """
         check_parameters(self)
         samples = check_samples(X)
@@ -97,7 +96,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         kept = self._kept(width)
         if n <= kept:
             raise NotComputable(
-                f"PCA to {kept} components needs more than {kept} training samples, not n_samples = {n}"
+                f"PCA to {kept} components needs more than {kept} training samples, but n_samples = {n}"
             )
         self.n_features_in_ = total
         self.mean_ = np.empty((self.cells, width))
@@ -120,7 +119,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
-        """Project finite (n, D) samples to (n, cells * components) float32, cell after cell.
+        """Project finite (n, D) samples to (n, cells * components) float32, ordered by cell.
 
         Raises PlacecatError for other input.
         """

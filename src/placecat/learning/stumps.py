@@ -17,8 +17,8 @@ _NARROW = 192
 class BinnedFeatures:
     """Binned features, with sparse matrices that sum samples by bin."""
 
-    #: (D, n) uint8 or uint16, the bin of each sample in each feature, which is the number of thresholds below
-    #: its value.
+    #: (D, n) uint8 or uint16, the bin of each sample in each feature. The bin is the number of thresholds
+    #: below the value of the sample.
     bins: NDArray[Any]
     #: D ascending arrays of at most max_bins - 1 values, where x > thresholds[d][b] means that the bin is
     #: above b.
@@ -32,7 +32,7 @@ class BinnedFeatures:
 
 
 class Stump(NamedTuple):
-    """A function of one feature, which is `low` up to the bin `cut` and `high` above it."""
+    """A function of one feature. Its value is `low` up to the bin `cut` and `high` above it."""
 
     feature: int
     cut: int
@@ -99,8 +99,8 @@ def best_stumps(
     """Find the stump with the smallest weighted squared error for each of G weightings of the samples.
 
     `weight` and `signed` are C-contiguous (n, G) arrays. The values in `weight` are not negative.
-    `signed` is `weight` times the labels, which are -1 or 1. Returns the best stump for each weighting, which
-    is the first in a tie, or None if no feature can be cut.
+    `signed` is `weight` times the labels, which are -1 or 1. Returns the best stump for each weighting (the
+    first in a tie), or None if no feature can be cut.
     """
     machines = range(weight.shape[1])
     highest = np.full(len(machines), -np.inf)
@@ -162,7 +162,7 @@ def _gain(
     total_signed: NDArray[np.float64],
     dust: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Return each cut's reduction of the weighted squared error, plus a constant; -inf if a side is empty."""
+    """Return how much each cut reduces the squared error, plus a constant; -inf if a side is empty."""
     above = total - below
     impossible = np.minimum(below, above) <= dust
     above_signed = total_signed - below_signed

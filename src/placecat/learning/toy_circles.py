@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 # Class names, in the order of the labels.
 NAMES = ("circle_1", "circle_2", "circle_3", "circle_4", "around")
-# The centres of the circles in the order of the classes. The unit is half the side of the square.
+# The centres of the circles in the order of the classes. The unit is half the side length of the square.
 _MIDDLES = ((-0.5, -0.5), (-0.5, 0.5), (0.5, -0.5), (0.5, 0.5))
 
 
@@ -16,7 +16,7 @@ def toy_circles(
 ) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
     """Draw points uniformly from a square that has a circle in the middle of each quarter.
 
-    The thesis does not give the centres, radii, area or counts. conf/toy explains our choices.
+    The thesis does not specify the centres, radii, area or counts. conf/toy explains our choices.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def toy_circles(
         Radius of each circle, above 0.
     inside
         Share of the square that the circles cover, above 0 and below pi / 4 (where they touch). Half the side
-        of the square is ``radius sqrt(pi / inside)``.
+        length of the square is ``radius sqrt(pi / inside)``.
 
     Returns
     -------

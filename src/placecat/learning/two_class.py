@@ -1,4 +1,4 @@
-"""Two-class classifiers whose fits share a preparation, and an adapter for scikit-learn's classifiers."""
+"""Two-class classifiers whose fits share preparatory work, and an adapter for scikit-learn's classifiers."""
 
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
@@ -23,7 +23,7 @@ class TwoClass:
     Attributes
     ----------
     classes_
-        The two labels in sorted order, where the second is the positive class. `fit` sets this.
+        The two labels in sorted order. The second is the positive class. `fit` sets this.
     n_features_in_
         D.
     """
@@ -37,7 +37,7 @@ class TwoClass:
     get_params: Callable[..., dict[str, Any]]
 
     def __sklearn_tags__(self) -> Any:
-        """Tell scikit-learn that there are two classes."""
+        """Tell scikit-learn that only two classes are supported."""
         tags = super().__sklearn_tags__()  # type: ignore[misc]
         tags.classifier_tags.multi_class = False
         return tags
@@ -55,7 +55,7 @@ class TwoClass:
 
     @abstractmethod
     def prepare(self, X: NDArray[np.float32], n_jobs: int | None = None) -> Any:
-        """Compute in `n_jobs` threads what depends only on the (n, D) samples, for all classes and folds."""
+        """Prepare (n, D) samples once for all classes and folds, in `n_jobs` threads."""
 
     @abstractmethod
     def fit_rows(
@@ -76,7 +76,7 @@ class TwoClass:
         positive
             (n,) bool, true for positive samples.
         rows
-            Ascending indices of the training samples, all by default.
+            Ascending indices of the training samples. By default, all samples are used.
         context
             The problem's name in messages.
         """
@@ -88,7 +88,7 @@ class TwoClass:
     @staticmethod
     @abstractmethod
     def collect(machines: Sequence[Any], X: NDArray[np.float32]) -> Any:
-        """Combine machines fitted on the same (n, D) samples into an object with the method `decisions`."""
+        """Combine machines fitted on the same (n, D) samples into an object with a `decisions` method."""
 
     @abstractmethod
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
@@ -96,7 +96,7 @@ class TwoClass:
 
     @available_if(lambda self: self.own_sigmoid is not None)
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return (n, 2) class probabilities for (n, D) samples by `own_sigmoid`. Call `fit` first."""
+        """Return (n, 2) class probabilities of (n, D) samples, using `own_sigmoid`. Call `fit` first."""
         assert self.own_sigmoid is not None
         positive = apply_sigmoid(self.decision_function(X), *self.own_sigmoid)
         return np.stack([1.0 - positive, positive], axis=1)
@@ -108,7 +108,7 @@ class TwoClass:
 
 
 class _GenericBase(TwoClass):
-    """Adapter for any two-class classifier of scikit-learn, whose fits share no preparation."""
+    """Adapter for any two-class classifier of scikit-learn. Its fits share no preparatory work."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
@@ -157,7 +157,7 @@ class _GenericScorer:
 
 
 def as_two_class(base: Any) -> TwoClass:
-    """Check the settings of `base` and return it, or return an adapter if its fits share no preparation."""
+    """Check the settings of `base` and return it, or return an adapter if it has no `fit_rows`."""
     if not hasattr(base, "fit_rows"):
         return _GenericBase(base)
     check_parameters(base)
