@@ -65,7 +65,7 @@ def test_additional_cells_precede_the_average():
 
 def test_notes_become_footnotes_on_the_number_that_they_are_about():
     contradiction = Note(Kind.PUBLISHED, "row and average differ")
-    # The text of a note does not make it a note of the table, nor two notes.
+    # The text makes this neither a note on the table nor two notes.
     title = Note(Kind.DATA, "measured on my homes; second floor")
     no_home = Note(Kind.MEASURED, "no such home")
     not_available = Note(Kind.NOT_AVAILABLE, "the published cell is n/a")

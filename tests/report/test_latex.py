@@ -40,7 +40,7 @@ def test_escaping_can_be_undone_and_leaves_no_special_character(text):
 
 
 def check_structure(text):
-    """Braces and environments close in order; every row has as many cells as the table has columns."""
+    """Check that braces and environments close in order and that every row has a cell for each column."""
     bare = without_escapes(text)
     depth = 0
     for character in bare:

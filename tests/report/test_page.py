@@ -23,7 +23,7 @@ def page(tmp_path_factory):
 
 
 def small_report():
-    """With one table and no figure, for parts that do not depend on them."""
+    """A report with one table and no figures, for parts that do not depend on these."""
     return made_report.report(tables=[5], figures=[])
 
 
@@ -31,14 +31,14 @@ _ASKED = []
 
 
 def asked(body, width=1200):
-    """Add a script to those that `answers` runs; returns its number."""
+    """Add a script to those that `answers` runs, and return its number."""
     _ASKED.append((body, width))
     return len(_ASKED) - 1
 
 
 @pytest.fixture(scope="module")
 def answers(page, tmp_path_factory):
-    """What the scripts return, each in a page of its own; starting the browser takes most of the time."""
+    """The results of all scripts, each in a page of its own. Starting the browser takes most of the time."""
     found, console = evaluate_all(page, tmp_path_factory.mktemp("answers"), _ASKED)
     assert console == []
     return found
@@ -87,7 +87,7 @@ def test_every_table_and_figure_is_there_and_the_console_is_clean(answers):
     before, after = list(range(1, 11)), [12, 13, 14, 11, 15, 16, 17, 18, 19, 20]
     added = "addition-figure-how-sure"
     assert found["figures"] == [*(f"figure-{number}" for number in [*before, *after]), added]
-    assert found["images"] == 22  # figure 20 has a reason instead; speed and scale have a chart
+    assert found["images"] == 22  # not figure 20, which has a reason instead; speed and scale have charts
     assert found["broken"] == 0
     assert found["alts"][0] == "What figure 1 shows."
     published = made_report.published_tables().groupby("table").size()
@@ -218,7 +218,7 @@ SHADES = asked("""
 
 @needs_chromium
 def test_shades_are_visible_and_distinct(answers):
-    """Every step has a different background with readable text, in the light and the dark theme."""
+    """Each shade has a different background with readable text in both the light and the dark theme."""
 
     def luminance(color):
         linear = [
@@ -232,7 +232,7 @@ def test_shades_are_visible_and_distinct(answers):
     for background, ink in found:
         low, high = sorted([luminance(background), luminance(ink)])
         assert (high + 0.05) / (low + 0.05) > 4.5
-    # Blue above, orange below: told apart by every kind of colour vision, since blue and red swap.
+    # Blue is above and orange below. Every kind of colour vision distinguishes them: blue and red swap.
     assert all(background[0] > background[2] for background, _ in found[:4])
     assert all(background[0] < background[2] for background, _ in found[4:])
 
@@ -270,9 +270,9 @@ def test_the_summary_says_the_numbers(page):
     cues = averages[group].drop(["Integration", "HMM"])
     integration, smoothed = averages[group, "Integration"], averages[group, "HMM"]
     assert (
-        f"5-5-1, all cues: the best single cue is {cues.idxmax()} with {cues.max():.2f} %; the integration "
-        f"gives {integration:.2f} %, and {smoothed:.2f} % when smoothed over time. In the "
-        "thesis, the best is Centrist with 43.99 %; the integration gives 45.71 %, and 47.53 % when smoothed."
+        f"5-5-1, all cues: the best single cue is {cues.idxmax()} with {cues.max():.2f} %; integration "
+        f"reaches {integration:.2f} %, and {smoothed:.2f} % when smoothed over time. In the "
+        "thesis, the best is Centrist with 43.99 %; integration reaches 45.71 %, and 47.53 % when smoothed."
     ) in summary
     assert "6 homes with 3,120 frames, of which 3,000 show one of 5 places" in summary
     (of_best, best), highest = averages.idxmax(), averages.max()
@@ -513,7 +513,7 @@ def test_a_head_sorts_its_column_as_numbers_within_each_group(answers):
         assert [float(value) for value in up[start:end]][: len(homes)] == list(homes)
         assert [float(value) for value in down[start:end]][: len(homes)] == list(homes[::-1])
         start = end
-    # Section 4.10 comes after 4.4; equal ones stay in order.
+    # Section 4.10 comes after 4.4. Findings of the same section stay in order.
     assert found["sections"] == ["4.4"] + ["4.10"] * 33
     assert found["numbers"] == ["34", *(str(number) for number in range(1, 34))]
 
@@ -562,7 +562,7 @@ def test_findings_on_more_homes_stand_below_each_finding():
 
 @needs_chromium
 def test_search_finds_tables_figures_findings_and_settings(page, tmp_path):
-    # Not in a frame, whose links would lead to the page around it.
+    # This does not run in a frame, because its links would lead to the surrounding page.
     found, console = evaluate(
         page,
         tmp_path,

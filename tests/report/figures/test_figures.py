@@ -1,4 +1,4 @@
-"""Every figure; and Figures 2 to 7, 9, 12 to 14, 18 and 19 on a small run with known content."""
+"""All figures in general, and Figures 2 to 7, 9, 12 to 14, 18 and 19 on a small run with known content."""
 
 import re
 
@@ -45,7 +45,7 @@ def test_figures_are_found_by_name():
     of_thesis = [name for name in names if re.fullmatch(r"figure_\d\d", name)]
     numbers = [figures.number(name) for name in of_thesis]
     assert numbers == sorted(numbers)
-    # Added figures have no number, and come last.
+    # Additional figures have no number and come last.
     assert names == [*of_thesis, "figure_reliability"]
     assert figures.number("figure_reliability") is None
     with pytest.raises(PlacecatError, match="there is no figure 'figure_99'"):
@@ -155,7 +155,7 @@ def test_the_shares_of_figure_9_give_its_product(run):
     *regions, everything, product = np.array(rows)
     own = np.prod(regions, axis=0) / everything
     np.testing.assert_allclose(product, own / own.sum(), rtol=1e-6)
-    # The same from the estimator, on the frame named in the figure.
+    # The estimator computes the same for the frame that the figure names.
     named = next(text for text in texts(figure) if text.startswith("flat 1, frame "))
     frame = int(re.search(r"frame (\d+)", named)[1]) - 1
     train = run.training_regions("hog_y", "flat_1")
@@ -196,7 +196,7 @@ def test_patches_of_a_cluster_are_cut_from_its_regions(run):
     of_shown = [
         next(i for i, patch in enumerate(found[0].patches) if np.array_equal(patch, one)) for one in shown
     ]
-    # Two moments in two homes: each block has two patches, none from the same home.
+    # Each of the two homes has a single moment, so each block has one patch from each home.
     assert len(of_shown) == 6
     assert contrast[of_shown[2:4]].min() > contrast[of_shown[4:6]].max()
 
@@ -219,7 +219,7 @@ def test_of_a_moment_one_is_shown(places, count, apart, random):
     assert taken[0] == order[0] and len(taken) <= count and len(set(taken)) == len(taken)
     assert not any(near(one, other) for i, one in enumerate(taken) for other in taken[:i])
     assert taken == [one for one in order if one in taken]
-    # None was skipped without a reason.
+    # No region was skipped without a reason.
     if len(taken) < count:
         assert all(any(near(one, other) for other in taken) or one in taken for one in order)
 
@@ -256,7 +256,7 @@ def test_how_sure_a_cue_is_counts_among_its_own():
 def test_without_a_mistake_there_is_no_figure_18(made):
     made["figures"]["figure_18"]["cues"] = {"Gist": "cues/gist/5-5-1"}
     made["filters"]["informative"]["threshold"] = 0.2
-    with pytest.raises(PlacecatError, match="no informative frame is decided wrongly by all of Gist"):
+    with pytest.raises(PlacecatError, match="no informative frame is misclassified by all of Gist"):
         figures.draw("figure_18", Run(made))
 
 

@@ -1,4 +1,4 @@
-"""Data of a run for the figures."""
+"""The data that figures read from a finished run."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Figures 11, 15 to 17, 20, and reliability diagrams, on a stand-in for a run with known distributions."""
+"""Figures 11, 15 to 17 and 20, and reliability diagrams, on a mock run with known distributions."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -25,7 +25,7 @@ CLASSES = ("bedroom", "kitchen", "sauna")
 HOMES = ("flat", "house", "barn", "hut")
 TESTS = ("south", "north")
 FRAMES = 90
-# The flickers that the model removes are in this home from this frame on.
+# The model removes flickers in this home, starting at this frame.
 PLANTED = ("house", 30)
 LENGTH = 20
 
@@ -42,7 +42,7 @@ def truth_of(home):
 
 
 class Run:
-    """Stands in for `placecat.report.run.Run`."""
+    """A stand-in for `placecat.report.run.Run`."""
 
     classes = CLASSES
 
@@ -139,7 +139,7 @@ def test_a_strip_is_dark_where_a_place_is_probable():
     axes = Figure().subplots()
     proba = one_hot(np.array([0, 0, 2, 1]))
     image = strips.draw(axes, proba, np.array([0, 0, 2, -1]), CLASSES, cuts=[], span=(0.0, 1.0))
-    # Rows of the picture are places, columns are frames; 0 is white, 255 black.
+    # In the picture, rows are places and columns are frames; 0 is black and 255 is white.
     drawn = image.to_rgba(image.get_array(), bytes=True)[..., 0]
     assert drawn.shape == (3, 4)
     dark = np.zeros((3, 4), bool)
@@ -225,8 +225,8 @@ def test_a_reliability_diagram_has_its_bins_where_they_belong_and_the_numbers_of
         "(d) Integration",
         "(e) Smoothing",
     ]
-    # All decisions have the probability 0.9. One of three places has 10 of 30 frames wrong in every home,
-    # another one in one of the four homes.
+    # All decisions have a probability of 0.9. In every home, one of three places has 10 of 30 frames wrong;
+    # in one of the four homes, another place has, too.
     right = [(8 / 9 + 8 / 9 + 8 / 9 + 7 / 9) / 4] * 4 + [1.0]
     for axes, expected in zip(above, right, strict=True):
         np.testing.assert_allclose(axes.collections[-1].get_offsets(), [[0.9, expected]])

@@ -77,7 +77,7 @@ def draw_intensity(run: Run) -> Figure:
 def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]) -> Figure:
     """Draw one channel: feature maps of its four sub-channels, added across scales, and the conspicuity map.
 
-    The conspicuity map is the weighted sum of the feature maps. `symbol`, e.g. "C", stands for it.
+    The conspicuity map is the weighted sum of the feature maps, and `symbol` is its symbol, e.g. "C".
     `subchannels` are the names of the sub-channels in order.
     """
     # Inches.

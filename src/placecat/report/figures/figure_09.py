@@ -31,7 +31,7 @@ TITLE = (
 )
 PLANE, RIGHT, GAP, PIE, ROW = 4.1, 2.75, 0.25, 0.13, 0.27
 LABEL_GAP = 0.025
-# Text style of the regions' numbers.
+# Text style of the numbers that label regions.
 NUMBER: dict[str, Any] = {
     "fontsize": 8,
     "fontweight": "bold",
@@ -44,7 +44,7 @@ class Query:
     """A frame of the test home.
 
     `index` is the index of the frame. `x` has the (n, D) descriptors of its regions, and `clusters` the (n,)
-    clusters nearest to them. `proba` is the (classes,) distribution that follows from all regions together.
+    clusters nearest to them. `proba` is the (classes,) distribution computed from all of its regions.
     """
 
     index: int
@@ -69,10 +69,10 @@ def draw(
     test = home_of(run, home)
     train = run.training_regions(codebook, test)
     tree = run.codebook(codebook, test).trees[0]
-    # Use equation (2) as printed, like the thesis's figure.
+    # The figure in the thesis uses equation (2) as printed.
     model = ModifiedKNN(n_clusters=clusters, codebook=tree, class_weighting="once")
     model.fit(train.x, train.labels)
-    # One thread, since the last bits of sums depend on the number of threads.
+    # Use one thread, because the last bits of a sum depend on the number of threads.
     with threadpool_limits(limits=1, user_api="blas"):
         pca = PCA(2, svd_solver="full").fit(train.x)
     query = _query(run, model, pca, codebook, test, frame, regions)
@@ -92,7 +92,7 @@ def draw(
     draw_regions(view, found, picture.shape[1], ["black"] * len(found))
     middle = np.array([picture.shape[1], picture.shape[0]]) / 2
     for number, (x, y, scale, _) in enumerate(found.tolist(), 1):
-        # The number is next to the circle, towards the middle, since the border cuts some circles.
+        # Put each number on the inner side of its circle, because the border cuts off some circles.
         inward = (middle - (x, y)) / max(float(np.hypot(*(middle - (x, y)))), 1.0)
         apart = float(radius(scale, picture.shape[1])) + LABEL_GAP * picture.shape[1]
         at = np.array((x, y)) + inward * apart
@@ -110,12 +110,12 @@ def draw(
 def _query(
     run: Run, model: ModifiedKNN, pca: Any, codebook: str, home: str, frame: int | None, regions: int
 ) -> Query:
-    """Return `frame` or, if it is None, a frame that shows the principle well.
+    """Return the query for `frame` or, if that is None, for a frame that shows the principle well.
 
-    The frame must have a label and enough regions. Further conditions are met if possible, and each outweighs
-    all later ones. First, the regions are in different clusters. Second, the decision is correct. Third, the
+    The chosen frame must have a label and enough regions. There are four preferences, and each outweighs all
+    later ones. First, the regions are in different clusters. Second, the decision is correct. Third, the
     frame has at least the median information. Fourth, the clusters are also the nearest ones in the plane. If
-    several frames are equally good, the one with the largest probability is taken.
+    several frames are equally good, the one with the largest probability is chosen.
     """
     found = run.descriptors(home, codebook)
     assert found.counts is not None

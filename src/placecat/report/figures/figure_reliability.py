@@ -27,7 +27,7 @@ COLUMNS = 3
 # Sizes in inches.
 WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
-# Bins with a smaller share of the frames are not drawn, since a few frames say little.
+# Bins with a smaller share of the frames are not drawn, because a few frames say little.
 LEAST = 0.005
 # Marker areas, in square points, of a bin with all frames and of the smallest bins.
 LARGEST, SMALLEST = 150.0, 5.0
@@ -79,7 +79,7 @@ def diagram_of(run: Run, result: str) -> Reliability:
     found = [
         reliability(run.labels(source.listed(home)), run.proba(result, home, seed), bins=bins)
         for home in source.homes
-        # Without seeds, reading raises an error that says that the result was not computed.
+        # Without seeds, `proba` raises the error that the result was not computed.
         for seed in source.seeds() or (None,)
     ]
     there = [one for one in found if one.weight.any()]
@@ -89,7 +89,7 @@ def diagram_of(run: Run, result: str) -> Reliability:
 
 
 def numbers(run: Run, result: str) -> str:
-    """Format a result's log loss and calibration error as in the additional table."""
+    """Format a result's log loss and calibration error, averaged as in the additional table."""
     averages = run.results.quality[result].averages()
     return f"log loss {averages['log_loss']:.2f}, error {averages['calibration_error']:.1f} %"
 
