@@ -1,4 +1,4 @@
-"""Wrong tables are refused when settings are composed."""
+"""Invalid tables are rejected when settings are composed."""
 
 import shutil
 

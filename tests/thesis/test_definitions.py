@@ -1,4 +1,4 @@
-"""The files of data/thesis: references, and refused content."""
+"""The files of data/thesis: references, and content that is rejected."""
 
 import pytest
 
@@ -37,7 +37,7 @@ def test_a_table_starts_from_a_file_of_conf_and_from_another_table(write):
     assert found["table_01"]["trial"] == {"classifier": knn}
     assert found["table_02"]["trial"]["classifier"]["base"] == {"k": 5, "smoothing": 1.0}
     assert (found["table_02"]["number"], found["table_02"]["title"]) == (2, "A")
-    # A table that starts from a file does not inherit.
+    # A classifier that starts from a file inherits nothing from the other table.
     assert found["table_03"]["trial"]["classifier"] == {"size": 4}
 
 

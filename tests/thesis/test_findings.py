@@ -1,4 +1,4 @@
-"""The ledger on the findings of the project, which are read from their files."""
+"""The ledger of the project's own findings, which are read from their files."""
 
 import dataclasses
 import re
@@ -46,7 +46,7 @@ def test_a_finding_uses_results_that_a_run_has(name):
 
 @pytest.mark.parametrize("name", FINDINGS)
 def test_the_numbers_of_the_thesis_fit_its_claims(name):
-    """So sides are not swapped, and each comparison fits its sentence."""
+    """No comparison has its sides swapped, and each one fits its sentence."""
     for comparison in FINDINGS[name].comparisons:
         thesis = look_up(comparison, PUBLISHED, comparison.sides)
         claimed = claimed_range(comparison.range, thesis.difference, Rules(**VERDICT))

@@ -189,7 +189,7 @@ def test_sequences_of_a_split_are_counted_together_as_in_its_table():
 
 
 def test_runtimes_come_from_git():
-    # Each peer has a row; the first is scikit-learn's own way.
+    # Each peer has a row; the first one is scikit-learn's own method.
     kept = RECORDS["benchmarks"].groupby(["module", "input", "quantity"], sort=False)["ours"].first()
     lines = filled()["measured"]
     rate = kept["frame_features", "1280x720 JPEG, for the cues", "frames/s on one core, with decoding"]

@@ -47,7 +47,7 @@ def test_an_equal_gain_in_every_home_holds():
 
 
 def test_pairing_cancels_effects_of_homes():
-    """Homes differ by 24 points, the sides by 1 point in each."""
+    """Homes differ by 24 points, but in each home the sides differ by only 1 point."""
     judged = compare(measured(HOMES + 1), measured(HOMES))
     interval = judged.measurement.interval
     assert (interval.low, interval.estimate, interval.high) == (1.0, 1.0, 1.0)
@@ -107,7 +107,7 @@ def test_a_ratio():
 
 def test_nothing_is_divided_by_zero():
     judged = compare(measured([1, 2, 3]), measured([0, 0, 0]), compare="ratio")
-    assert (judged.verdict, judged.reason) == (UNDECIDED, "right can be 0: it has no ratio")
+    assert (judged.verdict, judged.reason) == (UNDECIDED, "right can be 0, so there is no ratio")
 
 
 def test_best_is_compared_with_the_best():
@@ -124,7 +124,7 @@ def test_best_is_compared_with_the_best():
 @pytest.mark.parametrize(
     ("gains", "counts", "verdict"),
     [
-        # As often hurt as helped.
+        # It hurts as often as it helps.
         ([8, -7, 9, -8, 6, -6], (3, 3), HOLDS),
         # It helps equally in every home, so it cannot hurt in one of twenty.
         ([5, 5.5, 4.8, 5.2, 5.1, 4.9], (0, 6), FAILS),
@@ -150,7 +150,7 @@ def test_both_signs_takes_some_homes():
 
 
 def test_both_signs_takes_every_seed():
-    """Worse with one seed and better with the other is neither."""
+    """A case that is worse with one seed and better with the other counts as neither."""
     left = measured([shifted([-2, 2, 0, 0, 0, 0]), shifted([2, 2, 0, 0, 0, 0])])
     judged = compare(left, measured([HOMES, HOMES]), "both_signs")
     assert judged.reason.startswith("worse in 0, better in 1 of 6 cases")
@@ -189,7 +189,7 @@ def test_a_comparison_that_fails_alone_need_not_fail_among_many():
 
 
 def test_the_published_number_is_of_the_cell_that_was_measured():
-    """The last is the last measured one, the best the best measured one; so are their published numbers."""
+    """``last`` and ``best`` choose among the measured results, and the published numbers follow."""
     cells = ({"text": "points"}, {"text": "best"}, {"text": "worst"})
     found = results({("c", "home_1"): "too few frames"}, a=measured(HOMES), b=measured(HOMES + 1))
     for combine, published, used in (("last", 40.0, "b"), ("best", 40.0, "b"), ("mean", 21.5, "a")):

@@ -1,4 +1,4 @@
-"""The tables as nested metrics, and the data of DVC's plots."""
+"""The tables as nested metrics, and the data for DVC's plots."""
 
 from pathlib import Path
 
@@ -61,7 +61,7 @@ def test_cells_without_a_number_are_left_out():
 
 @pytest.fixture
 def results():
-    # Two seeds, two homes; the second seed decides differently.
+    # There are two seeds and two homes; the decisions of the second seed differ.
     confusion = np.array(
         [[[[3, 1], [0, 4]], [[1, 1], [0, 0]]], [[[4, 0], [4, 0]], [[2, 0], [0, 0]]]],
     )
@@ -86,7 +86,7 @@ def test_a_row_a_frame_of_the_first_seed(results):
 
 def test_a_row_a_home_averaged_over_seeds(results):
     rows = plot_data(results, {"accuracy_by_home": {"after": "integration/x"}})["accuracy_by_home/after.csv"]
-    # Home A has 87.5 and 50 percent; home B has no frame of bedroom, so 50 and 100.
+    # Home A has 87.5 and 50 percent. Home B has 50 and 100 percent, because it has no frame of the bedroom.
     assert rows.to_dict("list") == {"home": ["A", "B"], "accuracy": [68.75, 75.0]}
 
 
@@ -117,7 +117,7 @@ def test_unknown_plots_are_refused(results, plots, message):
 def test_a_few_averages_are_columns_for_dvc(results):
     columns = {"after": "integration/x", "lost": "integration/y"}
     averages = chosen_averages(results, {"accuracy": columns, "log_loss": columns})
-    # Homes with 87.5, 50, 50 and 100 percent.
+    # The homes have 87.5, 50, 50 and 100 percent.
     assert averages == {"after": 71.88, "log_loss": {"after": 1.375}}
     for kind in ("accuracy", "log_loss"):
         with pytest.raises(PlacecatError, match=rf"metrics\.{kind}\.z: result 'integration/z' does not"):
@@ -127,7 +127,7 @@ def test_a_few_averages_are_columns_for_dvc(results):
 
 
 def test_dvc_draws_the_chosen_panels():
-    """The plots in dvc.yaml use the files and columns of the settings."""
+    """The plots in dvc.yaml use the files and columns from the settings."""
     chosen = yaml.safe_load((ROOT / "data/thesis/plots.yaml").read_text())
     drawn = {}
     for plot in read_yaml(ROOT / "dvc.yaml")["plots"]:

@@ -1,4 +1,4 @@
-"""Notes by kind, as text and on disk."""
+"""Notes of each kind, as text and on disk."""
 
 import pandas as pd
 

@@ -12,7 +12,7 @@ STAYS = ((0, 10), (1, 4), (0, 30), (0, 20), (1, 6))
 
 
 def by_stay(*right, stays=STAYS):
-    """A result with some correctly named frames in each stay, for each seed."""
+    """Make a result from the numbers of correctly named frames in each stay, one list per seed."""
     confusion = np.zeros((len(right), len(stays), 3, 3), int)
     for s, of_seed in enumerate(right):
         for n, ((place, frames), own) in enumerate(zip(stays, of_seed, strict=True)):
@@ -33,7 +33,7 @@ def test_accuracies_are_over_the_pooled_frames():
     pooled = pool(results(a=A, b=B), [Side("left", ("a",)), Side("right", ("b",))])
     assert pooled.units == "5 stays"
     assert pooled.names == ("corridor", "kitchen")
-    # 30 of 60 frames of corridor and 7 of 10 of kitchen; likewise for each seed of b.
+    # 30 of 60 frames of the corridor are correct, and 7 of 10 of the kitchen; likewise for each seed of b.
     left, right = pooled.overall()
     assert left.tolist() == [[pytest.approx((50 + 70) / 2)]]
     assert right.tolist() == [[pytest.approx((46 / 60 + 0.8) * 50)]]
@@ -52,7 +52,7 @@ def test_measures(options, expected):
 
 
 def test_stays_are_the_units():
-    """Equal values in all stays of a place give a point interval, whatever the differences between places."""
+    """If all stays of a place have equal values, the interval is a point, however much the places differ."""
     same = by_stay([frames * (place + 1) // 2 for place, frames in STAYS])
     pooled = pool(results(a=same), [Side("left", ("a",))])
     interval = pooled.interval(lambda sides: sides[0][0], 0, 0.95, 300)

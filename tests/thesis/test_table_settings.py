@@ -1,4 +1,4 @@
-"""The configurations of the tables: known settings only, as in the thesis."""
+"""The tables use only known settings, with the values in the thesis."""
 
 import numpy as np
 import pytest

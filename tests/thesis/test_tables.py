@@ -37,13 +37,13 @@ def fill(name, results=RESULTS, params=PARAMS, tables=TABLES, **dataset):
 
 @functools.cache
 def of_homes(count):
-    """Arguments of `fill` for another number of homes."""
+    """Return the arguments of `fill` for another number of homes."""
     params = with_homes(count)
     return {"results": made(params), "params": params, "tables": tables_of(params, ROOT)}
 
 
 def without(results, lost):
-    """The results, some of them without some homes, with reasons."""
+    """Return the results without the (result, home) pairs in `lost`."""
     measured, quality = {}, {}
     for name, one in results.measured.items():
         kept = [number for number, home in enumerate(one.homes) if (name, home) not in lost]
@@ -175,7 +175,7 @@ def value_of(number, *labels):
 
 
 def is_real(number, group, row, column):
-    """Whether a published cell contradicts others of the thesis, in one of the known ways."""
+    """Whether a published cell contradicts others in the thesis, in one of the known ways."""
     if column == "Average":
         own = PUBLISHED[PUBLISHED["table"] == number].set_index(KEY)["value"]
         own = own.xs((group, row), level=("group", "row"))
@@ -232,7 +232,7 @@ def test_a_place_that_the_data_set_lacks_has_a_reason():
 @settings(max_examples=examples(30), deadline=None)
 @given(data=st.data())
 def test_every_cell_has_a_number_or_a_reason(data):
-    # For the homes only: results of a split or the toy problem are never left out.
+    # This concerns only the homes, because results of a split or the toy problem are never left out.
     of_homes = [name for name, table in TABLES.items() if not {"split", "data"} & set(table)]
     name = data.draw(st.sampled_from(of_homes))
     table = TABLES[name]
@@ -264,7 +264,7 @@ def test_an_addition_has_no_number():
     assert [label(TABLES[name]) for name in ("table_12", "addition_rvm")] == ["Table 12", "Addition"]
 
 
-# With the tests of the additions, which compose the same settings.
+# In the same group as the tests of the additions, which compose the same settings.
 @pytest.mark.xdist_group("optional")
 def test_every_layout_is_used_and_read_from_the_source():
     extended = tables_of(with_optional("embedding"), ROOT)

@@ -27,7 +27,7 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
 
 
 def _by_home(one: Measured, results: Results) -> dict[str, Measured]:
-    """Split a result by home, using the tables' names for homes; with several homes, add the whole result."""
+    """Split a result by home. If there are several homes, the complete result is included as the average."""
     found = {
         home_label(number): in_home(one, home)
         for number, home in enumerate(results.homes, start=1)

@@ -1,7 +1,8 @@
 """Read the definitions of tables, findings and numbers in the text from data/thesis.
 
 These files can contain two kinds of references. A mapping with `like: PATH` starts from the content of a file
-in conf/ or of another table; its other keys override that content. `${NAME}` is a setting of params.yaml.
+in conf/ or of another table; its other keys override that content. `${NAME}` refers to a setting in
+params.yaml.
 """
 
 import re
@@ -14,7 +15,7 @@ from placecat.errors import PlacecatError
 
 LIKE = "like"
 _SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
-# Settings that any table may have; the layouts and trials add more.
+# Settings that any table may have; layouts and trials add more.
 _OF_A_TABLE = ("number", "title", "thesis_data", "layout", "caption", "split", "data", "plain", "needs")
 _OF_A_LAYOUT = ("rows", "result", "gains")
 _OF_TRIALS = ("trial", "homes", "axes")
@@ -76,7 +77,7 @@ def in_text(root: Path = Path()) -> dict[str, dict[str, Any]]:
 
 
 def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path, dict[str, Any]]:
-    """Read files by their paths in the project, and resolve all references."""
+    """Read files and resolve all references; return the contents by path in the project."""
     found = {path.relative_to(root): _load(path, root, ()) for path in files}
     for path, content in found.items():
         try:

@@ -13,7 +13,7 @@ from placecat.settings import refuse_unknown
 
 CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
 ACCURACY, LOG_LOSS = "accuracy", "log_loss"
-# If other rows or groups of the table have names, this stands for one without a name.
+# Stands for a row or group without a name if others in the table have names.
 _NAMELESS = "-"
 
 

@@ -126,8 +126,8 @@ def home_label(number: int) -> str:
 def in_home(results: Results, name: str, number: int, place: str = "") -> Number:
     """Return a result's accuracy in the n-th home (from 1) of the main data set, in percent.
 
-    With a `place`, return the percentage of that place's frames that are decided correctly. Raises the errors
-    of `Results.find`.
+    With a `place`, return the percentage of that place's frames that are decided correctly. Raises the same
+    errors as `Results.find`.
     """
     if number > len(results.homes):
         return nothing(f"the data set has only {len(results.homes)} homes")

@@ -1,4 +1,4 @@
-"""Pair the measurements of a comparison's sides by home."""
+"""Pair the measurements of the sides of a comparison by home."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -17,16 +17,16 @@ Statistic = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Paired:
-    """The sides' values in the homes in which all results were measured.
+    """The values of the sides in the homes in which all results were measured.
 
     Attributes
     ----------
     sides
-        The sides, each with only the results used.
+        The sides, each reduced to the results that are used.
     values
         One (results, homes, seeds) array of percentages per side, with one seed if nothing is random.
     homes
-        The homes' names.
+        Names of the homes.
     seeds
         Number of seeds that all random results share; 0 if nothing is random.
     by_seed
@@ -210,5 +210,5 @@ def counted(number: int, noun: str) -> str:
 
 
 def too_few(units: str) -> str:
-    """Return the reason for not giving a verdict, such as "1 home is too few for a verdict"."""
+    """Return the reason why there is no verdict, such as "1 home is too few for a verdict"."""
     return f"{units} {'is' if units in ('1 home', '1 stay') else 'are'} too few for a verdict"

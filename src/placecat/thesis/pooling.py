@@ -1,4 +1,4 @@
-"""Pool the measurements of a comparison's sides over the frames of all test sequences."""
+"""Pool the measurements of the sides of a comparison over the frames of all test sequences."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,15 +24,15 @@ from placecat.thesis.pairing import (
 
 @dataclass(frozen=True)
 class Pooled:
-    """The sides' decisions on the stays (visits to a place) in all test sequences.
+    """The decisions of the sides on the stays (visits to a place) in all test sequences.
 
-    The frames of a stay are near-duplicates, so each stay is one unit. Each place is a stratum, since its
+    The frames of a stay are near-duplicates, so each stay is one unit. Each place is a stratum, because its
     number of stays is fixed.
 
     Attributes
     ----------
     sides
-        The sides, each with only the results used.
+        The sides, each reduced to the results that are used.
     right
         One (results, seeds, stays) array per side with the number of correctly decided frames. There is one
         seed if nothing is random.

@@ -1,4 +1,4 @@
-"""Look up the thesis's numbers by their location in the thesis."""
+"""Look up numbers in the thesis by their location."""
 
 import re
 from collections.abc import Mapping
@@ -70,7 +70,7 @@ class Published:
             found = [(own, value) for own, value in found if home in [own[axis] for axis in empty]]
         return self._only([value for _, value in found], result)
 
-    # These are plain containers, since a search in pandas takes a hundred times as long.
+    # These are plain containers, because a search in pandas takes a hundred times as long.
     @cached_property
     def _cells(self) -> dict[int, list[tuple[tuple[str, ...], float]]]:
         """The labels and value of each cell, by table number."""
