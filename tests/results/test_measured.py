@@ -65,7 +65,7 @@ def test_the_accuracy_table_has_a_row_a_place_and_a_row_a_home():
 
 @given(arrays(np.int64, (2, 3, 2, 2), elements=st.integers(0, 50)))
 def test_scores_give_the_same_results_back(confusion):
-    # A home without a scored frame cannot be told from one that was not measured.
+    # A home without a scored frame looks like one that was not measured.
     confusion[:, :, 0, 0] += 1
     one = Measured(("B", "A", "C"), ("seed-0", "seed-1"), CLASSES, confusion)
     back = rebuilt({"x": one}).of("x")

@@ -1,4 +1,4 @@
-"""Quality of distributions, from homes to files and tables."""
+"""The quality of distributions, from homes to files and tables."""
 
 import numpy as np
 import pandas as pd

@@ -1,4 +1,4 @@
-"""A run's measurements: counts of decisions by true place, and the quality of distributions."""
+"""The measurements of a run: counts of decisions by true place, and the quality of distributions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from placecat.paths import NO_SEED
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
 DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
-# Measures that are means, with their names in tables; the other measures are counts.
+# Measures that are means, with their names in tables. The other measures are counts.
 MEASURES = {
     "log_loss": "Log loss",
     "calibration_error": "Calibration error",
@@ -29,12 +29,12 @@ DECIMALS = {"log_loss": 3, "calibration_error": 2, "stay_accuracy": 2}
 
 @dataclass(frozen=True)
 class Measured:
-    """A result: the decisions on the frames of some test homes, for each seed.
+    """One result: the decisions on the frames of some test homes, for each seed.
 
     Attributes
     ----------
     homes, classes
-        Names of the test homes in the data set's order, and of the places.
+        Names of the test homes, in the order of the data set, and of the places.
     seeds
         Names of the seeds, e.g. ``("seed-0", "seed-1")``; ``("no-seed",)`` if nothing is random.
     confusion
@@ -96,7 +96,7 @@ class Quality:
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """Return, for each seed, what percentage of the stays in all homes is named correctly.
+        """Return, for each seed, the percentage of the stays in all homes that are named correctly.
 
         The percentages are (seeds,), or (0,) without stays.
         """
@@ -104,7 +104,7 @@ class Quality:
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
 
     def averages(self) -> dict[str, float]:
-        """Return the rounded mean over homes and seeds for each of the `MEASURES` that has a number."""
+        """Return the rounded mean, over homes and seeds, of each of the `MEASURES` that has a number."""
         means = {measure: self.over_homes(measure) for measure in MEASURES}
         return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
 
@@ -128,7 +128,7 @@ class Results:
         Maps each information filter's name to a table of the frames that it drops
         (:func:`placecat.fusion.information_filter.dropped`), with the columns of `DROPPED_COLUMNS`.
     quality
-        Maps the name of each result, except trials, to the quality of its distributions.
+        Maps the name of each result that is not a trial to the quality of its distributions.
     """
 
     homes: tuple[str, ...]
@@ -160,7 +160,7 @@ class Results:
         return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
-        """Describe the share of frames that a result's information filter drops; "" without a filter."""
+        """State the share of frames that a result's information filter drops, or "" without a filter."""
         homes = next((self.dropped[part] for part in name.split("/")[1:2] if part in self.dropped), None)
         if homes is None:
             return ""
@@ -217,11 +217,11 @@ def from_scores(
     stays: pd.DataFrame | None = None,
     dropped: pd.DataFrame | None = None,
 ) -> Results:
-    """Build the results from the rows of `score_rows`; the rows in `stays` have stays instead of homes.
+    """Build the results from the rows of `score_rows`. The rows in `stays` have stays instead of homes.
 
     `scores` and `missing` have the columns `SCORE_COLUMNS` and `MISSING_COLUMNS`. `classes` lists the main
-    data set's places, and `other_classes` those of each other data set. Each result uses the first list,
-    starting with `classes`, that contains all its places.
+    data set's places, and `other_classes` those of each other data set. Each result uses `classes` or, if
+    these do not contain all its places, the first other list that does.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))
@@ -236,7 +236,7 @@ def from_scores(
 
 
 def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[str, Measured]:
-    # Convert the columns to lists once: calling pandas for every result would take most of the time.
+    # Convert the columns to lists once, because calling pandas for every result would take most of the time.
     columns = {name: scores[name].tolist() for name in ("home", "seed", "truth", "decision", "frames")}
     codes, names = pd.factorize(scores["result"])
     rows: list[list[int]] = [[] for _ in names]

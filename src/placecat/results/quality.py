@@ -1,4 +1,4 @@
-"""The quality of the distributions of all results: log-loss, calibration error, and stay accuracy."""
+"""The quality of each result's distributions: log-loss, calibration error, and stay accuracy."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from placecat.results.measured import DECIMALS, Quality
 QUALITY_COLUMNS = ["result", "home", "seed", *HomeQuality._fields]
 TEXT_COLUMNS = QUALITY_COLUMNS[:3]
 _COUNTS = ("stays", "stays_right")
-# Decimals in files, limited because the last bits of a logarithm depend on the processor.
+# Decimals in files. They are limited because the last bits of a logarithm depend on the processor.
 FILE_DECIMALS = 6
 STAY_SHARE = "stay_share"
 _SHOWN = DECIMALS | {STAY_SHARE: 2}
@@ -39,7 +39,7 @@ def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
 
 
 def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
-    """Build the quality of each result from the rows of `quality_rows`; return it by the result's name."""
+    """Build the quality of each result, by the name of the result, from the rows of `quality_rows`."""
     found = {}
     for name, rows in table.groupby("result", sort=False):
         homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))

@@ -1,4 +1,4 @@
-"""The files that hold each result's distributions, by the result's name."""
+"""The files with the distributions of each result, by the name of the result."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,10 +14,10 @@ from placecat.training import fold_file, protocol
 
 @dataclass(frozen=True)
 class Source:
-    """The files that hold a result's distributions over `classes`.
+    """The files with the distributions of a result over `classes`.
 
-    Each test home and seed has a file with the array `name`. Test homes are named like their folders. `site`
-    is the data set to which they belong, or "" for the main one.
+    Each test home and seed has a file with the array `name`. The names of test homes are those of their
+    folders. `site` is the data set of the test homes, or "" for the main one.
     """
 
     folder: Path
