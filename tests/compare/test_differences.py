@@ -1,4 +1,4 @@
-"""Differences between tables are found, counted, judged and described."""
+"""Finding, counting, judging and describing the differences between tables."""
 
 import pandas as pd
 import pytest
@@ -14,12 +14,12 @@ from placecat.compare.differences import (
     sentences,
 )
 
-# Its title must not be split.
+# The title must not be split at its semicolon.
 DATA = "made homes; second floor"
 
 
 def filled(*numbers, data=DATA, spreads=None):
-    """A table with one row per number; None has a reason instead."""
+    """Make a table with one row per number; None becomes a row with a reason."""
     spreads = spreads or [""] * len(numbers)
     rows = [
         (
@@ -103,7 +103,7 @@ def test_tables_without_spreads_can_be_compared():
 
 
 def test_tables_with_numbers_and_tables_of_text_compare():
-    """Content in memory equals the written file."""
+    """The content of a table is the same in memory and in its file."""
     text = filled(31.2, None, 20.0)
     numbers = text.assign(measured=pd.to_numeric(text["measured"]), spread=pd.to_numeric(text["spread"]))
     assert compare({"table_12": numbers}, {"table_12": text}).differing == 0
@@ -123,7 +123,7 @@ def test_other_data_are_not_compared():
 
 
 def test_cells_of_the_same_data_are_still_compared():
-    """A user's data set does not change the tables of the others."""
+    """A user's data set does not change the tables of other data sets."""
     now = {"table_12": filled(1.0, data="my homes"), "table_30": filled(9.0, data="university")}
     kept = {"table_12": filled(2.0), "table_30": filled(9.5, data="university")}
     found = compare(now, kept)

@@ -1,4 +1,4 @@
-"""Tables in a folder against those in a real git repository."""
+"""Tables in a folder, compared with those in a real git repository."""
 
 import shutil
 from pathlib import Path
@@ -54,7 +54,7 @@ def commit(folder):
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A project below the root of a repository; HEAD has two tables and their files."""
+    """A project in a subfolder of a repository; HEAD has two tables and their files."""
     project = tmp_path / "project"
     project.mkdir()
     monkeypatch.chdir(project)
@@ -170,7 +170,7 @@ def test_without_git_it_says_so(folder, monkeypatch):
 
 
 def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
-    """A run without it leaves the table in git unchanged, whatever its data, and does not mention it."""
+    """Whatever its data, a run without the table leaves the one in git unchanged and does not mention it."""
     for number, needs in ((1, ""), (2, "needs: cues.embedding\n")):
         definition = paths.TABLE_DEFINITIONS / f"table_{number:02d}.yaml"
         files.write_text(definition, f"number: {number}\n{needs}")

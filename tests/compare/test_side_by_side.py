@@ -49,7 +49,7 @@ def figures(*seeds):
 
 @pytest.fixture
 def outside(tmp_path, monkeypatch):
-    """No project, so no table has a title."""
+    """A folder without a project's table definitions, so no table has a title."""
     monkeypatch.chdir(tmp_path)
     for name in (paths.TABLE_DEFINITIONS, paths.FINDING_DEFINITIONS):
         name.mkdir(parents=True)
@@ -84,7 +84,7 @@ def test_only_differences_show_both_values(outside):
 def test_of_equal_runs_nothing_is_shown(outside):
     html = page_html(NAMES, (side(), side()), (figures(0), figures(0)), [])
     assert "<figure" not in html and 'class="table"' not in html
-    assert "No setting differs." in html and "No verdict differs." in html
+    assert "No settings differ." in html and "No verdicts differ." in html
 
 
 @needs_chromium
