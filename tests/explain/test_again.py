@@ -1,4 +1,4 @@
-"""`placecat explain --again` on a whole run."""
+"""`placecat explain --again` on a complete run."""
 
 import shutil
 
@@ -15,7 +15,7 @@ def _of_a_run(test):
     return pytest.mark.slow(pytest.mark.xdist_group("pipeline")(test))
 
 
-# A cue with and without clusters, an integration, smoothing, a filter, a gain, a trial, probabilities, text.
+# A cue with clusters and one without, integration, smoothing, a filter, a gain, a trial, probabilities, text.
 CELLS = [
     "table_26.1.1",
     "table_26.6.1",

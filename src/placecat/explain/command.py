@@ -1,4 +1,4 @@
-"""``placecat explain``: print where a number comes from. To take only a second, it avoids importing NumPy."""
+"""``placecat explain``: print where a number comes from. Without importing NumPy, it takes only a second."""
 
 import json
 import shutil
