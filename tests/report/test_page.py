@@ -256,7 +256,7 @@ def test_the_page_needs_nothing_else_and_changes_only_with_its_content(page):
 
 def test_it_works_without_scripts(page):
     html = re.sub(r"<script>.*?</script>", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-    # Without scripts, their controls are hidden: copying, search and theme.
+    # Without scripts, the controls for copying, search and theme are hidden.
     assert html.count('<button class="copy" type="button" hidden>') == html.count("<button") - 1
     assert '<div class="tools" hidden>' in html
     assert "hidden" not in part_of(html, "table-5").replace(" hidden>Copy", "")

@@ -74,7 +74,7 @@ def _amount(value: float, quantity: str) -> str:
 
 
 def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
-    """Draw the median ratio of each comparison, the range over pairs, and the target.
+    """For each comparison, draw the median ratio, the range over pairs, and the target.
 
     There are up to two panels: one for speed-ups (more is better), and one for shares of the peer's time
     (less is better). Returns None if there are no comparisons.

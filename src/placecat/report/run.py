@@ -46,10 +46,11 @@ class TrainingRegions:
 
 
 class Run:
-    """A finished run, read from the project's folder; only this class opens files for figures.
+    """A finished run, read from the project's folder.
 
-    `params` are the composed settings; `homes` and `classes` are the main data set's homes and places, in
-    order. Methods raise PlacecatError if data are missing, such as a result that was not computed.
+    Only this class opens files for figures. `params` are the composed settings. `homes` and `classes` are the
+    homes and places of the main data set, in order. Methods raise PlacecatError if data are missing, such as
+    a result that was not computed.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -177,7 +178,7 @@ class Run:
         return Codebook.from_arrays(files.read_arrays(files.existing(path)))
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
-        """Return the indices of the frames of a home on which cues and codebooks are trained (thesis 4.2)."""
+        """Return the indices of a home's frames on which cues and codebooks are trained (thesis 4.2)."""
         return protocol.select_frames(self.labels(home), **settings.get(self.params, "protocol.cue_frames"))
 
     def training_regions(self, codebook: str, test_home: str) -> TrainingRegions:

@@ -225,8 +225,8 @@ def test_a_reliability_diagram_has_its_bins_where_they_belong_and_the_numbers_of
         "(d) Integration",
         "(e) Smoothing",
     ]
-    # All decisions have a probability of 0.9. In every home, one of three places has 10 of 30 frames wrong;
-    # in one of the four homes, another place has, too.
+    # All decisions have a probability of 0.9. In every home, 10 of 30 frames of one place are wrong; in one
+    # of the four homes, so are 10 frames of another place.
     right = [(8 / 9 + 8 / 9 + 8 / 9 + 7 / 9) / 4] * 4 + [1.0]
     for axes, expected in zip(above, right, strict=True):
         np.testing.assert_allclose(axes.collections[-1].get_offsets(), [[0.9, expected]])

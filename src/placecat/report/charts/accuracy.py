@@ -112,7 +112,7 @@ def point_name(cells: pd.DataFrame) -> str:
 
 
 def _averaged(cells: pd.DataFrame) -> str | None:
-    """Return the label column over which a table averages, or None."""
+    """Return the axis ("row" or "column") over which a table has averages, or None."""
     for axis in ("row", "column"):
         if cells[axis].str.fullmatch(_HOME).any():
             return axis

@@ -30,7 +30,7 @@ _SHEET = "Rows are true places, columns decisions; dark blue means all frames of
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
-    """Write a PNG with captioned matrices side by side; all have the same places.
+    """Write a PNG with captioned matrices of the same places side by side.
 
     Each number is the percentage of frames of the row's true place that were classified as the column's
     place, over all homes and seeds. Equal matrices produce identical files.

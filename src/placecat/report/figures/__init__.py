@@ -54,8 +54,8 @@ def draw(name: str, run: Run) -> Figure:
 def render(name: str, run: Run, target: Path) -> None:
     """Draw one figure (see `draw`) in the project's style and write it to a PNG.
 
-    Also writes a PDF with the same name. Its properties contain the settings behind the figure. If drawing
-    fails, nothing is written.
+    Also writes a PDF with the same name, whose properties contain the settings used for the figure. If
+    drawing fails, nothing is written.
     """
     with house_style():
         figure = draw(name, run)

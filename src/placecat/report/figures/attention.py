@@ -35,7 +35,7 @@ def draw_example(run: Run) -> Figure:
 
 
 def draw_intensity(run: Run) -> Figure:
-    """Draw the intensity channel: feature maps at every scale, their sums, and the weighted sum of these."""
+    """Draw the intensity channel: feature maps at every scale, their sums, and the conspicuity map."""
     # Inches.
     small_width, large_width, gap, margin, above, arrow = 0.87, 1.24, 0.06, 0.42, 0.34, 0.62
     home, index = run.example

@@ -27,7 +27,7 @@ class Cluster:
     """One cluster of salient regions.
 
     `total` is the number of regions in all clusters, and `shares` are the (classes,) shares of the places in
-    this cluster. The other attributes have one entry per region: `labels` is the place of its frame,
+    this cluster. The other attributes have one entry per region: `labels` is the place that its frame shows,
     `distance` is its distance from the cluster's centre, and `home` and `frame` say where it comes from.
     `patches` are the squares around the regions, (n, PIXELS, PIXELS, 3) uint8 BGR.
     """
@@ -50,7 +50,7 @@ def draw_cluster(
 ) -> Figure:
     """Draw patches from the cluster with a given rank, using the settings in ``figures.clusters``.
 
-    Ranks are from 1 (the largest cluster) to `SHOWN`. With `by_contrast`, there are two random samples: one
+    Ranks run from 1 (the largest cluster) to `SHOWN`. With `by_contrast`, there are two random samples: one
     from the third of the patches with the most contrast, and one from the third with the least. Otherwise,
     there is one random sample from all patches.
     """

@@ -1,4 +1,4 @@
-"""Thesis 3.3.1.1, Figure 9: the modified nearest neighbours."""
+"""Thesis 3.3.1.1, Figure 9: the modified nearest-neighbour classifier."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -41,10 +41,10 @@ NUMBER: dict[str, Any] = {
 
 @dataclass(frozen=True)
 class Query:
-    """A frame of the test home.
+    """A frame of the test home, with its index in the home.
 
-    `index` is the index of the frame. `x` has the (n, D) descriptors of its regions, and `clusters` the (n,)
-    clusters nearest to them. `proba` is the (classes,) distribution computed from all of its regions.
+    `x` has the (n, D) descriptors of its regions, and `clusters` the (n,) clusters nearest to them. `proba`
+    is the (classes,) distribution computed from all of its regions.
     """
 
     index: int
@@ -189,7 +189,7 @@ def _draw_product(axes: Axes, model: ModifiedKNN, query: Query, classes: Sequenc
         for number, cluster in enumerate(query.clusters, 1)
     }
     rows |= {"÷ all regions": counts.sum(axis=0), "= the frame": query.proba}
-    # A place without training frames has no share.
+    # Places without training frames keep a share of 0.
     shares = {name: np.zeros(len(classes)) for name in rows}
     for name, values in rows.items():
         shares[name][model.classes_] = values / values.sum()

@@ -29,7 +29,7 @@ WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
 # Bins with a smaller share of the frames are not drawn, because a few frames say little.
 LEAST = 0.005
-# Marker areas, in square points, of a bin with all frames and of the smallest bins.
+# Marker areas in square points: the first for a bin with all frames, the second for the smallest bins.
 LARGEST, SMALLEST = 150.0, 5.0
 
 

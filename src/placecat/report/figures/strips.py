@@ -47,8 +47,8 @@ def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
     """Draw strips one below the other, each with its homes side by side.
 
-    `homes` are test homes of every result. `panels` maps the title of each strip to its result, from top to
-    bottom. The first seed is drawn, and the greys of a strip span its values. Raises PlacecatError if a
+    `homes` must be test homes of every result. `panels` maps the title of each strip to its result, from top
+    to bottom. The first seed is drawn, and the greys of a strip span its values. Raises PlacecatError if a
     result is missing.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
@@ -98,7 +98,7 @@ def draw(
     cuts: Sequence[int],
     span: tuple[float, float],
 ) -> AxesImage:
-    """Draw one strip: a row per place, a blue line for the true place, and the accuracy (thesis 4.2) above.
+    """Draw one strip: a row per place, a blue line for the true place, and the accuracy (thesis 4.2) on top.
 
     For unlabelled frames, the line runs through an additional row. `proba` is (frames, len(classes)). `truth`
     has the (frames,) class indices, with -1 for unlabelled frames. `cuts` lists the first frame after each
