@@ -115,7 +115,7 @@ def test_the_reason_says_how_many_frames_the_filter_drops(judged):
 
 
 def test_the_published_number_beside_a_measured_one_is_of_the_same_cell():
-    """991 clusters were not measured: the measurement at 196 is compared with the thesis's number at 196."""
+    """Without 496 and 991 clusters, the measurement at 196 is compared with the thesis's number at 196."""
     names = [f"trials/table_04/Naive Bayes||{number}" for number in (496, 991)]
     there = {name: one for name, one in RESULTS.measured.items() if name not in names}
     reasons = {(name, home): "too few frames" for name in names for home in RESULTS.homes}

@@ -27,7 +27,7 @@ class Side:
         Names of the results.
     combine
         How to combine the results: ``mean``; ``best``, the result with the highest mean over all units; or
-        ``last``, the last result that this data allows.
+        ``last``, the last result that can be computed on this data.
     place
         Name of the class whose accuracy counts; None for the mean over the classes present.
     error

@@ -14,8 +14,8 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
     """Find the results behind each row of a table (:func:`placecat.thesis.tables.tables_of`).
 
     Returns a mapping from each (group, row) to the results in that row, by column. If a row has a single
-    result, its column is "". If a row is a home, its results are restricted to that home. Results that this
-    data does not allow are left out.
+    result, its column is "". If a row is a home, its results are restricted to that home. Results that cannot
+    be computed on this data are left out.
     """
     if "trial" in table:
         return _of_trials(table, results)

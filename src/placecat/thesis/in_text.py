@@ -24,7 +24,7 @@ _OF_THE_DATA = ("thesis_data", "data", "split")
 
 
 class _Said(NamedTuple):
-    """A quantity in the thesis: its number (NaN if the thesis gives only words), the words, and a note."""
+    """A quantity in the thesis: its number (NaN if there are only words), the words, and a note."""
 
     value: float = np.nan
     quote: str = ""
@@ -73,8 +73,8 @@ def in_text(
         measured on the main data set, ``split`` names its data set, or ``data`` describes it in words. An
         entry that was not measured has only a ``reference``, which states the reason.
     published
-        Table with the columns name, section, quantity, home, value (NaN if the thesis gives only words),
-        quote and note. The note lists passages in the thesis that contradict the value.
+        Table with the columns name, section, quantity, home, value (NaN if the thesis has only words), quote
+        and note. The note lists passages in the thesis that contradict the value.
     dataset, splits
         ``title`` and ``thesis_data`` of the main data set, and of each split's data set.
     records

@@ -75,7 +75,7 @@ def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
 
     Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
     `result` and `over`, a list of results. A gain is `result` minus the best result in `over`, the one with
-    the highest average over homes. It is the same result in every home, and a note names it.
+    the highest average over homes. The same result is subtracted in every home, and a note names it.
     """
     names = {row["result"]: row["row"] for row in table["rows"]}
     filled = by_home(table, results)

@@ -114,10 +114,10 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
 
 
 def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
-    """Drop results that this data does not allow from each side that has several results.
+    """Drop results that cannot be computed on this data from each side that has several results.
 
     ``best`` and ``last`` choose from the remaining results. For means, all sides keep only the positions
-    whose results this data allows on every side, so the results remain paired. If a side would lose all its
+    whose results can be computed on every side, so the results remain paired. If a side would lose all its
     results, it keeps them (with ``last``, only the last one). The reasons are reported later. Each remaining
     result keeps its published number.
     """

@@ -34,8 +34,8 @@ class Pooled:
     sides
         The sides, each reduced to the results that are used.
     right
-        One (results, seeds, stays) array per side with the number of correctly decided frames. There is one
-        seed if nothing is random.
+        One (results, seeds, stays) array per side with the number of correctly classified frames. There is
+        one seed if nothing is random.
     frames
         (stays,) number of frames in each stay.
     places
@@ -63,7 +63,7 @@ class Pooled:
 
     @property
     def n_units(self) -> int:
-        """Number of stays, or 1 if no place has two stays, since there is no interval in that case."""
+        """Number of stays, or 1 if no place has two stays, because then there is no interval."""
         return len(self.frames) if len(self.frames) > len(self.names) else 1
 
     @property
@@ -155,7 +155,7 @@ def _by_stay(results: Results, name: str) -> Measured:
 
 
 def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray[np.int64]:
-    """Count the correctly decided frames for each seed and stay, (seeds, stays)."""
+    """Count the correctly classified frames for each seed and stay, (seeds, stays)."""
     right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
     right = right[:, [one.homes.index(stay) for stay in stays]]
     return with_seeds(one, right, seeds)

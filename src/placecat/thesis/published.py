@@ -29,7 +29,7 @@ class Published:
     text: pd.DataFrame
 
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
-        """Look up one number; NaN if the thesis has an n/a or only words.
+        """Look up one number; it is NaN if the thesis has an n/a or only words.
 
         `reference` has three forms. ``{table, group, row, column}`` has the published labels of the axes that
         the table has. ``{text, quantity, home}`` names a number in the text; quantity and home are needed

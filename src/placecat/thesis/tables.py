@@ -60,7 +60,7 @@ def label(table: Mapping[str, Any]) -> str:
 
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
-    """Map cells to the notes on contradictions within the thesis in data/thesis/contradictions.csv."""
+    """Map cells to the `notes` on contradictions within the thesis (data/thesis/contradictions.csv)."""
     rows = notes[["table", *AXES, "note"]].itertuples(index=False, name=None)
     return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
