@@ -1,4 +1,4 @@
-"""The results of a run: their types and files."""
+"""The results of a run: types, files, and `load`, which reads all numbers as one table."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING

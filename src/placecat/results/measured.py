@@ -60,7 +60,7 @@ class Measured:
         return np.array([[class_accuracies(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def plain(self) -> NDArray[np.float64]:
-        """Return (seeds, homes) percentages of frames decided correctly, regardless of their place."""
+        """Return (seeds, homes) percentages of correctly classified frames, regardless of their place."""
         right = np.diagonal(self.confusion, axis1=2, axis2=3).sum(axis=2)
         frames = self.confusion.sum(axis=(2, 3))
         return np.divide(100.0 * right, frames, out=np.full(right.shape, np.nan), where=frames > 0)
@@ -116,11 +116,11 @@ class Results:
     Attributes
     ----------
     homes, classes
-        Names of the homes and of the places of the main data set, in order.
+        Names of the homes and places of the main data set, in order.
     measured
         Maps each result's name, e.g. ``cues/gist/5-5-1``, to its measurement.
     missing
-        Maps each missing (result, home) to the reason why this data does not allow it.
+        Maps each missing (result, home) to the reason why it cannot be computed on this data.
     stays
         The results on further data sets, by stay. Each stay (a visit to a place) is treated like a home, and
         all its frames show the same place.
@@ -141,7 +141,7 @@ class Results:
 
     @property
     def numbers(self) -> range:
-        """The homes' numbers, from 1 as in the thesis."""
+        """The numbers of the homes, which start at 1 as in the thesis."""
         return range(1, len(self.homes) + 1)
 
     def of(self, name: str) -> Measured:
