@@ -80,7 +80,7 @@ class Comparison:
         return worst if worst is not None and worst.largest else None
 
     def exceeds(self, tolerance: float) -> bool:
-        """Whether a number differs by more than a tolerance in points, has appeared or has disappeared.
+        """Whether a number has appeared, has disappeared, or differs by more than a tolerance in points.
 
         Verdicts are left out, because a small change in a number may change a verdict.
         """

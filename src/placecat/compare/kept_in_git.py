@@ -26,7 +26,7 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 class Kept:
     """The parts of a run that are compared.
 
-    `tables` maps names such as ``table_26`` to filled tables, in which every value is text; ``in_text`` holds
+    `tables` maps names such as ``table_26`` to filled tables, in which every value is text; ``in_text`` has
     the numbers in the thesis's text. `findings` has the columns number and verdict, among others, and
     `settings` is the content of params.yaml; both are None if missing.
     """
