@@ -1,4 +1,7 @@
-"""``placecat explain``: print where a number comes from. Without importing NumPy, it takes only a second."""
+"""``placecat explain``: print where a number comes from.
+
+The command does not import NumPy, so it takes only a second.
+"""
 
 import json
 import shutil
