@@ -55,9 +55,9 @@ class Report:
 
     replication
         The findings on many homes: the ``title`` of their data set, the numbers of ``homes`` and ``groups``,
-        the ``level`` of the intervals, ``verdicts`` (how many findings have each verdict), and ``findings``.
-        These are a table with the columns number, difference, low, high, units, verdict, and ``replicated``,
-        which is False for findings on data other than homes.
+        the ``level`` of the intervals, and ``verdicts`` (how many findings have each verdict). ``findings``
+        is a table with the columns number, difference, low, high, units, verdict, and ``replicated``, which
+        is False for findings on data other than homes.
     times
         A stored record of a run's times. ``stages`` is a table with the columns stage, runs and seconds; a
         stage may run several times, for example once per home. ``data`` is the title of the data set,

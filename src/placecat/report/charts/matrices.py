@@ -25,8 +25,10 @@ _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
 # Cells above this percentage are dark, so their numbers are white.
 _DARK = 55
-_CAPTION = "Rows are true places, columns decisions; numbers are percentages of the true place."
-_SHEET = "Rows are true places, columns decisions; dark blue means all frames of the true place, white none."
+_CAPTION = (
+    "Rows are true places; columns are decisions. Numbers are percentages of the frames of the true place."
+)
+_SHEET = "Rows are true places; columns are decisions. Dark blue means all frames of the place, white none."
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:

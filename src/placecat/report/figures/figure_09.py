@@ -23,11 +23,11 @@ from placecat.report.run import Run, home_of
 from placecat.vision.regions import radius
 
 TITLE = (
-    "The modified nearest neighbours with K = 1. Dots are the descriptors of training regions in the "
-    "colour of their cluster, in the plane of the two principal components; each cluster's pie shows "
-    "its class frequencies. Each region of a query frame (black rhombus) takes the class frequencies of the "
-    "cluster whose centre is nearest in all dimensions. Their product is divided by the class frequencies of "
-    "all training regions, as in equation (2). Bars are in percent."
+    "The modified nearest-neighbour classifier with K = 1. Dots are the descriptors of training regions in "
+    "the plane of the first two principal components, coloured by cluster. Each pie shows a cluster's class "
+    "frequencies. Each region of a query frame (black diamond) takes the class frequencies of the cluster "
+    "whose centre is nearest in all dimensions. Their product is divided by the class frequencies of all "
+    "training regions, as in equation (2). Bars are in percent."
 )
 PLANE, RIGHT, GAP, PIE, ROW = 4.1, 2.75, 0.25, 0.13, 0.27
 LABEL_GAP = 0.025

@@ -17,7 +17,7 @@ from placecat.report.run import Run, home_of
 
 TITLE = (
     "Probabilities of the places over time: after integration, and after the hidden Markov model without and "
-    "with its delay. In this window, the model removes the most changes of the decision (first seed). "
+    "with its delay. In this window, the model removes the most changes in the decision (first seed). "
     "The bar below each panel shows the decision; the bar at the top shows the true place."
 )
 
@@ -44,7 +44,7 @@ def draw(
 def choose(
     run: Run, classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
 ) -> tuple[str, slice]:
-    """Choose the home and the frames in which smoothing removes the most changes of the decision.
+    """Choose the home and the frames in which smoothing removes the most changes in the decision.
 
     `home` is the number of a home, from 1. None selects the best home (the first in a tie), or the first home
     if `start` is set. `start` is the index of the first frame. None selects the best window, which contains
@@ -72,7 +72,7 @@ def most_smoothed(
     *,
     frames: int,
 ) -> tuple[int, slice]:
-    """Find the first window in which smoothing removes the most changes of the decision.
+    """Find the first window in which smoothing removes the most changes in the decision.
 
     Returns the number of changes that smoothing removes (before minus after), and the window. A change counts
     only if both frames are labelled and there is no cut between them. `before` and `after` are (n, classes)

@@ -19,8 +19,8 @@ TITLE = (
     "dashed line, decisions are right as often as their probability says; below it they are overconfident, "
     "above it underconfident. The bars below each diagram show each bin's share of the frames. Places, test "
     "homes and seeds have equal weight. Log loss and calibration error are means over homes and seeds, from "
-    "the added table. The error of the pooled homes, which are drawn here, is smaller, since overconfidence "
-    "in one home offsets underconfidence in another."
+    "the additional table. The diagrams pool all homes and therefore show a smaller error, because "
+    "overconfidence in one home offsets underconfidence in another."
 )
 
 COLUMNS = 3

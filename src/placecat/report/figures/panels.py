@@ -17,7 +17,7 @@ from placecat.vision.regions import radius
 DARKEST = 99.5
 # Maximum width of a frame in a figure, in pixels.
 MOST_PIXELS = 960
-# The smallest share that has room for its percentage.
+# Smallest share that has room for its percentage.
 LEAST_WRITTEN = 0.07
 LEGEND_COLUMNS = 5
 
@@ -96,7 +96,7 @@ def weight_text(weight: float) -> str:
 
 
 def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None:
-    """Show only a line around the axes."""
+    """Hide the ticks and draw a line around the axes."""
     axes.set_xticks([])
     axes.set_yticks([])
     axes.spines[:].set(visible=True, color=color, linewidth=linewidth)
@@ -133,7 +133,7 @@ def share_rows(
 def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]) -> None:
     """Draw a legend of the places and their colours.
 
-    `at` is the middle of the left side of the legend, in fractions of the figure.
+    `at` is the middle of the legend's left edge, in fractions of the figure.
     """
     handles = [Patch(color=color) for color in palette.place_colors(classes).values()]
     titles = [palette.place_title(place) for place in classes]

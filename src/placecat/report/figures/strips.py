@@ -45,7 +45,7 @@ def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
 
 
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
-    """Draw strips one below the other, each with its homes side by side.
+    """Draw strips one below the other, each with all homes side by side.
 
     `homes` must be test homes of every result. `panels` maps the title of each strip to its result, from top
     to bottom. The first seed is drawn, and the greys of a strip span its values. Raises PlacecatError if a
