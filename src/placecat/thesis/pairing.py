@@ -177,7 +177,7 @@ def with_seeds(one: Measured, values: NDArray[Any], seeds: Sequence[str]) -> NDA
     """Select the rows of the shared seeds from a result's (seeds, n) values."""
     if one.is_random and seeds:
         return values[[one.seeds.index(seed) for seed in seeds]]
-    # Nothing is random, or the results share no seed: only the means can be paired.
+    # If nothing is random or the results share no seed, only the means can be paired.
     return np.broadcast_to(values.mean(axis=0), (max(len(seeds), 1), values.shape[1]))
 
 

@@ -28,10 +28,10 @@ def claimed_range(kind: tuple[str, float | None], published_difference: float, r
 
     ``better`` means above 0, ``worse`` means below 0, and ``about`` means about the published difference.
     ``little`` means closer to 0 than the margin, and ``no_better`` means below the margin. ``within`` takes a
-    number and means closer to 0 than this number. ``above`` also takes a number, which is subtracted from the
-    left side, and means above 0. ``both_signs`` means noticeably below 0 in more than a rare share of cases,
-    and likewise above 0. Raises PlacecatError for an unknown kind, a missing or superfluous number, or
-    ``about`` without a published difference.
+    number and means closer to 0 than this number. ``above`` also takes a number and means that the left side
+    minus this number is above 0. ``both_signs`` means that noticeably negative cases and noticeably positive
+    cases are both more than rare. Raises PlacecatError for an unknown kind, a missing or superfluous number,
+    or ``about`` without a published difference.
     """
     name, number = kind
     known = {

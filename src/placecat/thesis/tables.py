@@ -23,7 +23,7 @@ PublishedKey = tuple[int, str, str, str]
 
 
 def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Return all tables of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
+    """Return all tables of a run by name, e.g. ``table_12``: first those of the thesis, then the additions.
 
     Each table is its definition (:mod:`placecat.thesis.definitions`) plus ``name``. Trials without a layout
     are not shown as tables (see :mod:`placecat.thesis.in_text`). `params` are all settings, and `root` is the
