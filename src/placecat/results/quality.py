@@ -53,7 +53,7 @@ def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
 
 
 def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
-    """Average each result's measures over its homes and seeds, one row per result.
+    """Average the measures of each result over its homes and seeds. Each result has one row.
 
     The columns are result, the numbers of homes, seeds (0 if nothing is random) and stays, log_loss (nats),
     calibration_error (percent), stay_accuracy (percent, averaged over the places in a home, then over homes),

@@ -39,7 +39,7 @@ class Source:
         return fold_file.read(self.file(home, seed), self.name)
 
     def listed(self, home: str) -> str:
-        """Return the test home's name in `placecat.sequences.listing`."""
+        """Return the name of a test home in `placecat.sequences.listing`."""
         return f"{self.site}/{home}" if self.site else home
 
 
