@@ -180,7 +180,7 @@ def turned(now: pd.DataFrame | None, kept: pd.DataFrame | None) -> tuple[Turned,
 
 
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str]) -> list[str]:
-    """Describe in lines of text how a run differs from an old one.
+    """Return lines of text that describe how a run differs from an old one.
 
     `tolerance` is in points. `kept` describes where the old tables are, e.g. "git HEAD". `settings` are the
     names of changed settings.

@@ -23,7 +23,7 @@ _NOT_SHOWN = ("compute", "reproducibility")
 def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
     """Write the page to an HTML file; return lines that name the file and explain missing figures.
 
-    `old` and `new` are the sides, as in :func:`placecat.compare.kept_in_git.read`; `lines` come from
+    `old` and `new` are the sides (see :func:`placecat.compare.kept_in_git.read`). `lines` come from
     :func:`placecat.compare.kept_in_git.compare`.
     """
     files.check_file(target)
