@@ -23,7 +23,7 @@ _INDENT = 24
 def explain_command(words: Sequence[str], *, again: bool = False) -> int:
     """Print the explanations of the cells that match the words (:func:`placecat.explain.find.find`).
 
-    With `again`, recompute each cell. Returns the exit status: 1 if any bit of a number differs.
+    With `again`, recompute each cell. Returns the exit status, which is 1 if any bit of a number differs.
     """
     content = read()
     numbers = find(words, content)
