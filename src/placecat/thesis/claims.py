@@ -56,7 +56,7 @@ class Side:
         return replace(self, results=tuple(results), published=published)
 
     def renamed(self, parts: Mapping[str, str]) -> "Side":
-        """Replace `parts` of the names of results; the published numbers stay the same."""
+        """Rename the results by replacing `parts` of their names; the published numbers stay the same."""
         results = tuple("/".join(parts.get(part, part) for part in name.split("/")) for name in self.results)
         published = self.published
         if published is None and self.place is None and not self.error:

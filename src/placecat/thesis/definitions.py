@@ -61,7 +61,7 @@ def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[st
         settings.refuse_unknown(table, [*_OF_A_TABLE, *_OF_TRIALS], str(path))
         for name in _OF_TRIALS:
             if name not in table:
-                raise PlacecatError(f"{path} needs the setting {name!r}, since its cells are trials")
+                raise PlacecatError(f"{path} needs the setting {name!r}, because its cells are trials")
         by_study.setdefault(path.parent.name, {})[path.stem] = table
     return by_study
 
