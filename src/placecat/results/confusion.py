@@ -1,4 +1,4 @@
-"""Confusion tables of decisions: counts in each home, counts over all homes, and percentages."""
+"""Confusion matrices of decisions: counts in each home, counts over all homes, and percentages."""
 
 import itertools
 

@@ -39,7 +39,7 @@ def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
 
 
 def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
-    """Build the quality of each result, by the name of the result, from the rows of `quality_rows`."""
+    """Rebuild the quality of each result from the rows of `quality_rows`; return it by result name."""
     found = {}
     for name, rows in table.groupby("result", sort=False):
         homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))

@@ -1,4 +1,4 @@
-"""The files with the distributions of each result, by the name of the result."""
+"""The files that store the distributions of each result."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
