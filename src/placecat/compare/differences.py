@@ -19,9 +19,9 @@ class TableDifference:
 
     `cells` is the number of compared cells, which are those with an old or a new number. `differing` counts
     the cells whose number or spread over seeds has changed. `largest` is the largest difference in points,
-    and `where` has the labels of the cell with this difference. If no two numbers differ, they are 0 and "".
-    `appeared` counts the cells that have only a new number, and `disappeared` those that have only an old
-    one.
+    and `where` has the labels of the cell with this difference. If no two numbers differ, `largest` is 0 and
+    `where` is "". `appeared` counts the cells that have only a new number, and `disappeared` those that have
+    only an old one.
     """
 
     name: str
