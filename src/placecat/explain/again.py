@@ -106,7 +106,7 @@ def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], step
     }
     results = _with_counts(results, name, counts_of)
     # Converting to rows and back rounds numbers as the stage's file does. If several rows have the same
-    # labels, the last one counts.
+    # labels, the last one wins.
     rows = [*quality_rows(name, results.quality[name]), *quality_rows(name, quality)]
     rounded = from_rows(pd.DataFrame(rows, columns=QUALITY_COLUMNS))
     return replace(results, quality={**results.quality, **rounded})
