@@ -29,7 +29,7 @@ class Side:
         How to combine the results: ``mean``; ``best``, the result with the highest mean over all units; or
         ``last``, the last result that can be computed on this data.
     place
-        Name of the class whose accuracy counts; None for the mean over the classes present.
+        Name of the class whose accuracy is used; None for the mean over the classes present.
     error
         Whether to compare error rates (100 minus the accuracy) instead of accuracies.
     plain
@@ -137,9 +137,9 @@ class Finding:
 def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     """Read a finding from its settings.
 
-    A comparison may have ``each``, a list of mappings. It then stands for one comparison per mapping, in
-    which the values of the mapping replace each ``{key}`` in the text. Raises PlacecatError if settings are
-    unknown, missing or contradictory.
+    A comparison may have ``each``, a list of mappings. It then stands for one comparison per mapping. The
+    values of the mapping replace each ``{key}`` in the text. Raises PlacecatError if settings are unknown,
+    missing or contradictory.
     """
     where = f"{paths.FINDING_DEFINITIONS / name}.yaml"
     finding: Finding = settings.call(Finding, name, settings=config, where=where)

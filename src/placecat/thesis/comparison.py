@@ -63,16 +63,16 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
     Parameters
     ----------
     entry
-        ``variant`` and ``baseline`` each have a ``quantity`` (the name of what is shown) and a ``result``.
-        Instead of these results, ``pairs`` can list a variant and a baseline for each label. In a trial's
-        name, ``*`` stands for the axis label that is best on average. ``homes`` has the numbers (from 1) of
-        homes to show in addition to the average, or is None for results on other data sets. ``places`` lists
-        the places to compare one by one as well, or is "all". ``label`` names each pair of trials by the
-        labels of the axes, e.g. "{column} clusters". ``summary`` is one or more of "mean", "lowest" and
-        "highest", computed over the differences in single places or, without ``places``, over all
-        differences. ``error_ratio`` has its own ``quantity``, and its ``variant`` and ``baseline`` name two
-        further results. ``plain`` applies to results on other data sets and says whether to use the share of
-        correct frames, regardless of their place.
+        ``variant`` and ``baseline`` each have a ``quantity`` (the displayed name) and a ``result``. Instead
+        of these results, ``pairs`` can list a variant and a baseline for each label. In a trial's name, ``*``
+        stands for the axis label that is best on average. ``homes`` lists the homes (numbers from 1) to show
+        in addition to the average; it is None for results on other data sets. ``places`` lists places to
+        compare separately as well, or is "all". ``label`` names each pair of trials by the labels of the
+        axes, e.g. "{column} clusters". ``summary`` is one or more of "mean", "lowest" and "highest", computed
+        over the differences in single places or, without ``places``, over all differences. ``error_ratio``
+        has its own ``quantity``, and its ``variant`` and ``baseline`` name two further results. ``plain``
+        applies to results on other data sets and says whether to use the share of correct frames, regardless
+        of their place.
     where
         Name of the entry, for error messages.
     """
@@ -229,7 +229,7 @@ def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
     measured = {label: one for label, one in differences.items() if len(one.values)}
     if kind != "mean" and measured:
         label = extremes[kind](measured, key=lambda one: float(measured[one].values.mean()))
-        number = replace(measured[label], notes=merged([[f"that of {label}"], measured[label].notes]))
+        number = replace(measured[label], notes=merged([[f"for {label}"], measured[label].notes]))
     return Line(f"{DIFFERENCE}, {kind}", AVERAGE, number)
 
 

@@ -25,8 +25,8 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
     """Read the tables that show the pipeline's results, in order and by name, e.g. ``table_26``.
 
     Each table has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and the layout's
-    settings. A table may name a setting in `needs`. It is then included only if `params`, which has all
-    settings, contains that setting. `root` is the project's folder.
+    settings. A table that names a setting in `needs` is included only if `params`, the run's settings,
+    contains that setting. `root` is the project's folder.
 
     Raises PlacecatError, with the name of the file, for invalid YAML or an unknown key or setting.
     """
@@ -88,7 +88,7 @@ def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path
 
 
 def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, Any]) -> Any:
-    """Replace ``${NAME}`` by the setting.
+    """Replace ``${NAME}`` with the setting.
 
     ``${..NAME}`` refers to a sibling of the mapping that contains it.
     """

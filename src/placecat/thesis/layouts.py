@@ -71,7 +71,7 @@ def by_home(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
-    """Like `by_home`, but also with gains: by how many points a result beats the best of several others.
+    """Like `by_home`, with added rows for the gain of a result over the best of several others.
 
     Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
     `result` and `over`, a list of results. A gain is `result` minus the best result in `over`, the one with

@@ -112,7 +112,7 @@ def mean(numbers: Sequence[Number]) -> Number:
     there = [one for one in numbers if len(one.values)]
     if not there:
         return nothing(*merged(one.notes for one in numbers), origins=united(numbers))
-    # The sum keeps the seeds apart, and broadcasts values that are not random.
+    # The sum keeps the seeds separate, and broadcasts values that are not random.
     total = sum((one.values for one in there[1:]), there[0].values)
     is_random = any(one.is_random for one in there)
     return Number(total / len(there), is_random, origins=united(there))

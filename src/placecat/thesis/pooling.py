@@ -83,7 +83,7 @@ class Pooled:
         return f"only one stay shows {' and '.join(once)}: too few for a verdict" if once else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
-        """Return one (results, 1) array of percentages per side, which are means over seeds."""
+        """Return one (results, 1) array of percentages per side, averaged over seeds."""
         return tuple(values.mean(axis=2) for values in self.values)
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
