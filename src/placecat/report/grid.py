@@ -147,7 +147,7 @@ def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
 
 
 def seeds_sentence(table: pd.DataFrame) -> str:
-    """State how many seeds the numbers average over and how far apart they are, or "" if nothing is random.
+    """State how many seeds the numbers average over and how much seeds differ, or "" if nothing is random.
 
     The table has the columns measured, spread (in points) and seeds. If it also has group, row or column, the
     sentence says where the spread is largest.
@@ -158,11 +158,11 @@ def seeds_sentence(table: pd.DataFrame) -> str:
     one = random.nlargest(1, "spread").iloc[0]
     where = ", ".join(str(one[name]) for name in AXES if one.get(name))
     all_random = len(random) == table["measured"].notna().sum()
-    subject = "Numbers are means" if all_random else "Numbers that depend on chance are means"
+    subject = "Numbers are means" if all_random else "Numbers that depend on the seed are means"
     seeds = " or ".join(str(int(count)) for count in sorted(set(random["seeds"])))
     return (
-        f"{subject} of {seeds} seeds, which lie {random['spread'].median():.2f} points apart in the median "
-        f"cell and {one['spread']:.2f} at most{f' ({where})' if where else ''}."
+        f"{subject} over {seeds} seeds. The seeds differ by {random['spread'].median():.2f} points in the "
+        f"median cell and by at most {one['spread']:.2f} points{f' ({where})' if where else ''}."
     )
 
 

@@ -82,7 +82,7 @@ class Run:
 
     @cached_property
     def sources(self) -> dict[str, Source]:
-        """The files with the distributions of each result, by the name of the result."""
+        """The files that store the distributions of each result, by result name."""
         return sources(self.params)
 
     def source(self, result: str) -> Source:

@@ -75,7 +75,7 @@ def growth_chart(measured: pd.DataFrame) -> Figure | None:
     # A reference line: growth in proportion to the number of frames.
     start = by_size.loc[ALL].to_numpy(float)[0]
     line = [start * size / frames[0] for size in frames]
-    axes.plot(frames, line, "--", color="#8a8a8a", linewidth=0.8, label="in proportion to the frames")
+    axes.plot(frames, line, "--", color="#8a8a8a", linewidth=0.8, label="linear growth")
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xticks(frames, [f"{size:,}" for size in frames])

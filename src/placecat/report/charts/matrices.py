@@ -1,4 +1,4 @@
-"""Pictures of confusion matrices: one row of a table with numbers, or a complete table without numbers.
+"""Pictures of confusion matrices, of one row of a table (with numbers) or of a complete table (without).
 
 They are painted with NumPy, because Matplotlib takes ten times as long.
 """
@@ -28,7 +28,7 @@ _DARK = 55
 _CAPTION = (
     "Rows are true places; columns are decisions. Numbers are percentages of the frames of the true place."
 )
-_SHEET = "Rows are true places; columns are decisions. Dark blue means all frames of the place, white none."
+_SHEET = "Rows are true places; columns are decisions. Dark blue means all frames of a place; white, none."
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:

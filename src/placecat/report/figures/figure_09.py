@@ -26,8 +26,8 @@ TITLE = (
     "The modified nearest-neighbour classifier with K = 1. Dots are the descriptors of training regions in "
     "the plane of the first two principal components, coloured by cluster. Each pie shows a cluster's class "
     "frequencies. Each region of a query frame (black diamond) takes the class frequencies of the cluster "
-    "whose centre is nearest in all dimensions. Their product is divided by the class frequencies of all "
-    "training regions, as in equation (2). Bars are in percent."
+    "whose centre is nearest in all dimensions. The product of these frequencies is divided by the class "
+    "frequencies of all training regions, as in equation (2). Bars are in percent."
 )
 PLANE, RIGHT, GAP, PIE, ROW = 4.1, 2.75, 0.25, 0.13, 0.27
 LABEL_GAP = 0.025

@@ -1,4 +1,4 @@
-"""Reliability diagrams, an additional figure: are decisions right as often as their probabilities say?"""
+"""An additional figure: reliability diagrams, which compare the probability of decisions with accuracy."""
 
 from collections.abc import Mapping
 
@@ -15,12 +15,12 @@ from placecat.report.run import Run
 
 TITLE = (
     "Reliability diagrams: frames are sorted into bins by the probability of the decided place. Each point "
-    "is a bin; the more frames it has, the larger the point (bins of less than 0.5 % are not drawn). On the "
-    "dashed line, decisions are right as often as their probability says; below it they are overconfident, "
-    "above it underconfident. The bars below each diagram show each bin's share of the frames. Places, test "
-    "homes and seeds have equal weight. Log loss and calibration error are means over homes and seeds, from "
-    "the additional table. The diagrams pool all homes and therefore show a smaller error, because "
-    "overconfidence in one home offsets underconfidence in another."
+    "is a bin; the more frames it has, the larger the point (bins with less than 0.5 % are not drawn). On "
+    "the dashed line, decisions are right as often as their probability says; below it they are "
+    "overconfident, above it underconfident. The bars below each diagram show each bin's share of the "
+    "frames. Places, test homes and seeds have equal weight. Log loss and calibration error (the mean gap) "
+    "are means over homes and seeds, from the additional table. The diagrams pool all homes and therefore "
+    "show a smaller error, because overconfidence in one home offsets underconfidence in another."
 )
 
 COLUMNS = 3
@@ -52,7 +52,7 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
         below.set_xlabel("probability of the decided place")
         below.tick_params(labelbottom=True)
         if column == 0:
-            above.set_ylabel("share of right decisions")
+            above.set_ylabel("share of correct decisions")
             below.set_ylabel("frames, %")
         else:
             above.tick_params(labelleft=False)
@@ -62,7 +62,7 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
             axes.remove()
     handles = [
         Line2D([], [], color=POINT, marker="o", label="bin of frames"),
-        Line2D([], [], color=GAP, linewidth=2.0, alpha=0.5, label="distance averaged in the error"),
+        Line2D([], [], color=GAP, linewidth=2.0, alpha=0.5, label="calibration gap"),
         Line2D([], [], color=palette.MUTED, linewidth=0.8, linestyle="--", label="perfect calibration"),
     ]
     drawn.legend(handles=handles, loc="outside lower right", ncols=len(handles))
@@ -95,7 +95,7 @@ def numbers(run: Run, result: str) -> str:
 
 
 def points(axes: Axes, diagram: Reliability) -> None:
-    """Draw the bins of a diagram, their distances from the diagonal, and the diagonal."""
+    """Draw the bins of a diagram, their gaps to the diagonal, and the diagonal."""
     axes.plot([0, 1], [0, 1], color=palette.MUTED, linewidth=0.8, linestyle="--")
     there = diagram.weight >= LEAST
     confidence, accuracy, weight = (part[there] for part in diagram)

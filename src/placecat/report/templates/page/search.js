@@ -16,7 +16,8 @@
     return clean(parts.join(" "));
   };
 
-  // For each kind: its name, its elements (their ids are link targets), the element with the name, and more to search.
+  // For each kind: its name, a selector of its elements (their ids are link targets), a function that finds the
+  // label of an element, and one that finds more to search.
   const KINDS = [
     ["section", "main > section", (one) => one.querySelector("h2"), () => []],
     ["table", ".table[id]", (one) => one.querySelector("h3, summary"), (one) => one.querySelectorAll("th, .notes")],
