@@ -1,4 +1,7 @@
-"""Results with given accuracies, for two places with equally many frames. Wrong frames get the other one."""
+"""Results with given accuracies, for two places with equally many frames.
+
+Each misclassified frame is assigned to the other place.
+"""
 
 import numpy as np
 

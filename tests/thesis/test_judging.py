@@ -54,13 +54,13 @@ def test_pairing_cancels_effects_of_homes():
     assert judged.verdict == HOLDS
 
 
-def test_swapped_sides_turn_holds_into_does_not_hold():
+def test_swapping_the_sides_reverses_the_verdict():
     left, right = measured(shifted([3, 4, 5, 3, 4, 5])), measured(HOMES)
     assert compare(right, left).verdict == FAILS
     assert compare(right, left, "worse").verdict == HOLDS
 
 
-def test_differences_between_homes_are_undecided():
+def test_gains_with_mixed_signs_are_undecided():
     judged = compare(measured(shifted([9, -8, 7, -6, 5, -2])), measured(HOMES))
     assert judged.verdict == UNDECIDED
     assert judged.reason == "only part of the interval is above 0"
@@ -82,7 +82,7 @@ def test_too_few_units_are_always_undecided():
     assert np.isnan(judged.measurement.interval.low)
 
 
-def test_a_result_that_is_missing_is_undecided_with_its_reason():
+def test_a_missing_result_is_undecided_with_its_reason():
     comparison = Comparison(Side("left", ("a",)), ("better", None), Side("right", ("b",)))
     found = results({("b", "home_1"): "too few frames"}, a=measured(HOMES))
     judged = judge_comparison("finding_01", comparison, RULES, found, PUBLISHED)
@@ -96,7 +96,7 @@ def test_a_side_can_be_compared_with_a_number():
     assert compare(measured([98.5, 98.6, 98.7, 98.6]), kind="above", number=99.0).verdict == FAILS
 
 
-def test_a_ratio():
+def test_ratios_are_judged():
     left, right = measured([[30.0], [33.0], [27.0], [30.0]]), measured([[10.0], [11.0], [9.0], [10.0]])
     judged = compare(left, right, "about", compare="ratio", published={"text": "points"})
     assert judged.measurement.paired.units == "1 home x 4 seeds"
@@ -105,12 +105,12 @@ def test_a_ratio():
     assert judged.verdict == HOLDS
 
 
-def test_nothing_is_divided_by_zero():
+def test_a_zero_denominator_is_undecided():
     judged = compare(measured([1, 2, 3]), measured([0, 0, 0]), compare="ratio")
     assert (judged.verdict, judged.reason) == (UNDECIDED, "right can be 0, so there is no ratio")
 
 
-def test_best_is_compared_with_the_best():
+def test_best_selects_the_best_result():
     named = {"a": measured(HOMES), "b": measured(HOMES + 5), "c": measured(HOMES + 4)}
     left = Side("best", ("a", "b"), combine="best", published=({"text": "worst"}, {"text": "best"}))
     comparison = Comparison(left, ("better", None), Side("c", ("c",), published=({"text": "worst"},)))
@@ -135,7 +135,7 @@ def test_best_is_compared_with_the_best():
         ([3, 2, 4, 1, 5, -2], (1, 5), UNDECIDED),
     ],
 )
-def test_both_signs_takes_a_share_of_the_cases_each(gains, counts, verdict):
+def test_both_signs_needs_enough_cases_of_each_sign(gains, counts, verdict):
     judged = compare(measured(shifted(gains)), measured(HOMES), "both_signs")
     assert judged.verdict == verdict
     assert judged.reason.startswith(
@@ -143,13 +143,13 @@ def test_both_signs_takes_a_share_of_the_cases_each(gains, counts, verdict):
     )
 
 
-def test_both_signs_takes_some_homes():
+def test_both_signs_needs_enough_homes():
     judged = compare(measured([40, 50, 30]), measured([45, 45, 35]), "both_signs")
     assert judged.verdict == UNDECIDED
     assert judged.reason.endswith("3 homes are too few for a verdict")
 
 
-def test_both_signs_takes_every_seed():
+def test_both_signs_requires_agreement_of_all_seeds():
     """A case that is worse with one seed and better with the other counts as neither."""
     left = measured([shifted([-2, 2, 0, 0, 0, 0]), shifted([2, 2, 0, 0, 0, 0])])
     judged = compare(left, measured([HOMES, HOMES]), "both_signs")
@@ -188,7 +188,7 @@ def test_a_comparison_that_fails_alone_need_not_fail_among_many():
     assert compare(right, left, comparisons=14).verdict == HOLDS
 
 
-def test_the_published_number_is_of_the_cell_that_was_measured():
+def test_the_published_number_follows_the_measured_result():
     """``last`` and ``best`` choose among the measured results, and the published numbers follow."""
     cells = ({"text": "points"}, {"text": "best"}, {"text": "worst"})
     found = results({("c", "home_1"): "too few frames"}, a=measured(HOMES), b=measured(HOMES + 1))

@@ -34,7 +34,7 @@ def test_tables_nest_by_group_row_and_column():
     }
 
 
-def test_empty_labels_make_no_level():
+def test_empty_labels_add_no_level():
     tables = {
         "table_05": filled(("", "SVM", "Home 1", 31.2)),
         "table_03": filled(("", "0.2", "", 31.2), ("", "0.1", "", 28.0)),
@@ -73,7 +73,7 @@ def results():
     return Results(("A", "B"), PLACES, {"integration/x": measured}, reasons, quality=quality)
 
 
-def test_a_row_a_frame_of_the_first_seed(results):
+def test_decisions_have_one_row_per_frame_of_the_first_seed(results):
     rows = plot_data(results, {"confusion": {"after": "integration/x"}})["confusion/after.csv"]
     assert list(rows.columns) == ["truth", "decision"]
     assert rows.value_counts().to_dict() == {
@@ -84,13 +84,13 @@ def test_a_row_a_frame_of_the_first_seed(results):
     assert rows["truth"].tolist() == ["kitchen"] * 6 + ["bedroom"] * 4
 
 
-def test_a_row_a_home_averaged_over_seeds(results):
+def test_accuracies_have_one_row_per_home(results):
     rows = plot_data(results, {"accuracy_by_home": {"after": "integration/x"}})["accuracy_by_home/after.csv"]
     # Home A has 87.5 and 50 percent. Home B has 50 and 100 percent, because it has no frame of the bedroom.
     assert rows.to_dict("list") == {"home": ["A", "B"], "accuracy": [68.75, 75.0]}
 
 
-def test_impossible_results_have_no_rows(results):
+def test_missing_results_have_no_rows(results):
     data = plot_data(results, {kind: {"y": "integration/y"} for kind in ("confusion", "accuracy_by_home")})
     assert {name: list(rows.columns) for name, rows in data.items()} == {
         "confusion/y.csv": ["truth", "decision"],
@@ -109,12 +109,12 @@ def test_impossible_results_have_no_rows(results):
         ({"confusions": {}}, r"plots has no setting 'confusions'; did you mean 'confusion'\?"),
     ],
 )
-def test_unknown_plots_are_refused(results, plots, message):
+def test_unknown_plots_are_rejected(results, plots, message):
     with pytest.raises(PlacecatError, match=message):
         plot_data(results, plots)
 
 
-def test_a_few_averages_are_columns_for_dvc(results):
+def test_selected_averages_are_metrics(results):
     columns = {"after": "integration/x", "lost": "integration/y"}
     averages = chosen_averages(results, {"accuracy": columns, "log_loss": columns})
     # The homes have 87.5, 50, 50 and 100 percent.
