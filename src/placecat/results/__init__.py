@@ -22,9 +22,9 @@ def load(project: Path | str = ".") -> "pd.DataFrame":
     The other columns say where the number comes from. ``data`` and ``published_data`` are the data sets.
     ``results``, ``system``, ``cues``, ``classifiers``, ``descriptors``, ``filter`` and ``plan`` say how the
     number was made, and ``trained_on`` lists the homes that were used for training. ``training_frames``,
-    ``integration_frames`` and ``tested_frames`` are the numbers of frames on which the cues were trained, the
-    integration was trained, and the result was tested. ``settings`` has the settings as JSON, and ``stages``
-    lists the DVC stages.
+    ``integration_frames`` and ``tested_frames`` are the numbers of frames used to train the cues, to train
+    the integration, and to test the result. ``settings`` has the settings as JSON, and ``stages`` lists the
+    DVC stages.
     """
     import pandas as pd
 

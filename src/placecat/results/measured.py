@@ -96,9 +96,9 @@ class Quality:
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """Return, for each seed, the percentage of the stays in all homes that are named correctly.
+        """Return the percentage of correctly named stays in all homes, for each seed.
 
-        The percentages are (seeds,), or (0,) without stays.
+        The shape is (seeds,), or (0,) without stays.
         """
         stays = self.values["stays"].sum(axis=1)
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
@@ -160,7 +160,7 @@ class Results:
         return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
-        """State the share of frames that a result's information filter drops, or "" without a filter."""
+        """Describe the share of frames that a result's information filter drops; "" without a filter."""
         homes = next((self.dropped[part] for part in name.split("/")[1:2] if part in self.dropped), None)
         if homes is None:
             return ""

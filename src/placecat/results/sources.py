@@ -16,8 +16,8 @@ from placecat.training import fold_file, protocol
 class Source:
     """The files with the distributions of a result over `classes`.
 
-    Each test home and seed has a file with the array `name`. The names of test homes are those of their
-    folders. `site` is the data set of the test homes, or "" for the main one.
+    Each test home and seed has a file with the array `name`. Test homes are named after their folders. `site`
+    is the data set of the test homes, or "" for the main one.
     """
 
     folder: Path
