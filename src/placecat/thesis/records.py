@@ -70,9 +70,9 @@ def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
     """Read the tables for numbers in the text that are not from results; return them by name.
 
     ``benchmarks`` and ``scale`` are in git. ``nu`` has one row per nu-SVM result, test home and seed. Its
-    columns are result, home, the requested nu (asked), and the lowest and highest nu that the binary
-    SVMs used. ``rejected`` has one row per labelled frame that a filter rejects, with the columns filter,
-    home and information. Missing tables have no rows.
+    columns are result, home, the requested nu (asked), and the lowest and highest nu that the binary SVMs
+    used. ``rejected`` has one row per labelled frame that a filter rejects, with the columns filter, home and
+    information. Missing tables have no rows.
     """
     kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
     found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}
