@@ -47,7 +47,7 @@ class Report:
     """The content of the page, with tables and figures in any order.
 
     `dataset` has the run's ``title``, ``homes``, ``classes`` and ``thesis_data``. `frames` maps each home to
-    the number of its frames in each place, and of those that are ``unlabelled``. `data_version` is the
+    the number of its frames in each place and the number of ``unlabelled`` frames. `data_version` is the
     checksum of the data, and `settings` is the content of params.yaml. `in_text` has the numbers that appear
     only in the thesis's text, with the columns name, section, quantity, home, published, measured, spread,
     seeds and notes. `findings` and `comparisons` are from :func:`placecat.thesis.findings.ledger`, which

@@ -1,4 +1,4 @@
-"""Pictures of confusion matrices, of one row of a table (with numbers) or of a complete table (without).
+"""Pictures of confusion matrices: one row of a table, with numbers, or a complete table, with colours only.
 
 They are painted with NumPy, because Matplotlib takes ten times as long.
 """
@@ -28,7 +28,9 @@ _DARK = 55
 _CAPTION = (
     "Rows are true places; columns are decisions. Numbers are percentages of the frames of the true place."
 )
-_SHEET = "Rows are true places; columns are decisions. Dark blue means all frames of a place; white, none."
+_SHEET = (
+    "Rows are true places; columns are decisions. White means no frames of the place; dark blue means all."
+)
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:

@@ -68,8 +68,8 @@ def draw_cluster(
         rank_of = np.argsort(np.argsort(cluster.contrast(), kind="stable"))[mixed]
         third = len(mixed) / 3
         blocks += [
-            ("random sample of the third with most contrast", mixed[rank_of >= 2 * third]),
-            ("random sample of the third with least contrast", mixed[rank_of < third]),
+            ("random sample of the third with the most contrast", mixed[rank_of >= 2 * third]),
+            ("random sample of the third with the least contrast", mixed[rank_of < third]),
         ]
     else:
         blocks += [("random sample", mixed)]

@@ -1,4 +1,4 @@
-"""An additional figure: reliability diagrams, which compare the probability of decisions with accuracy."""
+"""An additional figure: reliability diagrams, which compare confidence with accuracy."""
 
 from collections.abc import Mapping
 

@@ -52,8 +52,8 @@ def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
 def failures(run: Run, results: list[str], least: float) -> list[Failure]:
     """Find, for each place, the frame that all cues get wrong with the greatest certainty.
 
-    The most certain mistake comes first. Frames count only if their information measure is at least `least`.
-    `results` are the results of the cues.
+    The most certain mistake comes first. Only frames with an information measure of at least `least` are
+    considered. `results` are the results of the cues.
     """
     homes = run.source(results[0]).homes
     labels = [run.labels(home) for home in homes]
