@@ -1,4 +1,4 @@
-"""Differences between tables are found, counted, judged and described."""
+"""Finding, counting, judging and describing the differences between tables."""
 
 import pandas as pd
 import pytest
@@ -14,12 +14,12 @@ from placecat.compare.differences import (
     sentences,
 )
 
-# Its title must not be split.
+# The title must not be split at its semicolon.
 DATA = "made homes; second floor"
 
 
 def filled(*numbers, data=DATA, spreads=None):
-    """A table with one row per number; None has a reason instead."""
+    """Make a table with one row per number; None becomes a row with a reason."""
     spreads = spreads or [""] * len(numbers)
     rows = [
         (
@@ -45,14 +45,14 @@ def of_one(now, kept):
     return table
 
 
-def test_the_same_tables_are_equal():
+def test_identical_tables_do_not_differ():
     tables = {"table_12": filled(31.2, None, 20.0)}
     found = compare(tables, tables)
     assert (found.cells, found.differing, found.largest) == (2, 0, None)
     assert not found.exceeds(0.0)
 
 
-def test_a_moved_number_is_found_where_it_is():
+def test_the_largest_difference_is_located():
     found = of_one(filled(31.2, 20.1, 7.0), filled(31.2, 20.0, 7.3))
     assert (found.cells, found.differing, found.largest) == (3, 2, 0.3)
     assert found.where == "HOG + y-Pos, Home 3"
@@ -62,7 +62,7 @@ def test_a_moved_number_is_found_where_it_is():
 @pytest.mark.parametrize(
     ("moved", "exceeds"), [(0.0, False), (0.01, False), (2.0, False), (2.01, True), (-2.01, True)]
 )
-def test_the_tolerance_is_still_within(moved, exceeds):
+def test_a_difference_equal_to_the_tolerance_is_accepted(moved, exceeds):
     # 0.1 + 2.0 - 0.1 is not 2.0 in floating point.
     now, kept = filled(round(20.1 + moved, 2), 5.0), filled(20.1, 5.0)
     assert compare({"table_12": now}, {"table_12": kept}).exceeds(2.0) == exceeds
@@ -80,7 +80,7 @@ def test_the_tolerance_is_still_within(moved, exceeds):
     ],
     ids=["filled", "emptied", "new cell", "new table", "no such table any more", "new reason"],
 )
-def test_numbers_that_come_or_go_are_beyond_any_tolerance(now, kept, appeared, disappeared):
+def test_appearing_and_disappearing_numbers_exceed_any_tolerance(now, kept, appeared, disappeared):
     sides = [{} if table is None else {"table_12": table} for table in (now, kept)]
     found = compare(*sides)
     (table,) = found.tables
@@ -92,7 +92,7 @@ def test_numbers_that_come_or_go_are_beyond_any_tolerance(now, kept, appeared, d
     assert found.exceeds(100.0) == bool(appeared or disappeared)
 
 
-def test_another_spread_makes_a_cell_differ():
+def test_a_changed_spread_is_a_difference():
     found = of_one(filled(31.2, spreads=[1.5]), filled(31.2, spreads=[1.4]))
     assert (found.differing, found.largest) == (1, 0.0)
 
@@ -102,14 +102,14 @@ def test_tables_without_spreads_can_be_compared():
     assert compare({"table_12": table}, {"table_12": table}).differing == 0
 
 
-def test_tables_with_numbers_and_tables_of_text_compare():
-    """Content in memory equals the written file."""
+def test_numbers_in_memory_equal_their_text_on_disk():
+    """The content of a table is the same in memory and in its file."""
     text = filled(31.2, None, 20.0)
     numbers = text.assign(measured=pd.to_numeric(text["measured"]), spread=pd.to_numeric(text["spread"]))
     assert compare({"table_12": numbers}, {"table_12": text}).differing == 0
 
 
-def test_other_data_are_not_compared():
+def test_tables_on_different_data_are_not_compared():
     findings = pd.DataFrame({"number": [1], "verdict": ["holds"]})
     found = compare(
         {"table_12": filled(1.0, None, data="my homes")},
@@ -123,7 +123,7 @@ def test_other_data_are_not_compared():
 
 
 def test_cells_of_the_same_data_are_still_compared():
-    """A user's data set does not change the tables of the others."""
+    """A user's data set does not change the tables of other data sets."""
     now = {"table_12": filled(1.0, data="my homes"), "table_30": filled(9.0, data="university")}
     kept = {"table_12": filled(2.0), "table_30": filled(9.5, data="university")}
     found = compare(now, kept)
@@ -131,7 +131,7 @@ def test_cells_of_the_same_data_are_still_compared():
     assert found.largest.name == "table_30"
 
 
-def test_verdicts_that_turn_are_listed_and_within_any_tolerance():
+def test_changed_verdicts_are_listed_but_never_exceed_the_tolerance():
     kept = pd.DataFrame({"number": ["1", "2", "3"], "verdict": ["holds", "undecided", "holds"]})
     now = pd.DataFrame({"number": [1, 2, 4], "verdict": ["holds", "holds", "undecided"]})
     tables = {"table_12": filled(31.2)}
@@ -145,7 +145,7 @@ def test_verdicts_that_turn_are_listed_and_within_any_tolerance():
     assert not found.exceeds(0.0)
 
 
-def test_the_numbers_of_the_text_have_other_labels():
+def test_numbers_in_the_text_are_identified_by_their_own_labels():
     kept = pd.DataFrame(
         {
             "name": ["gist"] * 2,
@@ -167,7 +167,7 @@ percent = st.one_of(st.none(), st.decimals(0, 100, places=2).map(float))
 
 
 @given(st.lists(st.tuples(percent, percent), min_size=1, max_size=8))
-def test_both_directions_see_the_same(pairs):
+def test_comparison_is_symmetric(pairs):
     now, kept = (filled(*numbers) for numbers in zip(*pairs, strict=True))
     there, back = of_one(now, kept), of_one(kept, now)
     assert (there.cells, there.differing, there.largest) == (back.cells, back.differing, back.largest)
@@ -189,7 +189,7 @@ def test_equal_tables_take_one_line():
     assert said(table(), table("table_13", 16)) == ["Tables: 100 of 100 cells equal the old ones (git HEAD)."]
 
 
-def test_small_differences_are_named_with_their_place():
+def test_small_differences_are_reported_with_their_location():
     lines = said(table(differing=3, largest=0.31, where="HOG + y-Pos, Home 6, 196"), table("table_13", 16))
     assert lines == [
         "Tables: 97 of 100 cells equal the old ones (git HEAD); largest difference 0.31 points in "
@@ -198,7 +198,7 @@ def test_small_differences_are_named_with_their_place():
     ]
 
 
-def test_large_differences_have_a_remedy():
+def test_large_differences_come_with_advice():
     lines = said(table(differing=1, largest=2.5, where="HOG"), table("table_13", differing=1, appeared=1))
     assert "beyond the tolerance of 2 points" in lines[0]
     assert "; 1 gained a number." in lines[0]
@@ -206,7 +206,7 @@ def test_large_differences_have_a_remedy():
     assert "commit reports/" in lines[-1]
 
 
-def test_after_other_settings_nothing_is_wrong():
+def test_changed_settings_explain_differences():
     lines = said(table(differing=1, largest=9.5, where="HOG"), settings=["a.b", "a.c", "d", "e", "f"])
     assert lines[-1] == "Settings differ: a.b, a.c, d, and 2 more. Expect differences."
     assert "Settings differ" not in " ".join(said(table(), settings=["a.b"]))
@@ -226,17 +226,17 @@ def test_after_other_settings_nothing_is_wrong():
         ),
     ],
 )
-def test_other_data_are_named(tables, line):
+def test_different_data_sets_are_named(tables, line):
     assert said(*tables, data=("A", "B"))[0] == line
 
 
-def test_tables_without_any_number_are_not_called_equal():
+def test_empty_tables_are_not_called_equal():
     assert said(table(cells=0)) == [
         "Tables are not compared: neither the new nor the old ones (git HEAD) have a number."
     ]
 
 
-def test_verdicts_are_counted_and_turned_ones_named():
+def test_verdicts_are_counted_and_changed_ones_named():
     assert said(table(), findings=34)[-1] == "Findings: 34 of 34 verdicts equal the old ones."
     lines = said(table(), findings=34, turned=(Turned("12", "holds", "undecided"),))
     assert lines[-1] == (
@@ -244,7 +244,7 @@ def test_verdicts_are_counted_and_turned_ones_named():
     )
 
 
-def test_a_long_list_is_cut():
+def test_long_lists_are_truncated():
     tables = [table(f"table_{n:02d}", differing=1, largest=n / 100, where="x") for n in range(1, 16)]
     lines = said(*tables)
     assert lines[1] == "  Table 15: 1 of 84 cells differ, by at most 0.15 points"

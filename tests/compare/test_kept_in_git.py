@@ -1,4 +1,4 @@
-"""Tables in a folder against those in a real git repository."""
+"""Tables in a folder, compared with those in a real git repository."""
 
 import shutil
 from pathlib import Path
@@ -54,7 +54,7 @@ def commit(folder):
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A project below the root of a repository; HEAD has two tables and their files."""
+    """A project in a subfolder of a repository; HEAD has two tables and their files."""
     project = tmp_path / "project"
     project.mkdir()
     monkeypatch.chdir(project)
@@ -67,7 +67,7 @@ def folder(tmp_path, monkeypatch):
     return project
 
 
-def test_an_unchanged_run_is_equal(folder):
+def test_an_unchanged_run_agrees(folder):
     assert kept_in_git.compare("HEAD") == (
         [
             "Tables: 6 of 6 cells equal the old ones (git HEAD).",
@@ -77,7 +77,7 @@ def test_an_unchanged_run_is_equal(folder):
     )
 
 
-def test_a_change_within_the_tolerance_is_as_kept(folder):
+def test_a_change_within_the_tolerance_agrees(folder):
     write_tables(29.7, 40.0)
     lines, is_as_kept = kept_in_git.compare("HEAD")
     assert is_as_kept
@@ -99,7 +99,7 @@ def test_the_tolerance_is_a_setting(folder):
     assert "Settings differ" not in " ".join(lines)
 
 
-def test_other_settings_explain_any_change(folder):
+def test_changed_settings_explain_any_difference(folder):
     write_tables(29.7, 10.0)
     write_settings(cues={"gist": {"nu": 0.1, "gamma": 2.0}}, compute={"kind": "dask"})
     lines, is_as_kept = kept_in_git.compare("HEAD")
@@ -107,14 +107,14 @@ def test_other_settings_explain_any_change(folder):
     assert lines[-1] == "Settings differ: cues.gist.nu. Expect differences."
 
 
-def test_a_table_more_or_less_is_not_as_kept(folder):
+def test_a_missing_table_is_a_disagreement(folder):
     (paths.TABLES / "table_01.csv").unlink()
     lines, is_as_kept = kept_in_git.compare("HEAD")
     assert not is_as_kept
     assert "; 2 lost a number." in lines[0]
 
 
-def test_an_older_revision_is_compared_by_its_tables(folder):
+def test_an_older_revision_can_be_compared(folder):
     write_tables(35.0, 40.0)
     commit(folder)
     assert kept_in_git.compare("HEAD")[0][0] == "Tables: 6 of 6 cells equal the old ones (git HEAD)."
@@ -124,7 +124,7 @@ def test_an_older_revision_is_compared_by_its_tables(folder):
     assert "(git HEAD~1)" in lines[0]
 
 
-def test_tables_of_other_data_are_not_compared(folder):
+def test_tables_on_other_data_are_not_compared(folder):
     write_tables(80.0, 90.0)
     write_settings(dataset={"title": "my homes; second floor"})
     assert kept_in_git.compare("HEAD") == (
@@ -137,40 +137,40 @@ def test_tables_of_other_data_are_not_compared(folder):
 
 
 @pytest.mark.parametrize("revision", ["nowhere", "HEAD~1", "--all", "HEAD:project/params.yaml", ""])
-def test_an_unknown_revision_is_refused(folder, revision):
+def test_an_unknown_revision_is_an_error(folder, revision):
     with pytest.raises(
         PlacecatError, match=f"git has no revision {revision!r}: `git log --oneline` lists the existing ones$"
     ):
         kept_in_git.read_revision(revision)
 
 
-def test_a_repository_without_tables_says_so(folder):
+def test_a_revision_without_tables_is_an_error(folder):
     shutil.rmtree(paths.TABLES)
     commit(folder)
     with pytest.raises(PlacecatError, match="git HEAD has no tables in reports/tables: use a revision"):
         kept_in_git.read_revision("HEAD")
 
 
-def test_a_folder_without_tables_has_a_remedy(folder):
+def test_a_folder_without_tables_is_an_error(folder):
     shutil.rmtree(paths.TABLES)
     with pytest.raises(PlacecatError, match="reports/tables has no tables: run `placecat repro`"):
         kept_in_git.compare("HEAD")
 
 
-def test_outside_a_repository_it_says_so(folder):
+def test_a_missing_repository_is_an_error(folder):
     shutil.rmtree(Path("../.git"))
     with pytest.raises(PlacecatError, match="this folder is not in a git repository"):
         kept_in_git.compare("HEAD")
 
 
-def test_without_git_it_says_so(folder, monkeypatch):
+def test_missing_git_is_an_error(folder, monkeypatch):
     monkeypatch.setenv("PATH", "")
     with pytest.raises(PlacecatError, match="git is not installed"):
         kept_in_git.compare("HEAD")
 
 
-def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
-    """A run without it leaves the table in git unchanged, whatever its data, and does not mention it."""
+def test_only_runs_that_make_an_optional_table_compare_it(folder):
+    """A run that does not make the table leaves the one in git unchanged and does not mention it."""
     for number, needs in ((1, ""), (2, "needs: cues.embedding\n")):
         definition = paths.TABLE_DEFINITIONS / f"table_{number:02d}.yaml"
         files.write_text(definition, f"number: {number}\n{needs}")
@@ -186,7 +186,7 @@ def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
     assert "  Table 2: 1 of 2 cells differ, by at most 5.00 points" in said
 
 
-def test_two_revisions_or_folders_are_compared_as_this_folder_is(folder, tmp_path):
+def test_two_revisions_or_folders_can_be_compared(folder, tmp_path):
     first = kept_in_git.compare("HEAD")
     write_tables(35.0, 40.0)
     commit(folder)

@@ -49,7 +49,7 @@ def figures(*seeds):
 
 @pytest.fixture
 def outside(tmp_path, monkeypatch):
-    """No project, so no table has a title."""
+    """A folder without a project's table definitions, so no table has a title."""
     monkeypatch.chdir(tmp_path)
     for name in (paths.TABLE_DEFINITIONS, paths.FINDING_DEFINITIONS):
         name.mkdir(parents=True)
@@ -60,7 +60,7 @@ def text_of(html):
     return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", "", html))
 
 
-def test_only_differences_show_both_values(outside):
+def test_only_differing_cells_show_both_values(outside):
     old, new = side(hmm="47.5", verdict="undecided", nu=0.1, workers=2), side()
     html = page_html(NAMES, (old, new), (figures(0, 1), figures(0, 2, 3)), ["Said first."])
     assert (
@@ -76,20 +76,20 @@ def test_only_differences_show_both_values(outside):
     assert html.count("<img") == 3
     said = text_of(html)
     assert "Differences: settings 1, verdicts 1, tables 1 (cells 1), figures 2." in said
-    assert "Equal: table 01; Numbers in the thesis’s text." in said.replace("table_01", "table 01")
+    assert "Unchanged: table 01; Numbers in the thesis’s text." in said.replace("table_01", "table 01")
     assert "Said first." in said and "&lt;first&gt;" in html and "<first>" not in html
     assert re.findall(r'(?:src|href)="(?!#|data:)[^"]*"', html) == []
 
 
-def test_of_equal_runs_nothing_is_shown(outside):
+def test_equal_runs_show_no_differences(outside):
     html = page_html(NAMES, (side(), side()), (figures(0), figures(0)), [])
     assert "<figure" not in html and 'class="table"' not in html
-    assert "No setting differs." in html and "No verdict differs." in html
+    assert "No settings differ." in html and "No verdicts differ." in html
 
 
 @needs_chromium
 @pytest.mark.parametrize("width", [390, 1300])
-def test_it_fits_its_window_and_its_console_is_clean(outside, tmp_path, width):
+def test_the_page_fits_the_window_and_logs_nothing(outside, tmp_path, width):
     target = tmp_path / "page.html"
     drawn = figures(0), Figures(missing="run that")
     target.write_text(page_html(NAMES, (side(hmm="47.5"), side()), drawn, []), encoding="utf-8")
@@ -106,7 +106,7 @@ def test_it_fits_its_window_and_its_console_is_clean(outside, tmp_path, width):
     assert "Figures are not compared: run that." in found[2]
 
 
-def test_figures_of_a_folder_are_read(tmp_path):
+def test_figures_are_read_from_a_folder(tmp_path):
     (tmp_path / paths.TABLES).mkdir(parents=True)
     assert "run `dvc repro figures` in that project" in read_figures(str(tmp_path)).missing
     folder = tmp_path / paths.FIGURES
@@ -121,7 +121,7 @@ def test_figures_of_a_folder_are_read(tmp_path):
 
 
 @pytest.mark.slow
-def test_figures_of_a_revision_are_read_from_the_cache_or_asked_for(tmp_path, monkeypatch):
+def test_figures_of_a_revision_come_from_the_cache(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     paths.FIGURES.mkdir(parents=True)
     (paths.FIGURES / "figures.json").write_text(
@@ -142,7 +142,7 @@ def test_figures_of_a_revision_are_read_from_the_cache_or_asked_for(tmp_path, mo
     assert "DVC has no figures for git HEAD" in missing and "placecat repro" in missing
 
 
-def test_a_folder_is_not_overwritten_by_the_page(tmp_path, monkeypatch):
+def test_the_page_does_not_overwrite_a_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "page").mkdir()
     with pytest.raises(files.PlacecatError, match="page is a folder: choose the name of a file"):

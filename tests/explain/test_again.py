@@ -1,4 +1,4 @@
-"""`placecat explain --again` on a whole run."""
+"""`placecat explain --again` on a complete run."""
 
 import shutil
 
@@ -15,7 +15,7 @@ def _of_a_run(test):
     return pytest.mark.slow(pytest.mark.xdist_group("pipeline")(test))
 
 
-# A cue with and without clusters, an integration, smoothing, a filter, a gain, a trial, probabilities, text.
+# A cue with clusters and one without, integration, smoothing, a filter, a gain, a trial, probabilities, text.
 CELLS = [
     "table_26.1.1",
     "table_26.6.1",
@@ -31,7 +31,7 @@ CELLS = [
 
 @_of_a_run
 @pytest.mark.parametrize("number", CELLS)
-def test_a_cell_computed_again_has_the_same_bits(reproduced, monkeypatch, number):
+def test_a_recomputed_cell_has_the_same_bits(reproduced, monkeypatch, number):
     folder, _, _ = reproduced
     monkeypatch.chdir(folder)
     same, said = compute(find([number], read())[0])
@@ -52,7 +52,7 @@ def test_a_different_bit_is_reported(reproduced, tmp_path, monkeypatch):
     assert "do NOT agree" in said
 
 
-def test_a_missing_run_has_a_remedy(tmp_path, monkeypatch):
+def test_a_missing_run_is_an_error(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     files.write_json(paths.PARAMS, {"dataset": {}})
     with pytest.raises(PlacecatError, match=r"origins.json is missing.*run `dvc repro`"):

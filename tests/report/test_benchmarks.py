@@ -8,7 +8,7 @@ from placecat.report.benchmarks import MISSED, TEXT, ratios_of, shown_speed, spe
 from placecat_bench.comparison import Comparison, Peer
 
 
-def test_ratios_and_targets_of_comparisons_only():
+def test_only_comparisons_have_ratios():
     ratios = ratios_of(made_report.benchmarks())
     assert list(ratios["piece"]) == ["HOG", "A tree", "A frame"]
     assert [(one.ratio, one.target, one.is_faster, one.met) for one in ratios.itertuples()] == [
@@ -18,7 +18,7 @@ def test_ratios_and_targets_of_comparisons_only():
     ]
 
 
-def test_rows_as_a_page_shows_them():
+def test_rows_are_formatted_for_the_page():
     rows = shown_speed(made_report.benchmarks(), {})["rows"]
     assert rows[0] == {
         "piece": "HOG",
@@ -36,7 +36,7 @@ def test_rows_as_a_page_shows_them():
     assert (rows[4]["piece"], rows[4]["ours"], rows[4]["peer"]) == ("A frame: frames/s", "47.2", "")
 
 
-def test_the_words_of_a_target_match_the_benchmarks():
+def test_targets_are_parsed_as_the_benchmarks_write_them():
     peer, nothing = Peer("pip", "pip"), lambda: None
     table = made_report.benchmarks()[:1]
     for targets, expected in (({"faster": 2.5}, (2.5, True)), ({"at_most": 4.5}, (4.5, False))):
@@ -45,7 +45,7 @@ def test_the_words_of_a_target_match_the_benchmarks():
         assert (one.target, one.is_faster) == expected
 
 
-def test_text_columns_are_text():
+def test_all_text_columns_are_listed():
     table = made_report.benchmarks()
     assert {name for name in table.columns if table[name].dtype == np.float64} == set(table.columns) - set(
         TEXT
@@ -55,11 +55,11 @@ def test_text_columns_are_text():
 @pytest.mark.parametrize(
     ("ratio", "text"), [(2.196, "2.2"), (46.58, "46.6"), (999.4, "999"), (1415.0, "1,415")]
 )
-def test_ratios_in_words(ratio: float, text: str):
+def test_ratios_are_formatted(ratio: float, text: str):
     assert times(ratio) == text
 
 
-def test_bars_are_the_ratios_and_marks_the_targets():
+def test_bars_show_ratios_and_marks_show_targets():
     figure = speed_chart(made_report.benchmarks())
     faster, at_most = figure.axes
     assert [bar.get_width() + bar.get_x() for bar in faster.patches] == [1.7, 500.0]
@@ -80,12 +80,12 @@ def test_a_missed_target_has_another_colour():
     assert colors[1] != colors[0]
 
 
-def test_nothing_compared_is_no_chart():
+def test_there_is_no_chart_without_comparisons():
     table = made_report.benchmarks()
     assert png_of(speed_chart, table[table["ratio"].isna()]) is None
 
 
-def test_the_picture_has_the_same_bytes_every_time():
+def test_the_chart_is_reproducible():
     once = png_of(speed_chart, made_report.benchmarks())
     assert once == png_of(speed_chart, made_report.benchmarks())
     assert cv2.imdecode(np.frombuffer(once, np.uint8), cv2.IMREAD_COLOR).shape[1] == 1300

@@ -36,12 +36,12 @@ def test_small_pictures_are_unchanged():
     assert (shown == pixels).all()
 
 
-def test_the_same_picture_gives_the_same_text():
+def test_embedding_is_deterministic():
     file = png(np.random.default_rng(1).integers(0, 255, (20, 30, 4), np.uint8))
     assert embed(file) == embed(file)
 
 
 @pytest.mark.parametrize("content", [b"", b"GIF89a", b"\x89PNG\r\n\x1a\n"])
-def test_other_files_than_pictures_are_refused(content):
+def test_files_that_are_not_pictures_are_rejected(content):
     with pytest.raises(ValueError, match="not a picture"):
         embed(content)

@@ -25,7 +25,7 @@ def made(*rows):
     return pd.DataFrame([(1, *row) for row in rows], columns=COLUMNS)
 
 
-def test_every_cell_of_a_table_is_at_its_place():
+def test_every_cell_is_in_its_row_and_column():
     table = cells(26, np.random.default_rng(0))
     grid = make_grid(table)
     assert grid.columns == (*(f"Home {number}" for number in range(1, 7)), "Average")
@@ -63,9 +63,9 @@ def test_additional_cells_precede_the_average():
     assert [cell.measured for cell in grid.groups[0].rows[1].cells] == ["", "3.00", ""]
 
 
-def test_notes_become_footnotes_on_the_number_that_they_are_about():
+def test_notes_become_footnotes_on_their_numbers():
     contradiction = Note(Kind.PUBLISHED, "row and average differ")
-    # The text of a note does not make it a note of the table, nor two notes.
+    # The kind of a note is independent of its text, and a semicolon does not split a note.
     title = Note(Kind.DATA, "measured on my homes; second floor")
     no_home = Note(Kind.MEASURED, "no such home")
     not_available = Note(Kind.NOT_AVAILABLE, "the published cell is n/a")
@@ -86,7 +86,7 @@ def test_notes_become_footnotes_on_the_number_that_they_are_about():
     assert fourth.mark == "c"
 
 
-def test_an_addition_has_nothing_published():
+def test_an_addition_has_no_published_numbers():
     grid = make_grid(addition().cells)
     assert not grid.has_published
     assert not any(row.has_published for row in grid.groups[0].rows)
@@ -97,7 +97,7 @@ def made_cell(*numbers):
     return make_cell(dict(zip(NUMBERS, numbers, strict=True)))
 
 
-def test_numbers_have_two_decimals_or_are_none():
+def test_numbers_have_two_decimals_or_are_empty():
     assert number_text(3) == "3.00"
     assert number_text(float("nan")) == number_text(None) == ""
     assert made_cell(np.nan, 3.0, np.nan, 0).difference is None
@@ -112,14 +112,14 @@ def test_the_sentence_on_seeds_names_the_widest_cell():
         ("g", "b", "y", 1.0, 2.0, np.nan, 0, ()),
     )
     assert seeds_sentence(table) == (
-        "Numbers that depend on chance are means of 2 seeds, which lie 1.00 points apart in the median cell "
-        "and 1.50 at most (g, a, y)."
+        "Numbers that depend on the seed are means over 2 seeds. The seeds differ by 1.00 points in the "
+        "median cell and by at most 1.50 points (g, a, y)."
     )
-    assert seeds_sentence(table[:2]).startswith("Numbers are means of 2 seeds, ")
+    assert seeds_sentence(table[:2]).startswith("Numbers are means over 2 seeds. ")
     assert seeds_sentence(table[2:]) == ""
 
 
-def test_homes_are_named_where_they_are_not_called_so():
+def test_homes_with_other_names_are_listed():
     table = cells(12)
     assert homes_sentence(table, ["flat", *HOMES[1:5], "house"]) == "Home 1 is flat, Home 6 is house."
     assert homes_sentence(table, HOMES) == ""

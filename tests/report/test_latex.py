@@ -31,7 +31,7 @@ def without_escapes(text):
 
 
 @given(st.text(st.characters(codec="ascii", exclude_characters="\n")))
-def test_escaping_can_be_undone_and_leaves_no_special_character(text):
+def test_escaping_is_reversible_and_leaves_no_special_characters(text):
     escaped = text.translate(_LATEX)
     assert unescape(escaped) == text
     bare = without_escapes(escaped)
@@ -40,7 +40,7 @@ def test_escaping_can_be_undone_and_leaves_no_special_character(text):
 
 
 def check_structure(text):
-    """Braces and environments close in order; every row has as many cells as the table has columns."""
+    """Check that braces and environments close in order and that every row has a cell for each column."""
     bare = without_escapes(text)
     depth = 0
     for character in bare:
@@ -80,7 +80,7 @@ def test_every_table_is_well_formed_and_complete(number):
     assert rf"\label{{tab:table-{number:02d}}}" in text
 
 
-def test_the_published_row_stands_below_the_measured_one():
+def test_the_published_row_follows_the_measured_row():
     table = cells(5, np.random.default_rng(0))
     _, *rows = check_structure(table_latex(settings(5), table, DATASET))
     first = table[table["row"] == "naive Bayes"]
@@ -107,7 +107,7 @@ def test_empty_cells_have_a_footnote_with_the_reason():
     assert r"\label{tab:rvm}" in text
 
 
-def test_it_names_the_data_of_the_published_numbers():
+def test_the_caption_names_the_data_of_the_published_numbers():
     other = table_latex(settings(5), cells(5), DATASET)
     assert "on the VPC-2009 home database, so they are not comparable." in other
     same = table_latex(settings(5), cells(5), DATASET | {"thesis_data": "VPC-2009 home database"})

@@ -8,7 +8,7 @@ def lines_of(text):
     return [line for line in text.splitlines() if line.startswith("|")]
 
 
-def test_a_table_has_the_measured_numbers_first_and_the_published_below():
+def test_the_published_numbers_follow_the_measured_numbers():
     table = cells(12, np.random.default_rng(0))
     text = table_markdown(settings(12, "KNN"), table, DATASET | {"homes": ["a", *"bcde", "f"]})
     assert text.startswith(
@@ -23,13 +23,13 @@ def test_a_table_has_the_measured_numbers_first_and_the_published_below():
     assert "They are not comparable, since the data differ." in published
 
 
-def test_rows_are_as_wide_as_the_head():
+def test_rows_have_as_many_cells_as_the_head():
     lines = lines_of(table_markdown(settings(26), cells(26), DATASET))
     assert {line.count("|") for line in lines} == {9}
     assert lines[1] == "|---|" + "---:|" * 7
 
 
-def test_an_addition_has_no_number_and_nothing_published():
+def test_an_addition_has_no_number_and_no_published_numbers():
     one = addition()
     text = table_markdown(one.settings, one.cells, DATASET)
     assert text.startswith("# RVM beside SVM\n")
@@ -47,7 +47,7 @@ def test_a_table_that_is_not_in_percent_explains_its_numbers():
     assert "| Gist | 1.61 | 40.00 |" in text
 
 
-def test_the_same_data_compare():
+def test_numbers_on_the_same_data_are_comparable():
     text = table_markdown(settings(5), cells(5), DATASET | {"thesis_data": "VPC-2009 home database"})
     assert "The thesis's numbers on the same data." in text
 

@@ -23,7 +23,7 @@ def page(tmp_path_factory):
 
 
 def small_report():
-    """With one table and no figure, for parts that do not depend on them."""
+    """A report with one table and no figures, for parts that do not depend on them."""
     return made_report.report(tables=[5], figures=[])
 
 
@@ -31,14 +31,14 @@ _ASKED = []
 
 
 def asked(body, width=1200):
-    """Add a script to those that `answers` runs; returns its number."""
+    """Add a script to those that `answers` runs, and return its number."""
     _ASKED.append((body, width))
     return len(_ASKED) - 1
 
 
 @pytest.fixture(scope="module")
 def answers(page, tmp_path_factory):
-    """What the scripts return, each in a page of its own; starting the browser takes most of the time."""
+    """The results of all scripts, each in a page of its own. Starting the browser takes most of the time."""
     found, console = evaluate_all(page, tmp_path_factory.mktemp("answers"), _ASKED)
     assert console == []
     return found
@@ -81,13 +81,13 @@ PARTS = asked("""
 
 
 @needs_chromium
-def test_every_table_and_figure_is_there_and_the_console_is_clean(answers):
+def test_the_page_has_every_table_and_figure_and_logs_nothing(answers):
     found = answers[PARTS]
     assert found["tables"] == [f"table-{number}" for number in range(1, 32)]
     before, after = list(range(1, 11)), [12, 13, 14, 11, 15, 16, 17, 18, 19, 20]
     added = "addition-figure-how-sure"
     assert found["figures"] == [*(f"figure-{number}" for number in [*before, *after]), added]
-    assert found["images"] == 22  # figure 20 has a reason instead; speed and scale have a chart
+    assert found["images"] == 22  # not figure 20, which has a reason instead; speed and scale have charts
     assert found["broken"] == 0
     assert found["alts"][0] == "What figure 1 shows."
     published = made_report.published_tables().groupby("table").size()
@@ -218,7 +218,7 @@ SHADES = asked("""
 
 @needs_chromium
 def test_shades_are_visible_and_distinct(answers):
-    """Every step has a different background with readable text, in the light and the dark theme."""
+    """Each shade has a different background with readable text in both the light and the dark theme."""
 
     def luminance(color):
         linear = [
@@ -232,20 +232,20 @@ def test_shades_are_visible_and_distinct(answers):
     for background, ink in found:
         low, high = sorted([luminance(background), luminance(ink)])
         assert (high + 0.05) / (low + 0.05) > 4.5
-    # Blue above, orange below: told apart by every kind of colour vision, since blue and red swap.
+    # Blue is above and orange below. Every kind of colour vision distinguishes them: blue and red swap.
     assert all(background[0] > background[2] for background, _ in found[:4])
     assert all(background[0] < background[2] for background, _ in found[4:])
 
 
 @needs_chromium
-def test_a_phone_shows_something(page, tmp_path):
+def test_the_page_fits_a_phone(page, tmp_path):
     picture = cv2.imread(str(screenshot(page.as_uri(), tmp_path, "phone", width=390, height=800)))
     assert picture.shape[:2] == (800, 390)
     assert (picture[:, -5:] == picture[0, 0]).all(), "content reaches the edge of the window"
     assert picture.std() > 10
 
 
-def test_the_page_needs_nothing_else_and_changes_only_with_its_content(page):
+def test_the_page_is_self_contained_and_deterministic(page):
     html = page.read_text(encoding="utf-8")
     assert re.findall(r'(?:src|href)="(?!#|data:)[^"]*"', html) == []
     assert "url(" not in html
@@ -254,15 +254,15 @@ def test_the_page_needs_nothing_else_and_changes_only_with_its_content(page):
     assert not re.search(r"20\d\d-\d\d-\d\d", html)
 
 
-def test_it_works_without_scripts(page):
+def test_the_page_works_without_scripts(page):
     html = re.sub(r"<script>.*?</script>", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-    # Without scripts, their controls are hidden: copying, search and theme.
+    # Without scripts, the controls for copying, search and theme are hidden.
     assert html.count('<button class="copy" type="button" hidden>') == html.count("<button") - 1
     assert '<div class="tools" hidden>' in html
     assert "hidden" not in part_of(html, "table-5").replace(" hidden>Copy", "")
 
 
-def test_the_summary_says_the_numbers(page):
+def test_the_summary_states_the_main_numbers(page):
     summary = text_of(part_of(page.read_text(encoding="utf-8"), "summary"))
     table = next(one.cells for one in made_report.report().tables if one.settings["number"] == 26)
     averages = table[table["column"] == "Average"].set_index(["group", "row"])["measured"]
@@ -270,9 +270,9 @@ def test_the_summary_says_the_numbers(page):
     cues = averages[group].drop(["Integration", "HMM"])
     integration, smoothed = averages[group, "Integration"], averages[group, "HMM"]
     assert (
-        f"5-5-1, all cues: the best single cue is {cues.idxmax()} with {cues.max():.2f} %; the integration "
-        f"gives {integration:.2f} %, and {smoothed:.2f} % when smoothed over time. In the "
-        "thesis, the best is Centrist with 43.99 %; the integration gives 45.71 %, and 47.53 % when smoothed."
+        f"5-5-1, all cues: the best single cue is {cues.idxmax()} with {cues.max():.2f} %; integration "
+        f"reaches {integration:.2f} %, and {smoothed:.2f} % when smoothed over time. In the "
+        "thesis, the best is Centrist with 43.99 %; integration reaches 45.71 %, and 47.53 % when smoothed."
     ) in summary
     assert "6 homes with 3,120 frames, of which 3,000 show one of 5 places" in summary
     (of_best, best), highest = averages.idxmax(), averages.max()
@@ -291,7 +291,7 @@ def test_the_summary_says_the_numbers(page):
     )
 
 
-def test_a_cell_is_shaded_by_its_difference_and_says_how_far_the_seeds_lie_apart():
+def test_a_cell_shows_its_difference_and_spread():
     table = made_report.cells(5)
     for index, difference in enumerate([0.5, 3.0, -7.0, 12.0, -25.0]):
         table.loc[index, "measured"] = table.loc[index, "published"] + difference
@@ -353,7 +353,7 @@ def test_names_are_escaped():
     assert html.count("&lt;b onclick") >= 9
 
 
-def test_the_settings_are_all_there(page):
+def test_the_page_shows_all_settings(page):
     html = page.read_text(encoding="utf-8")
     blocks = re.findall(r"<pre>(.*?)</pre>", html, flags=re.DOTALL)
     assert blocks == ["dataset:\n  name: homes\n  title: a &lt; b &amp; c", "smoothing:\n  step: 1"]
@@ -367,7 +367,7 @@ def test_times_come_from_the_stored_record(page):
     assert "No times are stored" in text_of(part_of(without, "times"))
 
 
-def test_missing_parts_of_a_run_leave_no_gap():
+def test_missing_parts_of_a_run_leave_no_empty_sections():
     report = small_report()
     html = page_html(
         replace(
@@ -400,7 +400,7 @@ def test_missing_parts_of_a_run_leave_no_gap():
     ]
 
 
-def test_numbers_of_no_section_are_shown_at_the_end():
+def test_tables_and_figures_without_a_section_come_last():
     report = small_report()
     other = Table(settings(40), made_report.cells(5), DATASET)
     html = page_html(
@@ -448,7 +448,7 @@ def test_durations(seconds, expected):
     assert duration(seconds) == expected
 
 
-def test_benchmarks_have_a_table_and_the_parts_of_a_missed_target(page):
+def test_the_benchmark_table_explains_missed_targets(page):
     html = page.read_text(encoding="utf-8")
     part = text_of(part_of(html, "speed-table"))
     cells = ("HOG", "25 regions", "1 ms", "OpenCV: compute 4.14.0", "1.7 ms", "1.7 (1.6 to 1.9)")
@@ -464,7 +464,7 @@ def test_without_benchmarks_the_page_says_how_to_measure():
     assert "speed-table" not in html
 
 
-def test_scale_has_the_growth_of_every_stage_and_the_time_of_a_full_run(page):
+def test_the_scale_table_has_every_stage_and_the_time_of_a_full_run(page):
     html = page.read_text(encoding="utf-8")
     rows = re.findall(r"<tr.*?</tr>", part_of(html, "scale-table"), re.S)
     assert [text_of(row.replace("<td", " <td")) for row in rows[1:]] == [
@@ -498,7 +498,7 @@ SORTED = asked(
 
 
 @needs_chromium
-def test_a_head_sorts_its_column_as_numbers_within_each_group(answers):
+def test_a_column_is_sorted_numerically_within_each_group(answers):
     found = answers[SORTED]
     assert [heads for heads, _ in found["states"]] == [[], ["ascending"], ["descending"], []]
     first, up, down, last = (values for _, values in found["states"])
@@ -513,7 +513,7 @@ def test_a_head_sorts_its_column_as_numbers_within_each_group(answers):
         assert [float(value) for value in up[start:end]][: len(homes)] == list(homes)
         assert [float(value) for value in down[start:end]][: len(homes)] == list(homes[::-1])
         start = end
-    # Section 4.10 comes after 4.4; equal ones stay in order.
+    # Section 4.10 comes after 4.4. Findings of the same section stay in order.
     assert found["sections"] == ["4.4"] + ["4.10"] * 33
     assert found["numbers"] == ["34", *(str(number) for number in range(1, 34))]
 
@@ -533,12 +533,12 @@ FILTERED = asked(
 
 
 @needs_chromium
-def test_rows_are_filtered_and_a_link_to_a_hidden_one_shows_it(answers):
+def test_rows_can_be_filtered_and_links_reveal_hidden_rows(answers):
     found = answers[FILTERED]
     assert found == [["finding-12"], "1 of 34", 34, False]
 
 
-def test_findings_on_more_homes_stand_below_each_finding():
+def test_verdicts_on_more_homes_follow_each_finding():
     report = small_report()
     more = report.findings[["number", "difference", "low", "high", "units", "verdict"]].assign(
         units="24 homes", verdict="holds", replicated=True
@@ -562,7 +562,7 @@ def test_findings_on_more_homes_stand_below_each_finding():
 
 @needs_chromium
 def test_search_finds_tables_figures_findings_and_settings(page, tmp_path):
-    # Not in a frame, whose links would lead to the page around it.
+    # This does not run in a frame, because its links would lead to the surrounding page.
     found, console = evaluate(
         page,
         tmp_path,
@@ -594,7 +594,7 @@ def test_search_finds_tables_figures_findings_and_settings(page, tmp_path):
 
 
 @needs_chromium
-def test_the_colours_are_chosen_and_remembered(page, tmp_path):
+def test_the_theme_can_be_switched_and_is_remembered(page, tmp_path):
     script = """
     const dark = () => getComputedStyle(document.body).backgroundColor !== "rgb(255, 255, 255)";
     const before = dark();

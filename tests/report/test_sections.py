@@ -4,7 +4,7 @@ from hypothesis import strategies as st
 from placecat.report.sections import THESIS, arrange
 
 
-def test_the_thesis_has_every_table_and_figure_once():
+def test_the_sections_have_every_table_and_figure_once():
     tables = [number for one in THESIS for number in one.tables]
     figures = [number for one in THESIS for number in (*one.before, *one.after)]
     assert tables == list(range(1, 32))

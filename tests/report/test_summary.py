@@ -5,7 +5,7 @@ from made_report import cells
 from placecat.report.summary import best_system, count_verdicts, headlines
 
 
-def test_with_its_numbers_the_headlines_equal_the_thesis():
+def test_headlines_of_published_numbers_match_the_thesis():
     first, second, third = headlines(cells(26))
     assert (first.group, first.best, first.cue.measured) == ("4-5-1, all cues", "Centrist", "42.71")
     assert (first.integration.published, first.smoothed.published) == ("42.29", "45.53")
@@ -30,7 +30,7 @@ def test_the_best_cue_may_differ_from_the_published_one():
     assert (second.integration.measured, second.integration.published) == ("", "45.71")
 
 
-def test_verdicts_are_counted_and_none_is_left_out():
+def test_all_verdicts_are_counted():
     findings = pd.DataFrame({"verdict": ["holds", "undecided", "holds"]})
     assert count_verdicts(findings) == {"holds": 2, "does not hold": 0, "undecided": 1}
 

@@ -28,7 +28,7 @@ def rebuilt(measured, others=()):
     return from_scores(scores, pd.DataFrame([], columns=MISSING_COLUMNS), ["A", "B"], CLASSES, others)
 
 
-def test_accuracies_are_over_the_places_present_for_each_seed_and_home():
+def test_accuracies_average_over_the_places_present():
     assert FIXED.by_home().tolist() == [[87.5, 50.0]]
     assert RANDOM.by_home().tolist() == [[87.5], [12.5]]
     percent = FIXED.by_class()
@@ -45,14 +45,14 @@ def test_pooled_frames_count_as_one_home():
     assert pooled.by_class().round(2).tolist() == [[[66.67, 100.0]]]
 
 
-def test_the_spread_is_the_largest_minus_the_smallest_seed():
+def test_the_spread_is_the_range_over_seeds():
     assert mean_and_spread(np.array([10.0, 12.5]), random=True) == (11.25, 2.5)
     mean, spread = mean_and_spread(np.array([10.0]), random=False)
     assert mean == 10.0
     assert np.isnan(spread)
 
 
-def test_the_accuracy_table_has_a_row_a_place_and_a_row_a_home():
+def test_the_accuracy_table_has_one_row_per_place_and_per_home():
     table = Results(("A", "B"), CLASSES, {"x": FIXED, "y": RANDOM}, {}).accuracy_table()
     assert len(table) == 9
     of_homes = table[table["place"] == "all"]
@@ -64,8 +64,8 @@ def test_the_accuracy_table_has_a_row_a_place_and_a_row_a_home():
 
 
 @given(arrays(np.int64, (2, 3, 2, 2), elements=st.integers(0, 50)))
-def test_scores_give_the_same_results_back(confusion):
-    # A home without a scored frame cannot be told from one that was not measured.
+def test_results_survive_a_round_trip_through_scores(confusion):
+    # A home without a scored frame looks like one that was not measured.
     confusion[:, :, 0, 0] += 1
     one = Measured(("B", "A", "C"), ("seed-0", "seed-1"), CLASSES, confusion)
     back = rebuilt({"x": one}).of("x")
@@ -73,7 +73,7 @@ def test_scores_give_the_same_results_back(confusion):
     np.testing.assert_array_equal(back.confusion, one.confusion)
 
 
-def test_results_of_other_data_sets_have_other_places():
+def test_results_on_other_data_sets_have_their_own_places():
     other = Measured(("s",), (NO_SEED,), ("office", "kitchen", "lab"), np.arange(1, 10).reshape(1, 1, 3, 3))
     results = rebuilt({"x": FIXED, "s": other}, others=[("office", "kitchen", "lab")])
     assert results.of("x").classes == CLASSES
@@ -81,6 +81,6 @@ def test_results_of_other_data_sets_have_other_places():
     np.testing.assert_array_equal(results.of("s").confusion, other.confusion)
 
 
-def test_an_unknown_result_names_the_nearest():
+def test_an_unknown_result_suggests_similar_names():
     with pytest.raises(PlacecatError, match="result 'cues/gits' does not exist: did you mean cues/gist"):
         Results(("A",), CLASSES, {"cues/gist": FIXED}, {}).of("cues/gits")

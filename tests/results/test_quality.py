@@ -1,4 +1,4 @@
-"""Quality of distributions, from homes to files and tables."""
+"""The quality of distributions, from homes to files and tables."""
 
 import numpy as np
 import pandas as pd
@@ -39,14 +39,14 @@ def test_rows_restore_the_results():
         same(found[name], one)
 
 
-def test_counts_are_written_as_such():
+def test_counts_are_written_as_integers():
     (first, _), columns = quality_rows("x", FIXED), QUALITY_COLUMNS
     row = dict(zip(columns, first, strict=True))
     assert (row["stays"], row["stays_right"]) == (4, 3) and isinstance(row["stays"], int)
     assert (row["home"], row["seed"], row["log_loss"]) == ("B", NO_SEED, 1.0)
 
 
-def test_homes_weigh_the_same_in_averages_and_stays_in_their_share():
+def test_averages_weight_homes_equally_and_the_share_weights_stays():
     assert FIXED.averages() == {"log_loss": 1.75, "calibration_error": 20.0, "stay_accuracy": 45.0}
     assert FIXED.stay_share().tolist() == [50.0]
     assert RANDOM.over_homes("stay_accuracy").tolist() == [25.0, 75.0]
@@ -60,7 +60,7 @@ def test_homes_without_labels_are_left_out():
     assert quality_table({"x": nothing})[["log_loss", "stay_share"]].isna().all(axis=None)
 
 
-def test_the_table_has_means_and_the_spread_of_seeds():
+def test_the_table_has_means_and_spreads_over_seeds():
     table = quality_table({"fixed": FIXED, "random": RANDOM}).set_index("result")
     fixed, random = table.loc["fixed"], table.loc["random"]
     assert fixed[["homes", "seeds", "stays"]].tolist() == [2, 0, 10]

@@ -1,4 +1,7 @@
-"""Results with given accuracies: two places with equally many frames; wrong frames get the other name."""
+"""Results with given accuracies, for two places with equally many frames.
+
+Each misclassified frame is assigned to the other place.
+"""
 
 import numpy as np
 
@@ -9,7 +12,7 @@ PLACES = ("bedroom", "kitchen")
 
 
 def measured(percent, homes=None, *, places=PLACES):
-    """One result from (homes,) percentages, or from (seeds, homes) if random; NaN for no frames."""
+    """Make a result from (homes,) percentages, or from (seeds, homes) if random; NaN means no frames."""
     percent = np.asarray(percent, float)
     seeds = (NO_SEED,) if percent.ndim == 1 else tuple(f"seed-{number}" for number in range(len(percent)))
     percent = np.atleast_2d(percent)
@@ -21,6 +24,6 @@ def measured(percent, homes=None, *, places=PLACES):
 
 
 def results(missing=None, **named):
-    """Results by name, from `measured`."""
+    """Make the results of a run; `named` are from `measured`."""
     homes = tuple(f"home_{number}" for number in range(1, 7))
     return Results(homes, PLACES, named, missing or {})

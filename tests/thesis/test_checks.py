@@ -1,4 +1,4 @@
-"""Wrong tables are refused when settings are composed."""
+"""Invalid tables are rejected when settings are composed."""
 
 import shutil
 
@@ -13,7 +13,7 @@ from project import ROOT
 PARAMS = settings.load(ROOT / "params.yaml")
 
 
-def test_the_tables_are_right():
+def test_the_tables_are_valid():
     check(PARAMS, ROOT)
 
 
@@ -29,7 +29,7 @@ def test_the_tables_are_right():
         ("gist/table_03", {"trial": {}}, "table_03 changes classifier.base.gamma, but its trial has no such"),
     ],
 )
-def test_a_wrong_table_is_refused(file, change, message, tmp_path):
+def test_an_invalid_table_is_rejected(file, change, message, tmp_path):
     for name in ("data/thesis", "conf"):
         shutil.copytree(ROOT / name, tmp_path / name)
     path = tmp_path / f"data/thesis/tables/{file}.yaml"

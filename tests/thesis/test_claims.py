@@ -69,6 +69,6 @@ def test_without_a_right_side_the_left_is_compared_with_a_number():
         (finding(comparison(), title="x"), "no setting 'title'"),
     ],
 )
-def test_wrong_settings_are_refused(config, message):
+def test_invalid_settings_are_rejected(config, message):
     with pytest.raises(PlacecatError, match=message):
         read_finding("finding_03", config)

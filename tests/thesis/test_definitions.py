@@ -1,4 +1,4 @@
-"""The files of data/thesis: references, and refused content."""
+"""The files of data/thesis: references, and content that is rejected."""
 
 import pytest
 
@@ -25,7 +25,7 @@ def write(tmp_path):
     return write
 
 
-def test_a_table_starts_from_a_file_of_conf_and_from_another_table(write):
+def test_a_table_can_start_from_a_conf_file_or_another_table(write):
     knn = "{classifier: {like: conf/classifier/knn.yaml, base: {k: 3}}}"
     first = f"number: 1\ntitle: A\ntrial: {knn}\nhomes: all\naxes: {{}}\n"
     second = "like: data/thesis/tables/study/table_01.yaml\nnumber: 2\ntrial: {classifier: {base: {k: 5}}}\n"
@@ -37,17 +37,17 @@ def test_a_table_starts_from_a_file_of_conf_and_from_another_table(write):
     assert found["table_01"]["trial"] == {"classifier": knn}
     assert found["table_02"]["trial"]["classifier"]["base"] == {"k": 5, "smoothing": 1.0}
     assert (found["table_02"]["number"], found["table_02"]["title"]) == (2, "A")
-    # A table that starts from a file does not inherit.
+    # A classifier that starts from a file inherits nothing from the other table.
     assert found["table_03"]["trial"]["classifier"] == {"size": 4}
 
 
-def test_a_setting_is_filled_in(write):
+def test_references_to_settings_are_resolved(write):
     root = write(study__table_01="trial: {classifier: '${cues.gist.classifier}'}\nhomes: all\naxes: {}\n")
     found = definitions.studies(PARAMS, root)["study"]["table_01"]
     assert found["trial"] == {"classifier": {"nu": 0.2}}
 
 
-def test_a_table_that_needs_a_setting_is_there_with_it_only(write):
+def test_a_table_that_needs_a_setting_is_included_only_with_it(write):
     root = write(table_01="number: 1\n", table_02="number: 2\nneeds: cues.embedding\n")
     assert list(definitions.tables(PARAMS, root)) == ["table_01"]
     assert definitions.optional(root) == ["table_02"]

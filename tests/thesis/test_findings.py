@@ -1,4 +1,4 @@
-"""The ledger on the findings of the project, which are read from their files."""
+"""The ledger of the project's own findings, which are read from their files."""
 
 import dataclasses
 import re
@@ -34,7 +34,7 @@ def results_of(finding):
     return {name for one in finding.comparisons for side in one.sides for name in side.results}
 
 
-def test_there_are_the_34_findings():
+def test_there_are_34_findings():
     assert [one.number for one in FINDINGS.values()] == list(range(1, 35))
     assert list(FINDINGS) == [f"finding_{one.number:02d}" for one in FINDINGS.values()]
 
@@ -45,8 +45,8 @@ def test_a_finding_uses_results_that_a_run_has(name):
 
 
 @pytest.mark.parametrize("name", FINDINGS)
-def test_the_numbers_of_the_thesis_fit_its_claims(name):
-    """So sides are not swapped, and each comparison fits its sentence."""
+def test_the_published_numbers_support_the_claims(name):
+    """No comparison has its sides swapped, and each range contains the published difference."""
     for comparison in FINDINGS[name].comparisons:
         thesis = look_up(comparison, PUBLISHED, comparison.sides)
         claimed = claimed_range(comparison.range, thesis.difference, Rules(**VERDICT))
@@ -54,7 +54,7 @@ def test_the_numbers_of_the_thesis_fit_its_claims(name):
             assert claimed.low < thesis.difference < claimed.high, comparison
 
 
-def test_only_claims_without_numbers_in_the_thesis_have_none():
+def test_only_three_claims_have_no_published_numbers():
     without = {
         finding.number
         for finding in FINDINGS.values()
@@ -76,7 +76,7 @@ def judged():
     return ledger(CONFIGS, QUICK, RESULTS, PUBLISHED)[:2]
 
 
-def test_the_ledger_has_a_row_a_finding_and_one_a_comparison(judged):
+def test_the_ledger_has_one_row_per_finding_and_per_comparison(judged):
     findings, comparisons = judged
     assert findings["number"].tolist() == list(range(1, 35))
     assert findings["claim"].tolist() == [one.claim for one in FINDINGS.values()]
@@ -92,7 +92,7 @@ def test_the_ledger_has_a_row_a_finding_and_one_a_comparison(judged):
     assert list(comparisons[["finding", "reading"]].itertuples(index=False, name=None)) == expected
 
 
-def test_findings_on_knn_are_judged_as_printed_too(judged):
+def test_findings_on_knn_are_also_judged_as_printed(judged):
     findings, comparisons = judged
     printed = findings[findings["verdict_as_printed"] != ""]
     assert printed["number"].tolist() == [11, 12, 13, 14, 15, 16, 18]
@@ -114,8 +114,8 @@ def test_the_reason_says_how_many_frames_the_filter_drops(judged):
     assert "the threshold 0.10000 drops 25 % of the labelled frames" in reason
 
 
-def test_the_published_number_beside_a_measured_one_is_of_the_same_cell():
-    """991 clusters were not measured: the measurement at 196 is compared with the thesis's number at 196."""
+def test_published_and_measured_numbers_come_from_the_same_cell():
+    """Without 496 and 991 clusters, the measurement at 196 is compared with the thesis's number at 196."""
     names = [f"trials/table_04/Naive Bayes||{number}" for number in (496, 991)]
     there = {name: one for name, one in RESULTS.measured.items() if name not in names}
     reasons = {(name, home): "too few frames" for name in names for home in RESULTS.homes}
@@ -150,7 +150,7 @@ def test_few_units_decide_nothing(judged):
     assert set(few[few["range"] != "both signs"]["verdict"]) == {UNDECIDED}
 
 
-def test_the_ledger_repeats_and_does_not_depend_on_order(judged):
+def test_the_ledger_is_deterministic_and_ignores_order(judged):
     again = ledger(dict(reversed(CONFIGS.items())), QUICK, RESULTS, PUBLISHED)[:2]
     for one, other in zip(judged, again, strict=True):
         pd.testing.assert_frame_equal(one, other)
@@ -179,7 +179,7 @@ def test_missing_measurements_are_undecided_with_a_reason(missing):
     assert findings["reason"].str.contains(words[missing]).all()
 
 
-def test_a_finding_shows_the_comparison_that_decides_it():
+def test_a_finding_shows_its_deciding_comparison():
     homes = np.array([30.0, 45.0, 38.0, 51.0, 27.0, 42.0])
     gains = {"clear": [9, 8, 9, 9, 8, 9], "close": [3, 2, 3, 3, 2, 3], "open": [9, -8, 9, -8, 9, -8]}
     gains["wrong"] = [-9, -8, -9, -9, -8, -9]
@@ -208,6 +208,6 @@ def test_a_finding_shows_the_comparison_that_decides_it():
     assert row("clear")["reason"] == "the whole interval is above 0"
 
 
-def test_unknown_rules_are_refused():
+def test_unknown_rules_are_rejected():
     with pytest.raises(PlacecatError, match="verdict has no setting 'levl'; did you mean 'level'"):
         ledger(CONFIGS, VERDICT | {"levl": 0.9}, RESULTS, PUBLISHED)

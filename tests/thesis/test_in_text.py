@@ -47,7 +47,7 @@ def test_every_published_number_has_a_line():
         assert np.isfinite(line["measured"]) != (row.name in REFERENCES)
 
 
-def test_the_numbers_of_the_text_match_the_thesis():
+def test_the_published_numbers_match_the_thesis():
     value = PUBLISHED.set_index(KEY)["value"]
     assert value["gist_without_color", "without colour", "Home 6"] == 35.41
     assert value["gist_without_center_surround", "without centre-surround", "Home 6"] == 30.96
@@ -76,19 +76,19 @@ def test_a_comparison_shows_both_sides_and_their_difference():
     assert average["spread"] == pytest.approx(np.ptp(difference.mean(axis=1)), abs=0.006)
 
 
-def test_results_below_a_name_are_compared_pair_by_pair():
+def test_trials_below_a_name_are_compared_in_pairs():
     lines = filled()
     flat = lines.loc["flat_kmeans"]["measured"].xs("Average", level="home")
     differences = [flat[f"{number} clusters: difference"] for number in (46, 91, 196, 496)]
     assert flat["difference, lowest"] == pytest.approx(min(differences), abs=0.005)
-    assert "that of " in lines.loc[("flat_kmeans", "difference, lowest", "Average"), "note"]
+    assert "; for " in lines.loc[("flat_kmeans", "difference, lowest", "Average"), "note"]
     short = lines.loc["color_mv_short"]["measured"].xs("Average", level="home")
     each = short[short.index.str.endswith(": difference")]
     assert len(each) == 12
     assert short["difference, mean"] == pytest.approx(each.mean(), abs=0.01)
 
 
-def test_the_error_on_the_last_class_is_compared_as_a_ratio():
+def test_errors_on_the_last_class_are_compared_as_a_ratio():
     errors = [100 - RESULTS.of(f"toy/last/{scheme}").by_home()[:, 0] for scheme in ("sequential", "parallel")]
     line = filled().loc[("toy_problem", "error on the last class, sequential / parallel", "")]
     assert line["measured"] == pytest.approx((errors[0] / errors[1]).mean(), abs=0.005)
@@ -102,7 +102,7 @@ def test_the_accuracy_on_the_toy_problem_is_over_all_points():
     assert line["measured"] == pytest.approx(RESULTS.of("toy/parallel").plain().mean(), abs=0.005)
 
 
-def test_no_error_gives_no_ratio():
+def test_there_is_no_ratio_without_errors():
     results = made()
     confusion = results.measured["toy/last/parallel"].confusion
     confusion *= np.eye(confusion.shape[-1], dtype=int)
@@ -111,7 +111,7 @@ def test_no_error_gives_no_ratio():
     assert line["note"].startswith("toy/last/parallel makes no error")
 
 
-def test_on_other_data_numbers_do_not_compare():
+def test_numbers_on_other_data_are_not_comparable():
     note = filled().loc[("gist_without_color", "without colour", "Home 6"), "note"]
     assert "the published number is from the VPC-2009 home database and is not comparable" in note
     same = fill(dataset={"title": "d", "thesis_data": "VPC-2009 home database"})
@@ -125,7 +125,7 @@ def test_on_other_data_numbers_do_not_compare():
     assert set(other.index.get_level_values("name")) == names
 
 
-def test_the_numbers_of_wu_are_for_reference():
+def test_numbers_by_wu_are_not_measured():
     lines = filled().loc[REFERENCES]
     assert len(lines) == 4
     assert lines["measured"].isna().all()
@@ -134,7 +134,7 @@ def test_the_numbers_of_wu_are_for_reference():
     assert own == pytest.approx(RESULTS.of("cues/centrist_naive_bayes/5-5-1").by_home().mean(), abs=0.005)
 
 
-def test_places_are_compared_one_by_one_over_the_homes_that_show_them():
+def test_places_are_averaged_over_the_homes_that_show_them():
     results = made()
     results.measured["smoothing/spatial_pact"].confusion[:, 2, 3] = 0
     lines = fill(results).loc["pact_smoothing"]["measured"].xs("Average", level="home")
@@ -151,7 +151,7 @@ def test_places_are_compared_one_by_one_over_the_homes_that_show_them():
     assert of_gist["difference, highest"] == max([*each, of_gist["Bathroom: difference"]])
 
 
-def test_a_star_is_the_best_trial_of_its_axis():
+def test_a_star_selects_the_best_trial():
     lines = filled().loc["colour_knn"]
     for name, table in (("with colour", "table_13"), ("without", "table_12")):
         group = "SIFT + y-Pos" + (" + Color M/V" if table == "table_13" else "")
@@ -189,7 +189,7 @@ def test_sequences_of_a_split_are_counted_together_as_in_its_table():
 
 
 def test_runtimes_come_from_git():
-    # Each peer has a row; the first is scikit-learn's own way.
+    # Each peer has a row; the first one is scikit-learn's own method.
     kept = RECORDS["benchmarks"].groupby(["module", "input", "quantity"], sort=False)["ours"].first()
     lines = filled()["measured"]
     rate = kept["frame_features", "1280x720 JPEG, for the cues", "frames/s on one core, with decoding"]
@@ -206,7 +206,7 @@ def test_missing_records_have_a_reason():
     assert line["note"].startswith("not recorded")
 
 
-def test_contradictions_of_the_text_are_real():
+def test_noted_contradictions_exist_in_the_thesis():
     value = published().set_index(["table", "group", "row", "column"])["value"].sort_index()
 
     def best(table, group):
@@ -238,7 +238,7 @@ def test_with_fewer_homes_missing_numbers_have_a_reason():
     assert lines["note"][lines["measured"].isna()].str.len().min() > 0
 
 
-def test_an_average_is_over_the_homes_with_both_sides():
+def test_averages_use_only_homes_with_both_sides():
     name = "trials/gist_without_color/||"
     one = RESULTS.of(name)
     fewer = dataclasses.replace(one, homes=one.homes[:5], confusion=one.confusion[:, :5])
@@ -290,12 +290,12 @@ def test_an_average_is_over_the_homes_with_both_sides():
         ({"new": {"reference": "x"}}, "an entry 'new' that is not among the published numbers"),
     ],
 )
-def test_mistakes_are_refused(change, message):
+def test_invalid_entries_are_rejected(change, message):
     entries = {name: entry | change.get(name, {}) for name, entry in (change | ENTRIES).items()}
     with pytest.raises(PlacecatError, match=message):
         fill(entries=entries)
 
 
-def test_a_published_number_without_an_entry_is_refused():
+def test_a_published_number_without_an_entry_is_an_error():
     with pytest.raises(PlacecatError, match="number 'wu_sift' has no entry"):
         fill(entries={name: entry for name, entry in ENTRIES.items() if name != "wu_sift"})

@@ -47,20 +47,20 @@ def test_an_equal_gain_in_every_home_holds():
 
 
 def test_pairing_cancels_effects_of_homes():
-    """Homes differ by 24 points, the sides by 1 point in each."""
+    """Homes differ by 24 points, but in each home the sides differ by only 1 point."""
     judged = compare(measured(HOMES + 1), measured(HOMES))
     interval = judged.measurement.interval
     assert (interval.low, interval.estimate, interval.high) == (1.0, 1.0, 1.0)
     assert judged.verdict == HOLDS
 
 
-def test_swapped_sides_turn_holds_into_does_not_hold():
+def test_swapping_the_sides_reverses_the_verdict():
     left, right = measured(shifted([3, 4, 5, 3, 4, 5])), measured(HOMES)
     assert compare(right, left).verdict == FAILS
     assert compare(right, left, "worse").verdict == HOLDS
 
 
-def test_differences_between_homes_are_undecided():
+def test_gains_with_mixed_signs_are_undecided():
     judged = compare(measured(shifted([9, -8, 7, -6, 5, -2])), measured(HOMES))
     assert judged.verdict == UNDECIDED
     assert judged.reason == "only part of the interval is above 0"
@@ -82,7 +82,7 @@ def test_too_few_units_are_always_undecided():
     assert np.isnan(judged.measurement.interval.low)
 
 
-def test_a_result_that_is_missing_is_undecided_with_its_reason():
+def test_a_missing_result_is_undecided_with_its_reason():
     comparison = Comparison(Side("left", ("a",)), ("better", None), Side("right", ("b",)))
     found = results({("b", "home_1"): "too few frames"}, a=measured(HOMES))
     judged = judge_comparison("finding_01", comparison, RULES, found, PUBLISHED)
@@ -96,7 +96,7 @@ def test_a_side_can_be_compared_with_a_number():
     assert compare(measured([98.5, 98.6, 98.7, 98.6]), kind="above", number=99.0).verdict == FAILS
 
 
-def test_a_ratio():
+def test_ratios_are_judged():
     left, right = measured([[30.0], [33.0], [27.0], [30.0]]), measured([[10.0], [11.0], [9.0], [10.0]])
     judged = compare(left, right, "about", compare="ratio", published={"text": "points"})
     assert judged.measurement.paired.units == "1 home x 4 seeds"
@@ -105,12 +105,12 @@ def test_a_ratio():
     assert judged.verdict == HOLDS
 
 
-def test_nothing_is_divided_by_zero():
+def test_a_zero_denominator_is_undecided():
     judged = compare(measured([1, 2, 3]), measured([0, 0, 0]), compare="ratio")
-    assert (judged.verdict, judged.reason) == (UNDECIDED, "right can be 0: it has no ratio")
+    assert (judged.verdict, judged.reason) == (UNDECIDED, "right can be 0, so there is no ratio")
 
 
-def test_best_is_compared_with_the_best():
+def test_best_selects_the_best_result():
     named = {"a": measured(HOMES), "b": measured(HOMES + 5), "c": measured(HOMES + 4)}
     left = Side("best", ("a", "b"), combine="best", published=({"text": "worst"}, {"text": "best"}))
     comparison = Comparison(left, ("better", None), Side("c", ("c",), published=({"text": "worst"},)))
@@ -124,7 +124,7 @@ def test_best_is_compared_with_the_best():
 @pytest.mark.parametrize(
     ("gains", "counts", "verdict"),
     [
-        # As often hurt as helped.
+        # It hurts as often as it helps.
         ([8, -7, 9, -8, 6, -6], (3, 3), HOLDS),
         # It helps equally in every home, so it cannot hurt in one of twenty.
         ([5, 5.5, 4.8, 5.2, 5.1, 4.9], (0, 6), FAILS),
@@ -135,7 +135,7 @@ def test_best_is_compared_with_the_best():
         ([3, 2, 4, 1, 5, -2], (1, 5), UNDECIDED),
     ],
 )
-def test_both_signs_takes_a_share_of_the_cases_each(gains, counts, verdict):
+def test_both_signs_needs_enough_cases_of_each_sign(gains, counts, verdict):
     judged = compare(measured(shifted(gains)), measured(HOMES), "both_signs")
     assert judged.verdict == verdict
     assert judged.reason.startswith(
@@ -143,14 +143,14 @@ def test_both_signs_takes_a_share_of_the_cases_each(gains, counts, verdict):
     )
 
 
-def test_both_signs_takes_some_homes():
+def test_both_signs_needs_enough_homes():
     judged = compare(measured([40, 50, 30]), measured([45, 45, 35]), "both_signs")
     assert judged.verdict == UNDECIDED
     assert judged.reason.endswith("3 homes are too few for a verdict")
 
 
-def test_both_signs_takes_every_seed():
-    """Worse with one seed and better with the other is neither."""
+def test_both_signs_requires_agreement_of_all_seeds():
+    """A case that is worse with one seed and better with the other counts as neither."""
     left = measured([shifted([-2, 2, 0, 0, 0, 0]), shifted([2, 2, 0, 0, 0, 0])])
     judged = compare(left, measured([HOMES, HOMES]), "both_signs")
     assert judged.reason.startswith("worse in 0, better in 1 of 6 cases")
@@ -188,8 +188,8 @@ def test_a_comparison_that_fails_alone_need_not_fail_among_many():
     assert compare(right, left, comparisons=14).verdict == HOLDS
 
 
-def test_the_published_number_is_of_the_cell_that_was_measured():
-    """The last is the last measured one, the best the best measured one; so are their published numbers."""
+def test_the_published_number_follows_the_measured_result():
+    """``last`` and ``best`` choose among the measured results, and the published numbers follow."""
     cells = ({"text": "points"}, {"text": "best"}, {"text": "worst"})
     found = results({("c", "home_1"): "too few frames"}, a=measured(HOMES), b=measured(HOMES + 1))
     for combine, published, used in (("last", 40.0, "b"), ("best", 40.0, "b"), ("mean", 21.5, "a")):

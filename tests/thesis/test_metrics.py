@@ -1,4 +1,4 @@
-"""The tables as nested metrics, and the data of DVC's plots."""
+"""The tables as nested metrics, and the data for DVC's plots."""
 
 from pathlib import Path
 
@@ -34,7 +34,7 @@ def test_tables_nest_by_group_row_and_column():
     }
 
 
-def test_empty_labels_make_no_level():
+def test_empty_labels_add_no_level():
     tables = {
         "table_05": filled(("", "SVM", "Home 1", 31.2)),
         "table_03": filled(("", "0.2", "", 31.2), ("", "0.1", "", 28.0)),
@@ -61,7 +61,7 @@ def test_cells_without_a_number_are_left_out():
 
 @pytest.fixture
 def results():
-    # Two seeds, two homes; the second seed decides differently.
+    # There are two seeds and two homes; the decisions of the second seed differ.
     confusion = np.array(
         [[[[3, 1], [0, 4]], [[1, 1], [0, 0]]], [[[4, 0], [4, 0]], [[2, 0], [0, 0]]]],
     )
@@ -73,7 +73,7 @@ def results():
     return Results(("A", "B"), PLACES, {"integration/x": measured}, reasons, quality=quality)
 
 
-def test_a_row_a_frame_of_the_first_seed(results):
+def test_decisions_have_one_row_per_frame_of_the_first_seed(results):
     rows = plot_data(results, {"confusion": {"after": "integration/x"}})["confusion/after.csv"]
     assert list(rows.columns) == ["truth", "decision"]
     assert rows.value_counts().to_dict() == {
@@ -84,13 +84,13 @@ def test_a_row_a_frame_of_the_first_seed(results):
     assert rows["truth"].tolist() == ["kitchen"] * 6 + ["bedroom"] * 4
 
 
-def test_a_row_a_home_averaged_over_seeds(results):
+def test_accuracies_have_one_row_per_home(results):
     rows = plot_data(results, {"accuracy_by_home": {"after": "integration/x"}})["accuracy_by_home/after.csv"]
-    # Home A has 87.5 and 50 percent; home B has no frame of bedroom, so 50 and 100.
+    # Home A has 87.5 and 50 percent. Home B has 50 and 100 percent, because it has no frame of the bedroom.
     assert rows.to_dict("list") == {"home": ["A", "B"], "accuracy": [68.75, 75.0]}
 
 
-def test_impossible_results_have_no_rows(results):
+def test_missing_results_have_no_rows(results):
     data = plot_data(results, {kind: {"y": "integration/y"} for kind in ("confusion", "accuracy_by_home")})
     assert {name: list(rows.columns) for name, rows in data.items()} == {
         "confusion/y.csv": ["truth", "decision"],
@@ -109,15 +109,15 @@ def test_impossible_results_have_no_rows(results):
         ({"confusions": {}}, r"plots has no setting 'confusions'; did you mean 'confusion'\?"),
     ],
 )
-def test_unknown_plots_are_refused(results, plots, message):
+def test_unknown_plots_are_rejected(results, plots, message):
     with pytest.raises(PlacecatError, match=message):
         plot_data(results, plots)
 
 
-def test_a_few_averages_are_columns_for_dvc(results):
+def test_selected_averages_are_metrics(results):
     columns = {"after": "integration/x", "lost": "integration/y"}
     averages = chosen_averages(results, {"accuracy": columns, "log_loss": columns})
-    # Homes with 87.5, 50, 50 and 100 percent.
+    # The homes have 87.5, 50, 50 and 100 percent.
     assert averages == {"after": 71.88, "log_loss": {"after": 1.375}}
     for kind in ("accuracy", "log_loss"):
         with pytest.raises(PlacecatError, match=rf"metrics\.{kind}\.z: result 'integration/z' does not"):
@@ -127,7 +127,7 @@ def test_a_few_averages_are_columns_for_dvc(results):
 
 
 def test_dvc_draws_the_chosen_panels():
-    """The plots in dvc.yaml use the files and columns of the settings."""
+    """The plots in dvc.yaml use the files and columns from the settings."""
     chosen = yaml.safe_load((ROOT / "data/thesis/plots.yaml").read_text())
     drawn = {}
     for plot in read_yaml(ROOT / "dvc.yaml")["plots"]:

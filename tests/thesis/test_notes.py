@@ -1,4 +1,4 @@
-"""Notes by kind, as text and on disk."""
+"""Notes of each kind, as text and on disk."""
 
 import pandas as pd
 
@@ -14,7 +14,7 @@ def cells(*notes):
     return pd.DataFrame(rows, columns=["group", "row", "column", "notes"])
 
 
-def test_notes_come_back_from_disk_as_they_were(tmp_path):
+def test_notes_survive_a_round_trip_to_disk(tmp_path):
     first, second = cells((TITLE, WHY), (), (WHY,)), cells((TITLE,))
     files.write_csv(tmp_path / "notes.csv", pd.concat([to_rows("one", first), to_rows("two", second)]))
     rows = files.read_table(tmp_path / "notes.csv", COLUMNS)
@@ -29,6 +29,6 @@ def test_a_table_without_notes_has_none():
     ].tolist() == [()]
 
 
-def test_each_text_is_said_once():
+def test_duplicate_texts_are_removed():
     assert joined([WHY, TITLE, WHY._replace(kind=Kind.PUBLISHED)]) == f"{WHY.text}; {TITLE.text}"
     assert without_empty([WHY, Note(Kind.PUBLISHED, ""), WHY]) == (WHY,)

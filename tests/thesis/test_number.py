@@ -19,13 +19,13 @@ def results(**missing):
     return Results(("A", "B", "C"), ("bedroom", "kitchen"), {"one": one}, reasons)
 
 
-def test_a_home_by_its_number():
+def test_homes_are_numbered_from_one():
     number = in_home(results(), "one", 1)
     assert number.values.tolist() == [87.5, 62.5]
     assert (number.measured, number.spread, number.seeds) == (75.0, 25.0, 2)
 
 
-def test_homes_and_their_average_by_seed():
+def test_the_average_over_homes_is_computed_per_seed():
     found = dict(in_homes(results(), "one", [1, 2]))
     assert list(found) == ["Home 1", "Home 2", "Average"]
     assert found["Average"].values.tolist() == [(87.5 + 75) / 2, (62.5 + 75) / 2]
@@ -53,13 +53,13 @@ def test_an_unknown_result_is_an_error_unless_there_is_a_reason():
 
 
 @given(seeded)
-def test_the_number_lies_between_its_seeds(number):
+def test_the_mean_lies_within_the_range_of_the_seeds(number):
     assert number.values.min() - 0.005 <= number.measured <= number.values.max() + 0.005
     assert number.spread == pytest.approx(np.ptp(number.values), abs=0.006)
 
 
 @given(st.one_of(seeded, fixed), st.one_of(seeded, fixed))
-def test_a_difference_is_taken_seed_by_seed(left, right):
+def test_differences_are_computed_per_seed(left, right):
     difference = left.minus(right)
     assert difference.is_random == (left.is_random or right.is_random)
     assert difference.values.mean() == pytest.approx(left.values.mean() - right.values.mean())
@@ -81,7 +81,7 @@ def test_a_mean_leaves_out_missing_numbers(numbers):
         assert np.isnan(found.minus(nothing("too")).measured)
 
 
-def test_a_difference_to_nothing_has_the_reason():
+def test_subtracting_a_missing_number_keeps_its_reason():
     one = Number(np.array([1.0]), False)
     assert one.minus(nothing("why")).notes == ("why",)
     assert nothing("why").minus(nothing("why")).notes == ("why",)

@@ -23,7 +23,7 @@ def test_homes_are_units_and_seeds_are_averaged():
     assert right.tolist() == [[12, 23, 34, 45, 56, 67]]
 
 
-def test_few_homes_are_split_by_seed_and_paired_on_the_homes_both_have():
+def test_a_few_homes_are_split_by_seed():
     paired = pair(results(a=RANDOM, b=TWO_HOMES, c=FIXED), [side("a", "c"), side("b")], few_homes=2)
     left, right = paired.by_unit()
     assert paired.units == "2 homes x 2 seeds"
@@ -38,25 +38,25 @@ def test_without_seeds_two_homes_are_two_units():
     assert paired.by_unit()[0].tolist() == [[10, 20]]
 
 
-def test_one_home_and_one_seed_are_singular():
+def test_single_units_have_singular_names():
     paired = pair(results(a=measured([[10]])), [side("a")], few_homes=2)
     assert paired.units == "1 home x 1 seed"
 
 
-def test_a_home_without_frames_is_no_unit():
+def test_a_home_without_frames_is_left_out():
     paired = pair(results(a=measured([10, np.nan, 30]), b=measured([1, 2, 3])), [side("a"), side("b")], 1)
     assert paired.homes == ("home_1", "home_3")
     assert paired.by_unit()[1].tolist() == [[1, 3]]
 
 
-def test_error_of_one_place():
+def test_the_error_of_one_place_is_computed():
     one = measured([90])
     one.confusion[0, 0] = [[900, 100], [300, 700]]
     paired = pair(results(a=one), [side("a", place="kitchen", error=True), side("a", place="bedroom")], 2)
     assert [values.tolist() for values in paired.by_unit()] == [[[30.0]], [[90.0]]]
 
 
-def test_last_is_the_last_measured_result():
+def test_last_selects_the_last_measured_result():
     last = side("a", "b", "c", combine="last")
     paired = pair(results(a=FIXED, b=RANDOM), [last], few_homes=2)
     assert paired.sides[0].results == ("b",)
@@ -65,7 +65,7 @@ def test_last_is_the_last_measured_result():
         pair(results(), [last], few_homes=2)
 
 
-def test_the_best_is_among_the_computed_results_and_the_rest_is_noted():
+def test_best_ignores_missing_results_and_notes_them():
     found = results({("b", "home_1"): "too few frames"}, a=FIXED, c=RANDOM)
     paired = pair(found, [side("a", "b", combine="best"), side("c")], few_homes=2)
     assert paired.sides[0].results == ("a",)
@@ -76,7 +76,7 @@ def test_the_best_is_among_the_computed_results_and_the_rest_is_noted():
         pair(found, [side("b", combine="best")], few_homes=2)
 
 
-def test_means_use_the_results_of_both_sides():
+def test_means_use_only_results_available_on_both_sides():
     found = results({("b", "home_1"): "too few frames"}, a=FIXED, c=RANDOM, d=RANDOM)
     paired = pair(found, [side("a", "b"), side("c", "d")], few_homes=2)
     assert [one.results for one in paired.sides] == [("a",), ("c",)]
@@ -85,7 +85,7 @@ def test_means_use_the_results_of_both_sides():
     )
 
 
-def test_missing_results_say_why():
+def test_missing_results_raise_with_the_reason():
     found = results({("b", "home_1"): "too few frames", ("b", "home_2"): "too few frames"}, a=FIXED)
     with pytest.raises(NotComputable, match=r"^b: too few frames$"):
         pair(found, [side("a"), side("b")], few_homes=2)
@@ -103,7 +103,7 @@ def test_a_home_that_one_result_lacks_is_noted():
     assert paired.note == "without home_3: too few frames"
 
 
-def test_seeds_of_other_names_are_averaged():
+def test_seeds_with_different_names_are_averaged():
     other = measured([[10, 20], [20, 30], [30, 40]])
     other = type(other)(other.homes, ("x", "y", "z"), other.classes, other.confusion)
     paired = pair(results(a=other, b=measured([[1, 2], [3, 4]])), [side("a"), side("b")], few_homes=2)

@@ -12,7 +12,7 @@ STAYS = ((0, 10), (1, 4), (0, 30), (0, 20), (1, 6))
 
 
 def by_stay(*right, stays=STAYS):
-    """A result with some correctly named frames in each stay, for each seed."""
+    """Make a result from the numbers of correctly named frames in each stay, one list per seed."""
     confusion = np.zeros((len(right), len(stays), 3, 3), int)
     for s, of_seed in enumerate(right):
         for n, ((place, frames), own) in enumerate(zip(stays, of_seed, strict=True)):
@@ -29,11 +29,11 @@ def results(**stays):
 A, B = by_stay((10, 4, 15, 5, 3)), by_stay((5, 2, 30, 10, 6), (7, 2, 30, 10, 6))
 
 
-def test_accuracies_are_over_the_pooled_frames():
+def test_accuracies_pool_the_frames():
     pooled = pool(results(a=A, b=B), [Side("left", ("a",)), Side("right", ("b",))])
     assert pooled.units == "5 stays"
     assert pooled.names == ("corridor", "kitchen")
-    # 30 of 60 frames of corridor and 7 of 10 of kitchen; likewise for each seed of b.
+    # 30 of 60 frames of the corridor are correct, and 7 of 10 of the kitchen; likewise for each seed of b.
     left, right = pooled.overall()
     assert left.tolist() == [[pytest.approx((50 + 70) / 2)]]
     assert right.tolist() == [[pytest.approx((46 / 60 + 0.8) * 50)]]
@@ -46,13 +46,13 @@ def test_accuracies_are_over_the_pooled_frames():
     ("options", "expected"),
     [({"plain": True}, 100 * 37 / 70), ({"place": "kitchen"}, 70), ({"place": "kitchen", "error": True}, 30)],
 )
-def test_measures(options, expected):
+def test_accuracy_options(options, expected):
     pooled = pool(results(a=A), [Side("left", ("a",), **options)])
     assert pooled.overall()[0][0, 0] == pytest.approx(expected)
 
 
-def test_stays_are_the_units():
-    """Equal values in all stays of a place give a point interval, whatever the differences between places."""
+def test_the_bootstrap_resamples_stays():
+    """If all stays of a place have equal values, the interval is a point, however much the places differ."""
     same = by_stay([frames * (place + 1) // 2 for place, frames in STAYS])
     pooled = pool(results(a=same), [Side("left", ("a",))])
     interval = pooled.interval(lambda sides: sides[0][0], 0, 0.95, 300)
@@ -63,7 +63,7 @@ def test_stays_are_the_units():
     assert interval.high > interval.estimate + 5
 
 
-def test_a_place_with_a_single_stay_is_too_few():
+def test_a_place_with_a_single_stay_prevents_a_verdict():
     stays = ((0, 10), (0, 10), (0, 10), (1, 5))
     pooled = pool(results(a=by_stay((5, 5, 5, 5), stays=stays)), [Side("left", ("a",))])
     assert pooled.too_few(4) == "only one stay shows kitchen: too few for a verdict"
@@ -73,7 +73,7 @@ def test_a_place_with_a_single_stay_is_too_few():
     assert single.n_units == 1
 
 
-def test_missing_stays_have_a_reason():
+def test_missing_stays_raise_with_the_reason():
     with pytest.raises(NotComputable, match="this run has no result b"):
         pool(results(a=A), [Side("left", ("a",)), Side("right", ("b",))])
     without = Results(("one",), CLASSES, {"a": A.pooled()}, {})

@@ -21,13 +21,13 @@ PUBLISHED = Published(
 )
 
 
-def test_a_cell_by_its_labels():
+def test_a_cell_is_found_by_its_labels():
     assert PUBLISHED.number({"table": 1, "row": "Home 1", "column": "46"}) == 25.64
     assert PUBLISHED.number({"table": "24", "row": "HOG", "column": "Average"}) == 36.11
     assert np.isnan(PUBLISHED.number({"table": 3, "group": "gamma=1.0", "row": "Average", "column": "0.2"}))
 
 
-def test_a_number_of_the_text():
+def test_a_number_in_the_text_is_found():
     assert PUBLISHED.number({"text": "toy", "quantity": "sequential"}) == 99.56
     assert np.isnan(PUBLISHED.number({"text": "short"}))
 
@@ -46,7 +46,7 @@ def test_a_trial_is_found_by_its_name(result, home, value):
     assert PUBLISHED.of_trial(result, home) == value
 
 
-def test_other_results_have_no_number_by_name():
+def test_results_that_are_not_cells_have_no_number():
     assert np.isnan(PUBLISHED.of_trial("cues/gist/5-5-1"))
     assert np.isnan(PUBLISHED.of_trial("trials/flat_kmeans/||46"))
 
@@ -60,11 +60,11 @@ def test_other_results_have_no_number_by_name():
         ({"text": "toy", "table": 1}, "no setting 'table'"),
     ],
 )
-def test_unknown_numbers_are_refused(reference, message):
+def test_unknown_numbers_are_rejected(reference, message):
     with pytest.raises(PlacecatError, match=message):
         PUBLISHED.number(reference)
 
 
-def test_a_trial_that_the_table_lacks_is_refused():
+def test_a_trial_without_a_published_cell_is_an_error():
     with pytest.raises(PlacecatError, match="no numbers for trials/table_01/"):
         PUBLISHED.of_trial("trials/table_01/||47")

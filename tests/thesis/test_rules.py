@@ -38,6 +38,6 @@ def test_claimed_ranges(kind, published, claimed):
         (("better", 2.0), "'better' takes no number"),
     ],
 )
-def test_wrong_ranges_are_refused(kind, message):
+def test_invalid_ranges_are_rejected(kind, message):
     with pytest.raises(PlacecatError, match=message):
         claimed_range(kind, float("nan"), RULES)

@@ -1,4 +1,4 @@
-"""The configurations of the tables: known settings only, as in the thesis."""
+"""The tables use only known settings, with the values in the thesis."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ SETTINGS = {
 
 
 @pytest.mark.parametrize("name", list(TABLES))
-def test_a_table_has_the_settings_of_its_layout_and_no_other(name):
+def test_a_table_has_exactly_the_settings_of_its_layout(name):
     table = {key: value for key, value in TABLES[name].items() if key != "name"}
     wanted = SETTINGS[table["layout"]]
     if name == "addition_toy":
@@ -55,7 +55,7 @@ def test_the_results_of_tables_exist_in_the_pipeline():
             assert result is None or result in known or result in TRIALS or result.startswith("toy/")
 
 
-def test_how_good_probabilities_are_is_shown_of_every_cue_and_system():
+def test_the_table_of_probabilities_covers_every_cue_and_system():
     table = TABLES["addition_probabilities"]
     shown = [row["result"] for row in table["rows"]]
     assert len(shown) == len(set(shown))
@@ -149,7 +149,7 @@ def test_labels_of_region_descriptors_match_the_descriptors(number):
             assert not column or trial["classifier"]["clusters"] == int(column)
 
 
-def test_table_02_keeps_the_named_share_of_gist_and_has_the_named_rounds():
+def test_table_02_has_the_labelled_gist_factors_and_rounds():
     for name, trial in TRIALS.items():
         if name.startswith("trials/table_02/"):
             words = name.split("|")[1].split()
@@ -205,7 +205,7 @@ def test_table_22_has_each_descriptor_with_the_joint_model_of_its_cue():
 
 
 @pytest.mark.parametrize(("number", "neighbours"), [(24, 1), (25, 3)])
-def test_tables_24_and_25_have_the_best_cluster_numbers(number, neighbours):
+def test_tables_24_and_25_use_the_best_cluster_numbers(number, neighbours):
     best = {"Ori M/V": 196, "HOG": 196, "SIFT": 496, "Centrist": 196, "Color M/V": 46}
     for descriptor, clusters in best.items():
         name = f"table_{number}/|{descriptor} + y-Pos|"
@@ -229,7 +229,7 @@ def test_homes_match_the_thesis():
         ("region_centrist_on_laplacian", "centrist_y"),
     ],
 )
-def test_a_variant_differs_from_its_cue_in_the_descriptor_only(name, cue):
+def test_a_variant_differs_from_its_cue_only_in_the_descriptor(name, cue):
     trial = TRIALS[f"trials/{name}/||"]
     own = PARAMS["cues"][cue]
     codebook = PARAMS["codebooks"][own["codebook"]]
@@ -239,7 +239,7 @@ def test_a_variant_differs_from_its_cue_in_the_descriptor_only(name, cue):
     assert trial["descriptor"]["kind"] == codebook["descriptor"]["kind"]
 
 
-def test_tables_again_differ_in_one_setting():
+def test_repeated_tables_differ_in_one_setting():
     for name, trial in TRIALS.items():
         if name.startswith("trials/color_mv_short/"):
             same = TRIALS[name.replace("color_mv_short", "table_21")]
@@ -260,7 +260,7 @@ def test_the_addition_is_marked_and_limits_the_training_regions():
     assert limits == {"Gist": None, "HOG + y-Pos": 1000}
 
 
-def test_the_attention_of_the_addition_differs_in_one_setting_a_row():
+def test_each_attention_variant_changes_one_setting():
     variants = PARAMS["region_variants"]["variants"]
     scales, used = PARAMS["attention"]["scales"], variants["as_used"]
     assert used == {"scales": None, "regions": {"max_regions": 25}}

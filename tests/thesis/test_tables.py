@@ -37,13 +37,13 @@ def fill(name, results=RESULTS, params=PARAMS, tables=TABLES, **dataset):
 
 @functools.cache
 def of_homes(count):
-    """Arguments of `fill` for another number of homes."""
+    """Return the arguments of `fill` for another number of homes."""
     params = with_homes(count)
     return {"results": made(params), "params": params, "tables": tables_of(params, ROOT)}
 
 
 def without(results, lost):
-    """The results, some of them without some homes, with reasons."""
+    """Return the results without the (result, home) pairs in `lost`."""
     measured, quality = {}, {}
     for name, one in results.measured.items():
         kept = [number for number, home in enumerate(one.homes) if (name, home) not in lost]
@@ -67,7 +67,7 @@ def test_every_published_table_has_one_configuration_and_all_others_are_addition
 
 
 @pytest.mark.parametrize("name", OF_THESIS)
-def test_every_published_cell_is_measured_and_no_other(name):
+def test_exactly_the_published_cells_are_measured(name):
     filled = fill(name)
     own = PUBLISHED[PUBLISHED["table"] == TABLES[name]["number"]]
     assert list(filled.columns) == [*COLUMNS, "notes", "number"]
@@ -81,7 +81,7 @@ def test_every_published_cell_is_measured_and_no_other(name):
 
 
 @pytest.mark.parametrize("name", OF_THESIS)
-def test_on_the_data_of_the_thesis_numbers_compare(name):
+def test_numbers_on_the_thesis_data_are_comparable(name):
     filled = fill(name, title="the same", thesis_data=TABLES[name]["thesis_data"])
     assert not filled["note"].str.contains("compare").any()
 
@@ -100,7 +100,7 @@ def test_with_fewer_homes_every_empty_cell_has_a_reason(name, count):
     assert (empty["note"].str.split("; ").str[0] == f"the data set has only {count} homes").all()
 
 
-def test_an_average_over_fewer_homes_than_published_says_so():
+def test_an_average_over_fewer_homes_has_a_note():
     filled = fill("table_12", **of_homes(4))
     averages = filled[filled["row"] == "Average"]
     assert averages["note"].str.contains("; mean over only Home 1").all()
@@ -109,7 +109,7 @@ def test_an_average_over_fewer_homes_than_published_says_so():
 
 
 @pytest.mark.parametrize("name", ["table_05", "table_06", "table_24", "addition_rvm"])
-def test_with_more_homes_new_cells_follow_the_published(name):
+def test_more_homes_add_cells(name):
     filled = fill(name, **of_homes(7))
     extra = filled[(filled["column"] == "Home 7") | (filled["row"] == "Home 7")]
     assert len(extra) > 0
@@ -131,13 +131,13 @@ def test_a_number_is_the_mean_of_the_seeds_with_their_spread():
     assert average["spread"] == pytest.approx(abs(means[0] - means[1]), abs=0.005)
 
 
-def test_results_without_chance_have_no_spread():
+def test_deterministic_results_have_no_spread():
     filled = fill("table_03")
     assert filled["spread"].isna().all()
     assert (filled["seeds"] == 0).all()
 
 
-def test_an_axis_that_is_no_home_is_the_mean_over_the_homes():
+def test_cells_without_a_home_axis_are_means_over_homes():
     cell = fill("table_22").set_index(KEY).loc[("", "HOG + y-Pos", "38")]
     one = RESULTS.of("trials/table_22/|HOG + y-Pos|38")
     assert one.homes == ("home_6",)
@@ -159,7 +159,7 @@ def test_sequences_of_a_split_are_counted_together():
     assert (fill("table_31")["note"].str.startswith("measured on rendered apartments; ")).all()
 
 
-def test_a_place_that_the_test_sequences_lack_has_a_reason():
+def test_a_place_missing_from_the_test_sequences_has_a_reason():
     results = made()
     results.measured["splits/university/cues/gist"].confusion[:, :, 2] = 0
     filled = fill("table_30", results).set_index(KEY)
@@ -175,7 +175,7 @@ def value_of(number, *labels):
 
 
 def is_real(number, group, row, column):
-    """Whether a published cell contradicts others of the thesis, in one of the known ways."""
+    """Whether a published cell contradicts others in the thesis, in one of the known ways."""
     if column == "Average":
         own = PUBLISHED[PUBLISHED["table"] == number].set_index(KEY)["value"]
         own = own.xs((group, row), level=("group", "row"))
@@ -190,7 +190,7 @@ def is_real(number, group, row, column):
     )
 
 
-def test_contradictions_of_the_thesis_are_real_and_noted():
+def test_contradictions_in_the_thesis_are_real_and_noted():
     assert len(CONTRADICTIONS) == 9
     for key, note in CONTRADICTIONS.items():
         assert is_real(*key), key
@@ -221,7 +221,7 @@ def test_a_class_without_frames_has_a_note():
     assert filled.loc[("", "Average", "Living Room"), "measured"] == pytest.approx(np.mean(others), abs=0.01)
 
 
-def test_a_place_that_the_data_set_lacks_has_a_reason():
+def test_a_place_missing_from_the_data_set_has_a_reason():
     dataset = PARAMS["dataset"] | {"classes": ["bedroom", "bathroom", "kitchen", "living_room"]}
     params = PARAMS | {"dataset": dataset}
     filled = fill("table_06", made(params), params)
@@ -232,7 +232,7 @@ def test_a_place_that_the_data_set_lacks_has_a_reason():
 @settings(max_examples=examples(30), deadline=None)
 @given(data=st.data())
 def test_every_cell_has_a_number_or_a_reason(data):
-    # For the homes only: results of a split or the toy problem are never left out.
+    # This concerns only the homes, because results of a split or the toy problem are never left out.
     of_homes = [name for name, table in TABLES.items() if not {"split", "data"} & set(table)]
     name = data.draw(st.sampled_from(of_homes))
     table = TABLES[name]
@@ -248,7 +248,7 @@ def test_every_cell_has_a_number_or_a_reason(data):
     assert measured.all() or lost
 
 
-def test_a_result_that_is_neither_measured_nor_explained_is_an_error():
+def test_an_unexplained_missing_result_is_an_error():
     results = without(RESULTS, set())
     del results.measured["integration/das_551_best"]
     with pytest.raises(PlacecatError, match="result 'integration/das_551_best' does not exist"):
@@ -264,7 +264,7 @@ def test_an_addition_has_no_number():
     assert [label(TABLES[name]) for name in ("table_12", "addition_rvm")] == ["Table 12", "Addition"]
 
 
-# With the tests of the additions, which compose the same settings.
+# In the same group as the tests of the additions, which compose the same settings.
 @pytest.mark.xdist_group("optional")
 def test_every_layout_is_used_and_read_from_the_source():
     extended = tables_of(with_optional("embedding"), ROOT)

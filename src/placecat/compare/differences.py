@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import pandas as pd
 
 NONE = "none"
-# Columns with a row's content or the table's number; the remaining columns identify the cell.
+# Columns with the content of a row or the number of the table. The remaining columns identify the cell.
 _CONTENT = ("table", "published", "measured", "spread", "seeds", "note", "data")
 # Maximum numbers of tables, verdicts and settings that the report lists.
 _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
@@ -17,11 +17,11 @@ _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 class TableDifference:
     """The differences in one table, such as ``table_26``.
 
-    `cells` is the number of compared cells, which are those with an old or a new number. In `differing` of
-    them, the number or the spread over seeds has changed. `largest` is the largest difference in points, and
-    `where` has the labels of the cell with this difference. They are 0 and "" if no two numbers differ.
-    `appeared` counts the cells that have only a new number, and `disappeared` those that have only an old
-    one.
+    `cells` is the number of compared cells, which are those with an old or a new number. `differing` counts
+    the cells whose number or spread over seeds has changed. `largest` is the largest difference in points,
+    and `where` has the labels of the cell with this difference. If no two numbers differ, `largest` is 0 and
+    `where` is "". `appeared` counts the cells that have only a new number, and `disappeared` those that have
+    only an old one.
     """
 
     name: str
@@ -53,9 +53,9 @@ class Turned:
 class Comparison:
     """The differences in all tables, sorted by name, and in all verdicts.
 
-    If some cells come from different data sets, `data` has the titles of the old and the new one; these cells
-    are not compared.
-    `findings` is the number of findings, and `turned` lists those with a changed verdict.
+    If some cells come from different data sets, `data` has the titles of the old and the new data set. These
+    cells are not compared. `findings` is the number of findings, and `turned` lists those with a changed
+    verdict.
     """
 
     tables: tuple[TableDifference, ...]
@@ -80,9 +80,9 @@ class Comparison:
         return worst if worst is not None and worst.largest else None
 
     def exceeds(self, tolerance: float) -> bool:
-        """Whether a number differs by more than a tolerance in points, has appeared or has disappeared.
+        """Whether a number has appeared, has disappeared, or differs by more than a tolerance in points.
 
-        Verdicts are left out, since a small change in a number may change a verdict.
+        Verdicts are left out, because a small change in a number may change a verdict.
         """
         return any(one.appeared or one.disappeared or one.largest > tolerance for one in self.tables)
 
@@ -95,7 +95,7 @@ def compare(
 ) -> Comparison:
     """Compare new tables with old ones.
 
-    Cells whose two numbers come from different data sets are not compared; if there are any, verdicts are not
+    Cells whose two numbers come from different data sets are not compared. If there are any, verdicts are not
     compared either. `now` and `kept` map the names of the new and the old tables to the tables. Numbers in
     the tables may be text, which is empty if a number is missing. The columns are measured (percent), spread
     (points, optional), data (the data set, "" if unknown), and those that identify the cell of a row, such as
@@ -147,7 +147,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
     new, old = cells["measured_now"], cells["measured_kept"]
     is_new, is_old = new.notna(), old.notna()
     spreads = cells["spread_now"], cells["spread_kept"]
-    # NaN, for a missing number, differs from itself.
+    # A missing number is NaN, which differs from itself.
     differs = [(one != other) & (one.notna() | other.notna()) for one, other in ((new, old), spreads)]
     # Both numbers have two decimals, but their floating-point difference has more.
     distance = (new - old).abs().round(2).dropna()
@@ -180,9 +180,10 @@ def turned(now: pd.DataFrame | None, kept: pd.DataFrame | None) -> tuple[Turned,
 
 
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str]) -> list[str]:
-    """Describe how a run differs from an old one, as lines of text; the tolerance is in points.
+    """Return lines of text that describe how a run differs from an old one.
 
-    `kept` describes where the old tables are, e.g. "git HEAD"; `settings` are the names of changed settings.
+    `tolerance` is in points. `kept` describes where the old tables are, e.g. "git HEAD". `settings` are the
+    names of changed settings.
     """
     lines = []
     if comparison.data:

@@ -26,7 +26,7 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 class Kept:
     """The parts of a run that are compared.
 
-    `tables` maps names such as ``table_26`` to filled tables, in which every value is text; ``in_text`` holds
+    `tables` maps names such as ``table_26`` to filled tables, in which every value is text; ``in_text`` has
     the numbers in the thesis's text. `findings` has the columns number and verdict, among others, and
     `settings` is the content of params.yaml; both are None if missing.
     """
@@ -38,7 +38,7 @@ class Kept:
 
 @dataclass(frozen=True)
 class Figures:
-    """One side's PNGs and captions by figure name; if there are none, `missing` says why and what to do."""
+    """One side's PNGs and captions by figure name. If there are none, `missing` says why and what to do."""
 
     pictures: dict[str, bytes] = field(default_factory=dict)
     captions: dict[str, str] = field(default_factory=dict)
@@ -158,11 +158,11 @@ def _git(*arguments: str, message: str = "git failed") -> str:
 
 
 def read_figures(side: str) -> Figures:
-    """Read one side's figures (see :func:`read`); those of a git revision come from DVC."""
+    """Read one side's figures (see :func:`read`). DVC provides those of a git revision."""
     if is_folder(side):
         remedy = f"{Path(side) / paths.FIGURES} has no figures: run `dvc repro figures` in that project"
         return _read_figures(lambda name: (Path(side) / name).read_bytes(), remedy, (OSError,))
-    # Imported only here, since the import takes a second.
+    # Imported only here, because the import takes a second.
     from dvc.api import DVCFileSystem
     from dvc.exceptions import DvcException
 

@@ -23,7 +23,7 @@ _NOT_SHOWN = ("compute", "reproducibility")
 def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
     """Write the page to an HTML file; return lines that name the file and explain missing figures.
 
-    `old` and `new` are the sides, as in :func:`placecat.compare.kept_in_git.read`; `lines` come from
+    `old` and `new` are the sides (see :func:`placecat.compare.kept_in_git.read`). `lines` come from
     :func:`placecat.compare.kept_in_git.compare`.
     """
     files.check_file(target)
@@ -119,7 +119,7 @@ def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]
 def _cells(table: pd.DataFrame | None) -> dict[tuple[str, str, str], str]:
     """Map the three labels of each cell to its number, as text.
 
-    These are group, row and column or, for a number in the text, name, quantity and home.
+    The labels are group, row and column or, for a number in the text, name, quantity and home.
     """
     if table is None:
         return {}
@@ -134,7 +134,7 @@ def _cell(old: str, new: str) -> dict[str, Any]:
     difference = None if before is None or now is None else round(now - before, 2)
     shown = ["" if number is None else f"{number:.2f}" for number in numbers]
     if difference == 0 and before != now:
-        # Numbers other than percentages may differ by less than two decimals show.
+        # Numbers other than percentages may differ by less than two decimals can show.
         shown = [old, new]
     return {"old": shown[0], "new": shown[1], "changed": before != now, "difference": difference}
 

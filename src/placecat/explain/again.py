@@ -1,4 +1,4 @@
-"""Recompute a cell: repeat its last steps, starting from the files of earlier stages."""
+"""Recompute a cell by repeating its last steps, starting from the files of earlier stages."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -37,7 +37,7 @@ Counts = dict[tuple[str, str], NDArray[np.int64]]
 
 @dataclass(frozen=True)
 class _Recomputed(Source):
-    """Distributions that were recomputed, for some or all homes of a result."""
+    """Recomputed distributions for some or all homes of a result."""
 
     arrays: Mapping[tuple[str, str], Array] = field(default_factory=dict)
 
@@ -46,17 +46,17 @@ class _Recomputed(Source):
 
 
 def compute(number: str) -> tuple[bool, str]:
-    """Recompute the cell with a number such as ``table_26.9.3``, and compare it with the stored one.
+    """Recompute a cell by its number, such as ``table_26.9.3``, and compare it with the stored cell.
 
     Smoothed, filtered and integrated results are recomputed from the files of the previous step. Cues are
-    trained again on their features and codebook; for trials and splits, only the features are reused. Returns
-    whether all bits agree, and a text about the comparison. Raises PlacecatError if an earlier stage has not
-    run.
+    trained again, but with their stored features and codebook; trials and splits reuse only the features.
+    Returns whether all bits agree, and a description of the comparison. Raises PlacecatError if an earlier
+    stage has not run.
     """
     params = settings.load()
     table = number.partition(".")[0]
     if not paths.ORIGINS.is_file():
-        raise PlacecatError(f"{paths.ORIGINS} is missing, so nothing can be computed again: run `dvc repro`")
+        raise PlacecatError(f"{paths.ORIGINS} is missing, so nothing can be recomputed: run `dvc repro`")
     kept = from_json(files.read_json(paths.ORIGINS)[table])
     results = read_results(params)
     before = _numbers(table, params, results)
@@ -85,7 +85,7 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
 
 
 def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
-    """Return the results after recomputing the result of an origin, in the homes of this origin."""
+    """Recompute the result of an origin in the homes of that origin, and return all results."""
     name = origin.result
     if name not in results.measured:
         return results
@@ -106,7 +106,7 @@ def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], step
     }
     results = _with_counts(results, name, counts_of)
     # Converting to rows and back rounds numbers as the stage's file does. If several rows have the same
-    # labels, the last one counts.
+    # labels, the last one wins.
     rows = [*quality_rows(name, results.quality[name]), *quality_rows(name, quality)]
     rounded = from_rows(pd.DataFrame(rows, columns=QUALITY_COLUMNS))
     return replace(results, quality={**results.quality, **rounded})
@@ -126,7 +126,7 @@ def _distributions(
     """Yield recomputed distributions, each with its (home, seed)."""
     kind, _, rest = name.partition("/")
     if kind == "splits":
-        steps.append("the whole split trained again from its features")
+        steps.append("the complete split trained again from its features")
         yield from _of_split(rest, source, params)
         return
     step, function = _STEPS[kind]
@@ -221,7 +221,7 @@ def _toy(name: str, homes: Sequence[str], one: Measured, params: Mapping[str, An
     if label.removeprefix("last/") not in schemes:
         radius = float(label.partition("/")[0])
         points = points | {"radius": radius}
-        # This function is private, so that no stage comes to depend on it.
+        # This function is private so that no stage depends on it.
         schemes = toy._deciding(schemes, options["sensitivity"]["decisions"], radius)
     found = {}
     for seed in one.seeds:

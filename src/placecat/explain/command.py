@@ -1,4 +1,7 @@
-"""``placecat explain``: print where a number comes from. To take only a second, it avoids importing NumPy."""
+"""``placecat explain``: print where a number comes from.
+
+The command does not import NumPy, so it takes only a second.
+"""
 
 import json
 import shutil
@@ -20,7 +23,7 @@ _INDENT = 24
 def explain_command(words: Sequence[str], *, again: bool = False) -> int:
     """Print the explanations of the cells that match the words (:func:`placecat.explain.find.find`).
 
-    With `again`, recompute each cell. Returns the exit status: 1 if any bit of a number differs.
+    With `again`, recompute each cell. Returns the exit status, which is 1 if any bit of a number differs.
     """
     content = read()
     numbers = find(words, content)

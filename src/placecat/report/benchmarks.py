@@ -1,4 +1,4 @@
-"""Show benchmarks in the report: as text, and as a chart of the ratios and their targets."""
+"""Benchmarks in the report, as text and as a chart of the ratios with their targets."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,16 +14,16 @@ _SECONDS = "seconds"
 _NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 MET, MISSED, TARGET = "#0072b2", "#d55e00", "#222222"
-# In inches: the width, the height of a line, and the total space above and below the lines of a panel.
+# Width, line height, and total space above and below the lines of a panel, in inches.
 _WIDTH, _LINE, _ROUND = 6.5, 0.24, 0.55
 _BOUND = 1.25
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
-    """Select the rows of :func:`placecat_bench.run.run` that have a ratio; missing numbers are NaN.
+    """Select the benchmarks from :func:`placecat_bench.run.run` that have a ratio.
 
-    ``met`` becomes a bool and ``target`` a number. The new column ``is_faster`` says whether the target is a
-    minimum speed-up or, if False, a maximum share of the peer's time.
+    ``met`` becomes a bool and ``target`` a number. Missing numbers are NaN. The new column ``is_faster`` is
+    True if the target is a minimum speed-up, and False if it is a maximum share of the peer's time.
     """
     rows = benchmarks[benchmarks["ratio"].notna()]
     return rows.assign(
@@ -34,11 +34,11 @@ def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
 
 
 def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str, Any]:
-    """Format the rows of :func:`placecat_bench.run.run`, whose empty text cells must be "", for a page.
+    """Format the benchmarks from :func:`placecat_bench.run.run` for a page.
 
-    Returns ``facts`` (the measurement's ``processor``, ``python`` and ``packages``), and ``rows``, each with
-    the keys piece, input, ours, peer, theirs, ratio, target, met and spent. If a row measures something other
-    than seconds, its ``piece`` also names that quantity.
+    Empty text cells of `benchmarks` must be "". Returns ``facts``, which has ``processor``, ``python`` and
+    ``packages``, and ``rows``, each with the keys piece, input, ours, peer, theirs, ratio, target, met and
+    spent. If a row measures something other than seconds, its ``piece`` also names that quantity.
     """
     return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
 
@@ -65,7 +65,7 @@ def times(ratio: float) -> str:
 
 
 def _amount(value: float, quantity: str) -> str:
-    """Format a number; times are given in seconds, or in milliseconds if they are below one second."""
+    """Format a number. Times are in seconds, or in milliseconds below one second."""
     if pd.isna(value):
         return ""
     if quantity != _SECONDS:
@@ -74,7 +74,7 @@ def _amount(value: float, quantity: str) -> str:
 
 
 def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
-    """Draw the median ratio, the range over pairs and the target of each comparison.
+    """For each comparison, draw the median ratio, the range over pairs, and the target.
 
     There are up to two panels: one for speed-ups (more is better), and one for shares of the peer's time
     (less is better). Returns None if there are no comparisons.

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-# Our choice: figures look the same as in PNG, at a tenth of the size.
+# Our choice: figures look the same as PNGs, at a tenth of the size.
 QUALITY = 90
 
 
@@ -20,7 +20,7 @@ class Picture:
 
 
 def embed(png: bytes) -> Picture:
-    """Turn a PNG into a data URI, as WebP if that is shorter.
+    """Convert a PNG to a data URI, as WebP if that is shorter.
 
     Raises ValueError if `png` is not a picture.
     """

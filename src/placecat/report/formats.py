@@ -1,4 +1,4 @@
-"""Write filled tables as Markdown and LaTeX, with published numbers below the measured ones."""
+"""Filled tables as Markdown and LaTeX, with the published numbers below the measured ones."""
 
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -56,13 +56,13 @@ def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mappi
     """Write one filled table as a LaTeX ``table`` environment, which needs ``\\usepackage{booktabs}``.
 
     Published numbers are in italics below each row of measured numbers, like standard errors under
-    coefficients; footnotes give the reasons for empty cells. For the parameters, see
+    coefficients. Footnotes explain why cells are empty. For the parameters, see
     :func:`placecat.report.grid.shown_table`.
     """
     return _in_latex().get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
 
 
-# Cached, since an environment compiles each template at its first use.
+# Cached because an environment compiles each template on first use.
 @cache
 def _in_markdown() -> Environment:
     return environment("placecat.report").overlay(finalize=_only_text(markdown))

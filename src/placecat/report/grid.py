@@ -1,4 +1,4 @@
-"""Arrange filled tables as grids for display, with numbers as text and notes as footnotes."""
+"""Filled tables as grids for display, with numbers as text and notes as footnotes."""
 
 import itertools
 from collections.abc import Hashable, Mapping, Sequence
@@ -64,8 +64,8 @@ class Group:
 class Grid:
     """A table arranged for display.
 
-    The average is the last of the `columns`. The `groups` of rows are in the table's order. `footnotes` maps
-    letters, in order, to notes on single cells and to the reasons why cells are empty.
+    The last of the `columns` is the average. The `groups` of rows are in the order of the table. `footnotes`
+    maps letters, in order, to notes on single cells and to the reasons why cells are empty.
     """
 
     columns: tuple[str, ...]
@@ -97,7 +97,7 @@ def make_grid(table: pd.DataFrame) -> Grid:
 def shown_table(
     settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return one filled table's content for a template: its grid, its title and sentences about its numbers.
+    """Prepare one filled table for a template, with its grid, its title, and sentences about its numbers.
 
     `settings` define the table: ``name``, ``number`` (None if it is not in the thesis), ``title``,
     ``thesis_data``, and ``caption`` if the numbers are not percentages. `table` is from
@@ -136,7 +136,7 @@ def number_text(value: float | None) -> str:
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """State which home each label such as "Home 1" stands for; return "" if this is obvious."""
+    """State which home each label such as "Home 1" stands for, or "" if this is obvious."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]
@@ -147,10 +147,10 @@ def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
 
 
 def seeds_sentence(table: pd.DataFrame) -> str:
-    """State how many seeds the numbers average over and how far apart they are; "" if nothing is random.
+    """State how many seeds the numbers average over and how much seeds differ, or "" if nothing is random.
 
-    The table has the columns measured, spread (in points) and seeds. If it also has the columns group, row or
-    column, they are used to say where the spread is largest.
+    The table has the columns measured, spread (in points) and seeds. If it also has group, row or column, the
+    sentence says where the spread is largest.
     """
     random = table[(table["seeds"] > 1) & table["spread"].notna() & table["measured"].notna()]
     if random.empty:
@@ -158,11 +158,11 @@ def seeds_sentence(table: pd.DataFrame) -> str:
     one = random.nlargest(1, "spread").iloc[0]
     where = ", ".join(str(one[name]) for name in AXES if one.get(name))
     all_random = len(random) == table["measured"].notna().sum()
-    subject = "Numbers are means" if all_random else "Numbers that depend on chance are means"
+    subject = "Numbers are means" if all_random else "Numbers that depend on the seed are means"
     seeds = " or ".join(str(int(count)) for count in sorted(set(random["seeds"])))
     return (
-        f"{subject} of {seeds} seeds, which lie {random['spread'].median():.2f} points apart in the median "
-        f"cell and {one['spread']:.2f} at most{f' ({where})' if where else ''}."
+        f"{subject} over {seeds} seeds. The seeds differ by {random['spread'].median():.2f} points in the "
+        f"median cell and by at most {one['spread']:.2f} points{f' ({where})' if where else ''}."
     )
 
 
@@ -174,7 +174,7 @@ def _mark(notes: Notes, kind: Kind, footnotes: list[str]) -> str:
 
 
 def _letters(number: int) -> str:
-    """Return the letters of the footnote with a number from 0: a, b, ..., z, aa, ab, ..."""
+    """Return the letters of the n-th footnote (from 0): a, b, ..., z, aa, ab, ..."""
     rest, last = divmod(number, 26)
     return (_letters(rest - 1) if rest else "") + chr(ord("a") + last)
 

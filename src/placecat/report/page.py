@@ -18,7 +18,7 @@ from placecat.report.summary import WU, best_system, count_verdicts, headlines, 
 from placecat.templates import environment
 from placecat.thesis.notes import joined
 
-# CSS pixels per figure pixel; figures of 200 pixels per inch then appear at 125 %.
+# CSS pixels per figure pixel. Figures with 200 pixels per inch then appear at 125 %.
 _FIGURE_SCALE = 0.6
 # Parts of a report that the template receives unchanged.
 _UNCHANGED = ("dataset", "frames", "data_version", "replication", "times", "speed", "scale")
@@ -26,10 +26,11 @@ _UNCHANGED = ("dataset", "frames", "data_version", "replication", "times", "spee
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure: its number in the thesis (or None), its caption and its name, e.g. "figure_02".
+    """One figure of the page.
 
-    An additional figure has no number. A missing figure has a `reason` instead of a `png`. `pdf` is the PDF's
-    path relative to the page, or "". `settings` are the figure's settings, e.g. "frames=300, home=2".
+    `number` is its number in the thesis, or None for an additional figure. `title` is its caption, and `name`
+    its name, e.g. "figure_02". A missing figure has a `reason` instead of a `png`. `pdf` is the path of the
+    PDF relative to the page, or "". `settings` are the settings of the figure, e.g. "frames=300, home=2".
     """
 
     number: int | None
@@ -46,21 +47,22 @@ class Report:
     """The content of the page, with tables and figures in any order.
 
     `dataset` has the run's ``title``, ``homes``, ``classes`` and ``thesis_data``. `frames` maps each home to
-    its number of frames in each place and of those that are ``unlabelled``. `data_version` is the checksum of
-    the data, and `settings` is the content of params.yaml. `in_text` has the numbers that appear only in the
-    thesis's text, with the columns name, section, quantity, home, published, measured, spread, seeds and
-    notes. `findings` and `comparisons` are from :func:`placecat.thesis.findings.ledger`, which explains their
-    columns. The other attributes are optional:
+    the number of its frames in each place and the number of ``unlabelled`` frames. `data_version` is the
+    checksum of the data, and `settings` is the content of params.yaml. `in_text` has the numbers that appear
+    only in the thesis's text, with the columns name, section, quantity, home, published, measured, spread,
+    seeds and notes. `findings` and `comparisons` are from :func:`placecat.thesis.findings.ledger`, which
+    explains their columns. The other attributes are optional:
 
     replication
         The findings on many homes: the ``title`` of their data set, the numbers of ``homes`` and ``groups``,
-        the ``level`` of the intervals, ``verdicts`` (how many findings have each verdict), and ``findings``.
-        The latter is a table with the columns number, difference, low, high, units, verdict, and
-        ``replicated``, which is False for findings on data other than homes.
+        the ``level`` of the intervals, and ``verdicts`` (how many findings have each verdict). ``findings``
+        is a table with the columns number, difference, low, high, units, verdict, and ``replicated``, which
+        is False for findings on data other than homes.
     times
         A stored record of a run's times. ``stages`` is a table with the columns stage, runs and seconds; a
         stage may run several times, for example once per home. ``data`` is the title of the data set,
-        ``cores`` the number of cores of the machine, and ``total`` the duration of the whole run in seconds.
+        ``cores`` the number of cores of the machine, and ``total`` the duration of the complete run in
+        seconds.
     speed, scale
         Stored records from :func:`placecat.report.benchmarks.shown_speed` and
         :func:`placecat.report.scale.shown_scale`; each also has ``chart``, a PNG or None.
@@ -86,7 +88,7 @@ class Report:
 
 
 def page_html(report: Report) -> str:
-    """Render the page; equal reports give identical text."""
+    """Render the page. Equal reports produce identical text."""
     tables = {one.settings["number"]: _shown_table(one) for one in report.tables if one.settings["number"]}
     additions = [_shown_table(one) for one in report.tables if not one.settings["number"]]
     figures = {one.number: _shown_figure(one) for one in report.figures if one.number}
@@ -142,7 +144,7 @@ def duration(seconds: float) -> str:
     return " ".join(parts + [f"{rest} s"] * (not hours and bool(rest or not minutes)))
 
 
-# Cached, since an environment compiles each template at its first use.
+# Cached because an environment compiles each template on first use.
 @cache
 def page_templates() -> Environment:
     """Return the environment of the page templates, with their filters."""
@@ -178,7 +180,7 @@ def _shown_figure(figure: Figure) -> dict[str, Any]:
 
 
 def shown_picture(png: bytes) -> dict[str, Any]:
-    """Return a picture's data URI, ``source``, and its displayed ``width`` and ``height`` in CSS pixels."""
+    """Return a picture's data URI (``source``) and its displayed ``width`` and ``height`` in CSS pixels."""
     picture = embed(png)
     width, height = (round(pixels * _FIGURE_SCALE) for pixels in (picture.width, picture.height))
     return {"source": picture.source, "width": width, "height": height}
@@ -264,7 +266,7 @@ def _json(content: Mapping[str, Any] | None) -> Markup | None:
 
 
 def _blocks(settings: str) -> list[dict[str, str]]:
-    """Split the settings into blocks of lines, one for each outermost name."""
+    """Split the settings into blocks of lines, one for each top-level name."""
     blocks: list[dict[str, str]] = []
     for line in settings.splitlines():
         if not blocks or (line and not line.startswith((" ", "-", "#"))):

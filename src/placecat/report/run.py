@@ -1,4 +1,4 @@
-"""Read what figures need from a finished run: frames, maps, features, codebooks and distributions."""
+"""Data for figures from a finished run: frames, maps, features, codebooks and distributions."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -32,9 +32,9 @@ KEPT_FRAMES = 8
 class TrainingRegions:
     """Salient regions of training frames.
 
-    `x` are (n, D) float32 descriptors, and `labels` the (n,) classes of the regions' frames. `home`, `frame`
-    and `number` are (n,): the index of each region's home in `homes`, the index of its frame in the home, and
-    its rank in the frame, 0 for the most salient.
+    `x` are (n, D) float32 descriptors, and `labels` are the (n,) classes of their frames. `home`, `frame` and
+    `number` are (n,) integers: the index of a region's home in `homes`, the index of its frame in that home,
+    and its rank in that frame, where 0 is the most salient.
     """
 
     x: NDArray[np.float32]
@@ -46,10 +46,11 @@ class TrainingRegions:
 
 
 class Run:
-    """A finished run, read from the project's folder; only this class opens files for figures.
+    """A finished run, read from the project's folder.
 
-    `params` are the composed settings; `homes` and `classes` are the main data set's homes and places, in
-    order. Methods raise PlacecatError if data are missing, such as a result that was not computed.
+    Only this class opens files for figures. `params` are the composed settings. `homes` and `classes` are the
+    homes and places of the main data set, in order. Methods raise PlacecatError if data are missing, such as
+    a result that was not computed.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -65,7 +66,9 @@ class Run:
         """
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
-            raise SettingError(f"the filter {name} has no threshold, which figures need: use another filter")
+            raise SettingError(
+                f"the filter {name} has no threshold, but figures need one: use another filter"
+            )
         return float(value)
 
     def options(self, figure: str) -> Mapping[str, Any]:
@@ -79,11 +82,11 @@ class Run:
 
     @cached_property
     def sources(self) -> dict[str, Source]:
-        """The files that hold each result's distributions, by the name of the result."""
+        """The files that store the distributions of each result, by result name."""
         return sources(self.params)
 
     def source(self, result: str) -> Source:
-        """Return the files that hold one result's distributions."""
+        """Return the files with the distributions of one result."""
         if result not in self.sources:
             known = ", ".join(sorted(self.sources)) or "none"
             raise PlacecatError(f"this run has no distributions of {result!r}, only of {known}")
@@ -120,9 +123,9 @@ class Run:
     def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
         """Decode some frames of a home in one pass.
 
-        `home` is in the main data set or in another one, such as ``university/north_2_cloudy_2``. `indices`
-        start at 0 and may be in any order. Yields each index once, in ascending order, with its frame, (H, W,
-        3) uint8 BGR.
+        `home` belongs to the main data set or to another one, such as ``university/north_2_cloudy_2``.
+        `indices` start at 0 and may be in any order. Yields each index once, in ascending order, with its
+        frame, (H, W, 3) uint8 BGR.
         """
         rows = sorted({int(index) for index in indices})
         files.existing(paths.sequences(home) / "frames.csv")
@@ -175,7 +178,7 @@ class Run:
         return Codebook.from_arrays(files.read_arrays(files.existing(path)))
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
-        """Return the indices of the frames of a home on which cues and codebooks are trained (thesis 4.2)."""
+        """Return the indices of a home's frames on which cues and codebooks are trained (thesis 4.2)."""
         return protocol.select_frames(self.labels(home), **settings.get(self.params, "protocol.cue_frames"))
 
     def training_regions(self, codebook: str, test_home: str) -> TrainingRegions:
@@ -197,7 +200,7 @@ class Run:
         """The home and the frame that Figures 2 to 7 show, from ``figures.example``.
 
         By default, this is the labelled frame with the largest information measure. It is from the home in
-        the settings or, if they name none, from any home.
+        the settings or, if they do not name one, from any home.
         """
         asked = self.options("example")
         homes = self.homes if asked.get("home") is None else (home_of(self, asked["home"]),)

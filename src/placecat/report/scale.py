@@ -1,4 +1,4 @@
-"""Show measurements at the scale of the real home database in the report, as text and as a chart."""
+"""Measurements at the scale of the real home database, as text and as a chart for the report."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -10,15 +10,15 @@ from matplotlib.ticker import NullLocator
 # Text columns in reports/scale.csv and scale_growth.csv.
 TEXT = ("stage", "item")
 ALL = "all"
-# Stages with fewer CPU seconds are left out, since imports take most of their time.
+# Stages with fewer CPU seconds are left out, because imports take most of their time.
 _LEAST = 10.0
 
 
 def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
     """Sum the CPU seconds of each stage's items in reports/scale.csv.
 
-    The index has the stages, in the order in which they ran, and ``all``. There is one column per number of
-    frames.
+    The index lists the stages in the order in which they ran, and then ``all``. There is one column per
+    number of frames.
     """
     table = measured.pivot_table("cpu_seconds", "stage", "frames", aggfunc="sum", sort=False)
     table = table.reindex(columns=sorted(table.columns))
@@ -75,7 +75,7 @@ def growth_chart(measured: pd.DataFrame) -> Figure | None:
     # A reference line: growth in proportion to the number of frames.
     start = by_size.loc[ALL].to_numpy(float)[0]
     line = [start * size / frames[0] for size in frames]
-    axes.plot(frames, line, "--", color="#8a8a8a", linewidth=0.8, label="in proportion to the frames")
+    axes.plot(frames, line, "--", color="#8a8a8a", linewidth=0.8, label="linear growth")
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xticks(frames, [f"{size:,}" for size in frames])

@@ -34,7 +34,7 @@ def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Sec
 
     `tables` and `figures` are the numbers of those that exist.
 
-    Returns the non-empty sections of `THESIS`, and an untitled section with all numbers that are left.
+    Returns the non-empty sections of `THESIS`, and an untitled section with all remaining numbers.
     """
     sections = []
     for one in THESIS:

@@ -14,7 +14,7 @@ from placecat.thesis.number import AVERAGE
 INTEGRATION, SMOOTHED = "Integration", "HMM"
 
 # Accuracies of Wu et al. on the VPC-2009 home database in percent, as cited in the thesis: holistic Centrist
-# on single frames (4.2), filtered over time (4.2), and SIFT instead (2.3).
+# on single frames (4.2), holistic Centrist filtered over time (4.2), and SIFT (2.3).
 WU = {"frames": 41.87, "filtered": 46.78, "sift": 39.8}
 
 
@@ -22,7 +22,7 @@ WU = {"frames": 41.87, "filtered": 46.78, "sift": 39.8}
 class Headline:
     """One group of Table 26, averaged over homes: the best cue, integration, and smoothed integration.
 
-    `best` is the name of the best single cue here, and `best_published` that in the thesis; either may be "".
+    `best` names the best single cue here, and `best_published` the best one in the thesis; both may be "".
     """
 
     group: str
@@ -34,7 +34,7 @@ class Headline:
 
 
 def best_system(table: pd.DataFrame) -> dict[str, Any] | None:
-    """Return the group, row and cell of the best average in Table 26; None if none was measured."""
+    """Return the group, row and cell of the best average in Table 26, or None if nothing was measured."""
     averages = table[(table["column"] == AVERAGE) & table["measured"].notna()]
     if averages.empty:
         return None
@@ -43,7 +43,7 @@ def best_system(table: pd.DataFrame) -> dict[str, Any] | None:
 
 
 def headlines(table: pd.DataFrame) -> list[Headline]:
-    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to one headline per group, in order."""
+    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) into one headline per group, in order."""
     averages = table[table["column"] == AVERAGE]
     return [_headline(str(group), part) for group, part in averages.groupby("group", sort=False)]
 

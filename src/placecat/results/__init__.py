@@ -1,4 +1,4 @@
-"""The types and files of a run's results."""
+"""The results of a run: types, files, and `load`, which reads all numbers as one table."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,12 +19,12 @@ def load(project: Path | str = ".") -> "pd.DataFrame":
     while ``seed_names`` and ``by_seed`` list the seeds and their numbers. ``note`` says why ``measured`` and
     ``published`` differ or why one of them is missing. ``findings`` lists the findings that use the cell.
 
-    The other columns tell where the number comes from. ``data`` and ``published_data`` are the data sets.
+    The other columns say where the number comes from. ``data`` and ``published_data`` are the data sets.
     ``results``, ``system``, ``cues``, ``classifiers``, ``descriptors``, ``filter`` and ``plan`` say how the
     number was made, and ``trained_on`` lists the homes that were used for training. ``training_frames``,
-    ``integration_frames`` and ``tested_frames`` are the numbers of frames on which the cues were trained, the
-    integration was trained, and the result was tested. ``settings`` has the settings as JSON, and ``stages``
-    DVC's stages.
+    ``integration_frames`` and ``tested_frames`` are the numbers of frames used to train the cues, to train
+    the integration, and to test the result. ``settings`` has the settings as JSON, and ``stages`` lists the
+    DVC stages.
     """
     import pandas as pd
 

@@ -1,4 +1,4 @@
-"""Confusion tables of decisions: counts in each home, counts over all homes, and percentages."""
+"""Confusion matrices of decisions: counts in each home, counts over all homes, and percentages."""
 
 import itertools
 
@@ -17,7 +17,7 @@ def in_home(one: Measured, home: str) -> Measured:
 
 
 def confusion_rows(one: Measured) -> pd.DataFrame:
-    """Return the counts as a table with the columns home, seed, truth, and one column per decided place."""
+    """Return the counts with the columns home, seed and truth, and one column per predicted place."""
     counts = one.confusion.swapaxes(0, 1).reshape(-1, len(one.classes))
     rows = pd.DataFrame(counts, columns=list(one.classes))
     # This is faster than turning an index of all combinations into columns.
@@ -28,7 +28,7 @@ def confusion_rows(one: Measured) -> pd.DataFrame:
 
 
 def pooled_rows(one: Measured) -> pd.DataFrame:
-    """Return the counts over all homes and seeds: the column truth, and one column per decided place."""
+    """Return the counts over all homes and seeds with the column truth and one column per predicted place."""
     labels = pd.Index(one.classes, name="truth")
     return pd.DataFrame(pooled_counts(one), labels, list(one.classes)).reset_index()
 
@@ -36,7 +36,7 @@ def pooled_rows(one: Measured) -> pd.DataFrame:
 def pooled_counts(one: Measured) -> np.ndarray:
     """Return (classes, classes) counts over all homes and seeds.
 
-    Rows are true places, and columns are decided places.
+    Rows are true places, and columns are predicted places.
     """
     return one.confusion.sum(axis=(0, 1))
 

@@ -1,4 +1,4 @@
-"""A run's measurements: counts of decisions by true place, and the quality of distributions."""
+"""The measurements of a run: counts of decisions by true place, and the quality of distributions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from placecat.paths import NO_SEED
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
 DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
-# Measures that are means, with their names in tables; the other measures are counts.
+# Measures that are means, with their names in tables. The other measures are counts.
 MEASURES = {
     "log_loss": "Log loss",
     "calibration_error": "Calibration error",
@@ -29,12 +29,12 @@ DECIMALS = {"log_loss": 3, "calibration_error": 2, "stay_accuracy": 2}
 
 @dataclass(frozen=True)
 class Measured:
-    """A result: the decisions on the frames of some test homes, for each seed.
+    """One result: the decisions on the frames of some test homes, for each seed.
 
     Attributes
     ----------
     homes, classes
-        Names of the test homes in the data set's order, and of the places.
+        Names of the test homes, in the order of the data set, and of the places.
     seeds
         Names of the seeds, e.g. ``("seed-0", "seed-1")``; ``("no-seed",)`` if nothing is random.
     confusion
@@ -60,7 +60,7 @@ class Measured:
         return np.array([[class_accuracies(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def plain(self) -> NDArray[np.float64]:
-        """Return (seeds, homes) percentages of frames decided correctly, regardless of their place."""
+        """Return (seeds, homes) percentages of correctly classified frames, regardless of their place."""
         right = np.diagonal(self.confusion, axis1=2, axis2=3).sum(axis=2)
         frames = self.confusion.sum(axis=(2, 3))
         return np.divide(100.0 * right, frames, out=np.full(right.shape, np.nan), where=frames > 0)
@@ -96,15 +96,15 @@ class Quality:
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """Return, for each seed, what percentage of the stays in all homes is named correctly.
+        """Return the percentage of correctly named stays in all homes, for each seed.
 
-        The percentages are (seeds,), or (0,) without stays.
+        The shape is (seeds,), or (0,) without stays.
         """
         stays = self.values["stays"].sum(axis=1)
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
 
     def averages(self) -> dict[str, float]:
-        """Return the rounded mean over homes and seeds for each of the `MEASURES` that has a number."""
+        """Return the rounded mean, over homes and seeds, of each of the `MEASURES` that has a number."""
         means = {measure: self.over_homes(measure) for measure in MEASURES}
         return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
 
@@ -116,11 +116,11 @@ class Results:
     Attributes
     ----------
     homes, classes
-        Names of the homes and of the places of the main data set, in order.
+        Names of the homes and places of the main data set, in order.
     measured
         Maps each result's name, e.g. ``cues/gist/5-5-1``, to its measurement.
     missing
-        Maps each missing (result, home) to the reason why this data does not allow it.
+        Maps each missing (result, home) to the reason why it cannot be computed on this data.
     stays
         The results on further data sets, by stay. Each stay (a visit to a place) is treated like a home, and
         all its frames show the same place.
@@ -128,7 +128,7 @@ class Results:
         Maps each information filter's name to a table of the frames that it drops
         (:func:`placecat.fusion.information_filter.dropped`), with the columns of `DROPPED_COLUMNS`.
     quality
-        Maps the name of each result, except trials, to the quality of its distributions.
+        Maps the name of each result that is not a trial to the quality of its distributions.
     """
 
     homes: tuple[str, ...]
@@ -141,7 +141,7 @@ class Results:
 
     @property
     def numbers(self) -> range:
-        """The homes' numbers, from 1 as in the thesis."""
+        """The numbers of the homes, which start at 1 as in the thesis."""
         return range(1, len(self.homes) + 1)
 
     def of(self, name: str) -> Measured:
@@ -217,11 +217,11 @@ def from_scores(
     stays: pd.DataFrame | None = None,
     dropped: pd.DataFrame | None = None,
 ) -> Results:
-    """Build the results from the rows of `score_rows`; the rows in `stays` have stays instead of homes.
+    """Build the results from the rows of `score_rows`. The rows in `stays` have stays instead of homes.
 
     `scores` and `missing` have the columns `SCORE_COLUMNS` and `MISSING_COLUMNS`. `classes` lists the main
-    data set's places, and `other_classes` those of each other data set. Each result uses the first list,
-    starting with `classes`, that contains all its places.
+    data set's places, and `other_classes` those of each other data set. Each result uses `classes` or, if
+    these do not contain all its places, the first other list that does.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))
@@ -236,7 +236,7 @@ def from_scores(
 
 
 def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[str, Measured]:
-    # Convert the columns to lists once: calling pandas for every result would take most of the time.
+    # Convert the columns to lists once, because calling pandas for every result would take most of the time.
     columns = {name: scores[name].tolist() for name in ("home", "seed", "truth", "decision", "frames")}
     codes, names = pd.factorize(scores["result"])
     rows: list[list[int]] = [[] for _ in names]

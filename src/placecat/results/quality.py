@@ -1,4 +1,4 @@
-"""The quality of the distributions of all results: log-loss, calibration error, and stay accuracy."""
+"""The quality of each result's distributions: log-loss, calibration error, and stay accuracy."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from placecat.results.measured import DECIMALS, Quality
 QUALITY_COLUMNS = ["result", "home", "seed", *HomeQuality._fields]
 TEXT_COLUMNS = QUALITY_COLUMNS[:3]
 _COUNTS = ("stays", "stays_right")
-# Decimals in files, limited because the last bits of a logarithm depend on the processor.
+# Decimals in files. They are limited because the last bits of a logarithm depend on the processor.
 FILE_DECIMALS = 6
 STAY_SHARE = "stay_share"
 _SHOWN = DECIMALS | {STAY_SHARE: 2}
@@ -39,7 +39,7 @@ def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
 
 
 def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
-    """Build the quality of each result from the rows of `quality_rows`; return it by the result's name."""
+    """Rebuild the quality of each result from the rows of `quality_rows`; return it by result name."""
     found = {}
     for name, rows in table.groupby("result", sort=False):
         homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
@@ -53,7 +53,7 @@ def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
 
 
 def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
-    """Average each result's measures over its homes and seeds, one row per result.
+    """Average the measures of each result over its homes and seeds. Each result has one row.
 
     The columns are result, the numbers of homes, seeds (0 if nothing is random) and stays, log_loss (nats),
     calibration_error (percent), stay_accuracy (percent, averaged over the places in a home, then over homes),

@@ -1,4 +1,4 @@
-"""The files that hold each result's distributions, by the result's name."""
+"""The files that store the distributions of each result."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,10 +14,10 @@ from placecat.training import fold_file, protocol
 
 @dataclass(frozen=True)
 class Source:
-    """The files that hold a result's distributions over `classes`.
+    """The files with the distributions of a result over `classes`.
 
-    Each test home and seed has a file with the array `name`. Test homes are named like their folders. `site`
-    is the data set to which they belong, or "" for the main one.
+    Each test home and seed has a file with the array `name`. Test homes are named after their folders. `site`
+    is the data set of the test homes, or "" for the main one.
     """
 
     folder: Path
@@ -39,7 +39,7 @@ class Source:
         return fold_file.read(self.file(home, seed), self.name)
 
     def listed(self, home: str) -> str:
-        """Return the test home's name in `placecat.sequences.listing`."""
+        """Return the name of a test home in `placecat.sequences.listing`."""
         return f"{self.site}/{home}" if self.site else home
 
 

@@ -1,4 +1,4 @@
-"""Read the thesis's claims from data/thesis/findings; each claim is a set of comparisons of results."""
+"""The claims of the thesis, read from data/thesis/findings. Each claim is a set of comparisons of results."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -27,9 +27,9 @@ class Side:
         Names of the results.
     combine
         How to combine the results: ``mean``; ``best``, the result with the highest mean over all units; or
-        ``last``, the last result that this data allows.
+        ``last``, the last result that can be computed on this data.
     place
-        Name of the class whose accuracy counts; None for the mean over the classes present.
+        Name of the class whose accuracy is used; None for the mean over the classes present.
     error
         Whether to compare error rates (100 minus the accuracy) instead of accuracies.
     plain
@@ -47,7 +47,7 @@ class Side:
     published: tuple[Mapping[str, Any], ...] | None = None
 
     def only(self, results: Sequence[str]) -> "Side":
-        """Return the side with only some of its results; these keep their published numbers."""
+        """Return the side reduced to the given results and their published numbers."""
         published = self.published
         if published is not None and len(published) == len(self.results):
             published = tuple(
@@ -56,7 +56,7 @@ class Side:
         return replace(self, results=tuple(results), published=published)
 
     def renamed(self, parts: Mapping[str, str]) -> "Side":
-        """Replace `parts` of the results' names; the published numbers stay the same."""
+        """Rename the results by replacing `parts` of their names; the published numbers stay the same."""
         results = tuple("/".join(parts.get(part, part) for part in name.split("/")) for name in self.results)
         published = self.published
         if published is None and self.place is None and not self.error:
@@ -112,8 +112,8 @@ class Finding:
         Other readings of the thesis, by name, e.g. ``as_printed``. Each reading maps parts of result names to
         their replacements.
     filters
-        Names of information filters. For each of them, the reason of the verdict states the share of frames
-        that it drops.
+        Names of information filters. The reason for the verdict states the share of frames that each filter
+        drops.
     """
 
     name: str
@@ -125,7 +125,7 @@ class Finding:
     filters: Sequence[str] = ()
 
     def read_as(self, reading: str) -> "Finding":
-        """Return the same claim about the results of another reading."""
+        """Return the same claim under another reading of the thesis."""
         parts = self.readings[reading]
         comparisons = tuple(
             replace(one, left=one.left.renamed(parts), right=one.right and one.right.renamed(parts))
@@ -137,9 +137,9 @@ class Finding:
 def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     """Read a finding from its settings.
 
-    A comparison may have ``each``, a list of mappings. It then stands for one comparison per mapping, in
-    which the values of the mapping replace each ``{key}`` in the text. Raises PlacecatError if settings are
-    unknown, missing or contradictory.
+    A comparison may have ``each``, a list of mappings. It then stands for one comparison per mapping. The
+    values of the mapping replace each ``{key}`` in the text. Raises PlacecatError if settings are unknown,
+    missing or contradictory.
     """
     where = f"{paths.FINDING_DEFINITIONS / name}.yaml"
     finding: Finding = settings.call(Finding, name, settings=config, where=where)

@@ -1,4 +1,4 @@
-"""Compare results: show a variant, its baseline, and their difference."""
+"""Comparisons of results: a variant, its baseline, and their difference."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -29,7 +29,7 @@ from placecat.thesis.number import (
 
 DIFFERENCE = "difference"
 SETTINGS = ["homes", "variant", "baseline", "pairs", "label", "places", "summary", "error_ratio", "plain"]
-# In a trial's name, this stands for the best label of an axis.
+# In the name of a trial, this stands for the best label of an axis.
 BEST = "*"
 _SPLIT = "splits/"
 
@@ -43,7 +43,7 @@ class Line(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """A comparison's label ("" if there is only one), the names of its two results, and a note on each."""
+    """The names of two compared results, a note on each, and a label ("" if there is only one pair)."""
 
     label: str
     variant: str
@@ -55,24 +55,24 @@ class Pair(NamedTuple):
 def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
     """Compare a variant with a baseline, for one or several pairs of results.
 
-    If the names of both results end in "/", each trial below the one is compared with the same trial below
-    the other. Returns both sides in percent and the difference, variant minus baseline, in points. The
-    average is over the homes in which both were measured. For a split, the frames of all sequences are
+    If the names of both results end in "/", each trial below the variant is compared with the same trial
+    below the baseline. Returns both sides in percent and the difference, variant minus baseline, in points.
+    The average is over the homes in which both were measured. For a split, the frames of all sequences are
     counted together. Raises PlacecatError for an unknown setting or result.
 
     Parameters
     ----------
     entry
-        ``variant`` and ``baseline`` each have a ``quantity`` (the name of what is shown) and a ``result``.
-        Instead of these results, ``pairs`` can list a variant and a baseline for each label. In a trial's
-        name, ``*`` stands for the axis label that is best on average. ``homes`` has the numbers (from 1) of
-        homes to show in addition to the average, or is None for results on other data sets. ``places`` lists
-        places that are also compared one by one, or is "all". ``label`` names each pair of trials by the
-        labels of the axes, e.g. "{column} clusters". ``summary`` is one or more of "mean", "lowest" and
-        "highest", computed over the differences in single places or, without ``places``, over all
-        differences. ``error_ratio`` has its own ``quantity``, and its ``variant`` and ``baseline`` name two
-        further results. ``plain`` applies to results on other data sets and says whether to use the share of
-        correct frames, regardless of their place.
+        ``variant`` and ``baseline`` each have a ``quantity`` (the displayed name) and a ``result``. Instead
+        of these results, ``pairs`` can list a variant and a baseline for each label. In a trial's name, ``*``
+        stands for the axis label that is best on average. ``homes`` lists the homes (numbers from 1) to show
+        in addition to the average; it is None for results on other data sets. ``places`` lists places to
+        compare separately as well, or is "all". ``label`` names each pair of trials by the labels of the
+        axes, e.g. "{column} clusters". ``summary`` is one or more of "mean", "lowest" and "highest", computed
+        over the differences in single places or, without ``places``, over all differences. ``error_ratio``
+        has its own ``quantity``, and its ``variant`` and ``baseline`` name two further results. ``plain``
+        applies to results on other data sets and says whether to use the share of correct frames, regardless
+        of their place.
     where
         Name of the entry, for error messages.
     """
@@ -139,7 +139,7 @@ def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
 
 
 def _best(pattern: str, results: Results) -> tuple[str, str]:
-    """Find the trial that matches a pattern and is best on average over homes; return its name and a note."""
+    """Return the trial that matches a pattern and is best on average over homes, with a note."""
     if BEST not in pattern:
         return pattern, ""
     wanted = re.compile(re.escape(pattern).replace(re.escape(BEST), "([^|]*)"))
@@ -229,7 +229,7 @@ def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
     measured = {label: one for label, one in differences.items() if len(one.values)}
     if kind != "mean" and measured:
         label = extremes[kind](measured, key=lambda one: float(measured[one].values.mean()))
-        number = replace(measured[label], notes=merged([[f"that of {label}"], measured[label].notes]))
+        number = replace(measured[label], notes=merged([[f"for {label}"], measured[label].notes]))
     return Line(f"{DIFFERENCE}, {kind}", AVERAGE, number)
 
 

@@ -14,8 +14,8 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
     """Find the results behind each row of a table (:func:`placecat.thesis.tables.tables_of`).
 
     Returns a mapping from each (group, row) to the results in that row, by column. If a row has a single
-    result, its column is "". If a row is a home, its results are restricted to that home. Results that this
-    data does not allow are left out.
+    result, its column is "". If a row is a home, its results are restricted to that home. Results that cannot
+    be computed on this data are left out.
     """
     if "trial" in table:
         return _of_trials(table, results)
@@ -27,7 +27,7 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
 
 
 def _by_home(one: Measured, results: Results) -> dict[str, Measured]:
-    """Split a result by home, using the tables' names for homes; with several homes, add the whole result."""
+    """Split a result by home. If there are several homes, the complete result is included as the average."""
     found = {
         home_label(number): in_home(one, home)
         for number, home in enumerate(results.homes, start=1)

@@ -1,7 +1,8 @@
 """Read the definitions of tables, findings and numbers in the text from data/thesis.
 
 These files can contain two kinds of references. A mapping with `like: PATH` starts from the content of a file
-in conf/ or of another table; its other keys override that content. `${NAME}` is a setting of params.yaml.
+in conf/ or of another table; its other keys override that content. `${NAME}` refers to a setting in
+params.yaml.
 """
 
 import re
@@ -14,7 +15,7 @@ from placecat.errors import PlacecatError
 
 LIKE = "like"
 _SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
-# Settings that any table may have; the layouts and trials add more.
+# Settings that any table may have; layouts and trials add more.
 _OF_A_TABLE = ("number", "title", "thesis_data", "layout", "caption", "split", "data", "plain", "needs")
 _OF_A_LAYOUT = ("rows", "result", "gains")
 _OF_TRIALS = ("trial", "homes", "axes")
@@ -24,8 +25,8 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
     """Read the tables that show the pipeline's results, in order and by name, e.g. ``table_26``.
 
     Each table has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and the layout's
-    settings. A table may name a setting in `needs`. It is then included only if `params`, which has all
-    settings, contains that setting. `root` is the project's folder.
+    settings. A table that names a setting in `needs` is included only if `params`, the run's settings,
+    contains that setting. `root` is the project's folder.
 
     Raises PlacecatError, with the name of the file, for invalid YAML or an unknown key or setting.
     """
@@ -60,7 +61,7 @@ def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[st
         settings.refuse_unknown(table, [*_OF_A_TABLE, *_OF_TRIALS], str(path))
         for name in _OF_TRIALS:
             if name not in table:
-                raise PlacecatError(f"{path} needs the setting {name!r}, since its cells are trials")
+                raise PlacecatError(f"{path} needs the setting {name!r}, because its cells are trials")
         by_study.setdefault(path.parent.name, {})[path.stem] = table
     return by_study
 
@@ -76,7 +77,7 @@ def in_text(root: Path = Path()) -> dict[str, dict[str, Any]]:
 
 
 def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path, dict[str, Any]]:
-    """Read files by their paths in the project, and resolve all references."""
+    """Read files and resolve all references; return the contents by path in the project."""
     found = {path.relative_to(root): _load(path, root, ()) for path in files}
     for path, content in found.items():
         try:
@@ -87,7 +88,7 @@ def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path
 
 
 def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, Any]) -> Any:
-    """Replace ``${NAME}`` by the setting.
+    """Replace ``${NAME}`` with the setting.
 
     ``${..NAME}`` refers to a sibling of the mapping that contains it.
     """

@@ -24,7 +24,7 @@ def ledger(
     """Judge every finding.
 
     `findings` maps each finding's name to its settings (see `read_finding`); invalid settings raise
-    PlacecatError. `verdict` holds the settings of `Rules`.
+    PlacecatError. `verdict` has the settings of `Rules`.
 
     Returns
     -------

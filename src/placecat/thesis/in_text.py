@@ -24,7 +24,7 @@ _OF_THE_DATA = ("thesis_data", "data", "split")
 
 
 class _Said(NamedTuple):
-    """A quantity in the thesis: its number (NaN if the thesis gives only words), the words, and a note."""
+    """A quantity in the thesis: its number (NaN if there are only words), the words, and a note."""
 
     value: float = np.nan
     quote: str = ""
@@ -58,10 +58,10 @@ def in_text(
     """Compare the measured numbers with those in the thesis's text.
 
     Returns a table with the columns name, section, quantity and home ("Home 6", "Average", or "" for
-    neither). The further columns are those of :func:`~placecat.thesis.tables.fill_table` from ``published``
-    on. A comparison has a row for each side, and one for their difference (variant minus baseline, in
-    points). Raises PlacecatError for an unknown setting or result, an entry without a published line, or a
-    published line without an entry.
+    neither), followed by those of :func:`~placecat.thesis.tables.fill_table` from ``published`` on. A
+    comparison has a row for each side, and one for their difference (variant minus baseline, in points).
+    Raises PlacecatError for an unknown setting or result, an entry without a published line, or a published
+    line without an entry.
 
     Parameters
     ----------
@@ -69,12 +69,12 @@ def in_text(
         Maps the name of each entry to its settings (see data/thesis/in_text.yaml). These are the settings of
         :func:`~placecat.thesis.comparison.alone` if they include ``result``, of
         :func:`~placecat.thesis.records.read_off` if they include ``record``, and otherwise of
-        :func:`~placecat.thesis.comparison.compare`. In addition, there is ``thesis_data``. If the entry was
-        not measured on the main data set, ``split`` names its data, or ``data`` describes it in words. An
-        entry that was not measured has only a ``reference``, which gives the reason.
+        :func:`~placecat.thesis.comparison.compare`. In addition, an entry has ``thesis_data``. If it was not
+        measured on the main data set, ``split`` names its data set, or ``data`` describes it in words. An
+        entry that was not measured has only a ``reference``, which states the reason.
     published
-        Table with the columns name, section, quantity, home, value (NaN if the thesis gives only words),
-        quote and note. The note lists passages in the thesis that contradict the value.
+        Table with the columns name, section, quantity, home, value (NaN if the thesis has only words), quote
+        and note. The note lists passages in the thesis that contradict the value.
     dataset, splits
         ``title`` and ``thesis_data`` of the main data set, and of each split's data set.
     records

@@ -1,4 +1,4 @@
-"""Judge a comparison of the thesis by this run's measurements."""
+"""Judge the comparisons in the thesis by the measurements of this run."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -41,7 +41,7 @@ class Measurement:
     Attributes
     ----------
     paired
-        The sides' measurements.
+        The measurements of the sides.
     numbers
         Each side's number, in percent.
     results
@@ -144,7 +144,7 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
 def look_up(comparison: Comparison, published: Published, sides: Sequence[Side]) -> Thesis:
     """Look up a comparison's published numbers.
 
-    `sides` are the sides of the comparison, which may be reduced to some of their results.
+    `sides` are the sides of the comparison, possibly without some of their results.
     """
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
@@ -224,7 +224,9 @@ def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> ND
     if comparison.compare == "difference":
         return sides[0] - sides[1]
     if (sides[1] == 0.0).any():
-        raise NotComputable(f"{comparison.right.label if comparison.right else ''} can be 0: it has no ratio")
+        raise NotComputable(
+            f"{comparison.right.label if comparison.right else ''} can be 0, so there is no ratio"
+        )
     return sides[0] / sides[1]
 
 

@@ -1,4 +1,4 @@
-"""Table layouts, which determine the measured number in each cell; each table names its ``layout``."""
+"""Table layouts, which determine the measured number in each cell. Each table names its ``layout``."""
 
 import itertools
 from collections.abc import Mapping
@@ -71,11 +71,11 @@ def by_home(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
-    """Like `by_home`, but also with gains: how many points some results are better than the best of others.
+    """Like `by_home`, with added rows for the gain of a result over the best of several others.
 
     Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
     `result` and `over`, a list of results. A gain is `result` minus the best result in `over`, the one with
-    the highest average over homes. It is the same result in every home, and a note names it.
+    the highest average over homes. The same result is subtracted in every home, and a note names it.
     """
     names = {row["result"]: row["row"] for row in table["rows"]}
     filled = by_home(table, results)
@@ -105,7 +105,7 @@ def grid(table: Mapping[str, Any], results: Results) -> Cells:
         name = trial_name(table["name"], *labels)
         whole = [] if HOMES in axes else [("", over_homes(results, name, numbers))]
         for home, number in whole or in_homes(results, name, numbers):
-            # Until here, the label of an axis of homes is empty.
+            # At this point, the label of an axis of homes is still empty.
             pairs = zip(axes, labels, strict=True)
             group, row, column = (home if axis == HOMES else label for axis, label in pairs)
             filled[group, row, column] = number
@@ -115,8 +115,8 @@ def grid(table: Mapping[str, Any], results: Results) -> Cells:
 def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per result and one column per place, over all test sequences together (Tables 30 and 31).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result`. If there is ``table["plain"]``, it is the name
-    of a column for the share of correct frames, regardless of their place.
+    Each of ``table["rows"]`` has `group`, `row` and `result`. If present, ``table["plain"]`` is the name of a
+    column for the share of correct frames, regardless of their place.
     """
     filled: Cells = {}
     for row in table["rows"]:

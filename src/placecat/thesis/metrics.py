@@ -13,7 +13,7 @@ from placecat.settings import refuse_unknown
 
 CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
 ACCURACY, LOG_LOSS = "accuracy", "log_loss"
-# If other rows or groups of the table have names, this stands for one without a name.
+# Stands for a row or group without a name if others in the table have names.
 _NAMELESS = "-"
 
 
@@ -46,8 +46,8 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
 
     `chosen` has the keys ``accuracy`` and ``log_loss``. Each maps a column's name, e.g. ``gist``, to its
     result, e.g. ``cues/gist/5-5-1``. Returns the accuracies by column (percent, two decimals) and, under
-    ``log_loss``, the log-losses (nats, three decimals). Results that this data does not allow are left out.
-    An unknown kind of number or result raises PlacecatError.
+    ``log_loss``, the log-losses (nats, three decimals). Results that cannot be computed on this data are left
+    out. An unknown kind of number or result raises PlacecatError.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
     averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}
@@ -67,7 +67,7 @@ def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[
 
     `plots` has the keys ``confusion`` and ``accuracy_by_home``. Each maps a panel's name to the name of its
     result. Returns a mapping from each file below reports/plots, e.g. ``confusion/smoothing.csv``, to its
-    rows; a result that this data does not allow has no rows. An unknown kind of plot or result raises
+    rows; a result that cannot be computed on this data has no rows. An unknown kind of plot or result raises
     PlacecatError.
     """
     kinds = {CONFUSION: decisions, ACCURACY_BY_HOME: accuracies}
@@ -80,7 +80,7 @@ def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[
 
 
 def _find(results: Results, name: str, where: str) -> Measured | None:
-    """Look up a result; return None if this data does not allow it."""
+    """Look up a result; return None if it cannot be computed on this data."""
     try:
         return results.find(name)
     except PlacecatError as error:

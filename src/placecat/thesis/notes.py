@@ -57,7 +57,7 @@ def without_empty(notes: Iterable[Note]) -> Notes:
 
 
 def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = AXES) -> pd.DataFrame:
-    """Turn a table's column `notes` into rows with the columns `COLUMNS`, since a CSV cell cannot hold it.
+    """Turn a table's column `notes` into rows with the columns `COLUMNS`, which can be stored as CSV.
 
     The three columns in `key` identify each row's cell.
     """

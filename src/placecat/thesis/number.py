@@ -112,7 +112,7 @@ def mean(numbers: Sequence[Number]) -> Number:
     there = [one for one in numbers if len(one.values)]
     if not there:
         return nothing(*merged(one.notes for one in numbers), origins=united(numbers))
-    # The sum keeps the seeds apart, and broadcasts values that are not random.
+    # The sum keeps the seeds separate, and broadcasts values that are not random.
     total = sum((one.values for one in there[1:]), there[0].values)
     is_random = any(one.is_random for one in there)
     return Number(total / len(there), is_random, origins=united(there))
@@ -126,8 +126,8 @@ def home_label(number: int) -> str:
 def in_home(results: Results, name: str, number: int, place: str = "") -> Number:
     """Return a result's accuracy in the n-th home (from 1) of the main data set, in percent.
 
-    With a `place`, return the percentage of that place's frames that are decided correctly. Raises the errors
-    of `Results.find`.
+    With a `place`, return the percentage of that place's frames that are classified correctly. Raises the
+    same errors as `Results.find`.
     """
     if number > len(results.homes):
         return nothing(f"the data set has only {len(results.homes)} homes")
@@ -147,7 +147,7 @@ def in_home(results: Results, name: str, number: int, place: str = "") -> Number
 
 
 def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
-    """Average a result's accuracy, in percent, over homes; `numbers` are the homes' numbers, from 1.
+    """Average a result's accuracy, in percent, over homes; `numbers` are those of the homes, from 1.
 
     Homes in which the result is missing are left out, with a note.
     """

@@ -1,4 +1,4 @@
-"""Pair the measurements of a comparison's sides by home."""
+"""Pair the measurements of the sides of a comparison by home."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -17,16 +17,16 @@ Statistic = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Paired:
-    """The sides' values in the homes in which all results were measured.
+    """The values of the sides in the homes in which all results were measured.
 
     Attributes
     ----------
     sides
-        The sides, each with only the results used.
+        The sides, each reduced to the results that are used.
     values
         One (results, homes, seeds) array of percentages per side, with one seed if nothing is random.
     homes
-        The homes' names.
+        Names of the homes.
     seeds
         Number of seeds that all random results share; 0 if nothing is random.
     by_seed
@@ -114,10 +114,10 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
 
 
 def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
-    """Drop results that this data does not allow from each side that has several results.
+    """Drop results that cannot be computed on this data from each side that has several results.
 
     ``best`` and ``last`` choose from the remaining results. For means, all sides keep only the positions
-    whose results this data allows on every side, so the results remain paired. If a side would lose all its
+    whose results can be computed on every side, so the results remain paired. If a side would lose all its
     results, it keeps them (with ``last``, only the last one). The reasons are reported later. Each remaining
     result keeps its published number.
     """
@@ -177,7 +177,7 @@ def with_seeds(one: Measured, values: NDArray[Any], seeds: Sequence[str]) -> NDA
     """Select the rows of the shared seeds from a result's (seeds, n) values."""
     if one.is_random and seeds:
         return values[[one.seeds.index(seed) for seed in seeds]]
-    # Nothing is random, or the results share no seed: only the means can be paired.
+    # If nothing is random or the results share no seed, only the means can be paired.
     return np.broadcast_to(values.mean(axis=0), (max(len(seeds), 1), values.shape[1]))
 
 
@@ -210,5 +210,5 @@ def counted(number: int, noun: str) -> str:
 
 
 def too_few(units: str) -> str:
-    """Return the reason for not giving a verdict, such as "1 home is too few for a verdict"."""
+    """Return the reason why there is no verdict, such as "1 home is too few for a verdict"."""
     return f"{units} {'is' if units in ('1 home', '1 stay') else 'are'} too few for a verdict"

@@ -1,4 +1,4 @@
-"""Pool the measurements of a comparison's sides over the frames of all test sequences."""
+"""Pool the measurements of the sides of a comparison over the frames of all test sequences."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,18 +24,18 @@ from placecat.thesis.pairing import (
 
 @dataclass(frozen=True)
 class Pooled:
-    """The sides' decisions on the stays (visits to a place) in all test sequences.
+    """The decisions of the sides on the stays (visits to a place) in all test sequences.
 
-    The frames of a stay are near-duplicates, so each stay is one unit. Each place is a stratum, since its
+    The frames of a stay are near-duplicates, so each stay is one unit. Each place is a stratum, because its
     number of stays is fixed.
 
     Attributes
     ----------
     sides
-        The sides, each with only the results used.
+        The sides, each reduced to the results that are used.
     right
-        One (results, seeds, stays) array per side with the number of correctly decided frames. There is one
-        seed if nothing is random.
+        One (results, seeds, stays) array per side with the number of correctly classified frames. There is
+        one seed if nothing is random.
     frames
         (stays,) number of frames in each stay.
     places
@@ -63,7 +63,7 @@ class Pooled:
 
     @property
     def n_units(self) -> int:
-        """Number of stays, or 1 if no place has two stays, since there is no interval in that case."""
+        """Number of stays, or 1 if no place has two stays, because then there is no interval."""
         return len(self.frames) if len(self.frames) > len(self.names) else 1
 
     @property
@@ -83,7 +83,7 @@ class Pooled:
         return f"only one stay shows {' and '.join(once)}: too few for a verdict" if once else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
-        """Return one (results, 1) array of percentages per side, which are means over seeds."""
+        """Return one (results, 1) array of percentages per side, averaged over seeds."""
         return tuple(values.mean(axis=2) for values in self.values)
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
@@ -155,7 +155,7 @@ def _by_stay(results: Results, name: str) -> Measured:
 
 
 def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray[np.int64]:
-    """Count the correctly decided frames for each seed and stay, (seeds, stays)."""
+    """Count the correctly classified frames for each seed and stay, (seeds, stays)."""
     right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
     right = right[:, [one.homes.index(stay) for stay in stays]]
     return with_seeds(one, right, seeds)

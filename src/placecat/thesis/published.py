@@ -1,4 +1,4 @@
-"""Look up the thesis's numbers by their location in the thesis."""
+"""Look up numbers in the thesis by their location."""
 
 import re
 from collections.abc import Mapping
@@ -29,7 +29,7 @@ class Published:
     text: pd.DataFrame
 
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
-        """Look up one number; NaN if the thesis has an n/a or only words.
+        """Look up one number; it is NaN if the thesis has an n/a or only words.
 
         `reference` has three forms. ``{table, group, row, column}`` has the published labels of the axes that
         the table has. ``{text, quantity, home}`` names a number in the text; quantity and home are needed
@@ -70,7 +70,7 @@ class Published:
             found = [(own, value) for own, value in found if home in [own[axis] for axis in empty]]
         return self._only([value for _, value in found], result)
 
-    # These are plain containers, since a search in pandas takes a hundred times as long.
+    # These are plain containers, because a search in pandas takes a hundred times as long.
     @cached_property
     def _cells(self) -> dict[int, list[tuple[tuple[str, ...], float]]]:
         """The labels and value of each cell, by table number."""

@@ -16,7 +16,7 @@ from placecat.thesis.comparison import Line
 from placecat.thesis.number import Number, Origin, nothing
 from placecat.training import fold_file, protocol
 
-# Prefix of a record's name in an origin.
+# Prefix of the name of a record in an origin.
 RECORD = "record/"
 PICKS = {"lowest": np.min, "highest": np.max}
 _VALUE = ["quantity", "column", "where", "pick", "digits"]
@@ -27,10 +27,10 @@ def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], wher
 
     `records` maps names to tables, which are empty if nothing was recorded. `entry` has ``record``, the name
     of the table, and ``values``. Each value has ``quantity`` (its name), ``column``, and ``where``, which
-    maps columns to the values that select rows. If these are several rows, ``pick`` says whether to take the
-    "lowest" or the "highest" value. ``digits`` is the number of digits after the decimal point, 2 by default.
-    Raises PlacecatError for an unknown setting, table or column, or for several rows without ``pick``; the
-    message contains `where`, the name of the entry.
+    maps columns to the values that select rows. If several rows match, ``pick`` selects the "lowest" or the
+    "highest" value. ``digits`` is the number of digits after the decimal point, 2 by default. Raises
+    PlacecatError for an unknown setting, table or column, or for several rows without ``pick``; the message
+    contains `where`, the name of the entry.
     """
     settings.refuse_unknown(entry, ["record", "values"], where)
     if entry["record"] not in records:
@@ -67,12 +67,12 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
 
 
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
-    """Read the tables, other than results, from which numbers in the thesis's text are taken, by name.
+    """Read the tables for numbers in the text that are not from results; return them by name.
 
     ``benchmarks`` and ``scale`` are in git. ``nu`` has one row per nu-SVM result, test home and seed. Its
-    columns are result, home, the requested nu (asked), and the lowest and highest nu that the two-class
-    machines used. ``rejected`` has one row per labelled frame that a filter rejects, with the columns filter,
-    home and information. Missing tables have no rows.
+    columns are result, home, the requested nu (asked), and the lowest and highest nu that the binary SVMs
+    used. ``rejected`` has one row per labelled frame that a filter rejects, with the columns filter, home and
+    information. Missing tables have no rows.
     """
     kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
     found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}

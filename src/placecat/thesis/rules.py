@@ -1,4 +1,4 @@
-"""What words like "better" and "about" mean in claims."""
+"""Rules that turn the words of a claim, such as "better" or "about", into ranges."""
 
 from dataclasses import dataclass
 
@@ -26,12 +26,12 @@ class Rules:
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
     """Return the range that a claim allows for a difference; None for ``both_signs``, which ignores the mean.
 
-    ``better`` means above 0, ``worse`` means below 0, and ``about`` means about the published difference.
-    ``little`` means closer to 0 than the margin, and ``no_better`` means below the margin. ``within`` takes a
-    number and means closer to 0 than this number. ``above`` also takes a number, which is subtracted from the
-    left side, and means above 0. ``both_signs`` means noticeably below 0 in more than a rare share of cases,
-    and likewise above 0. Raises PlacecatError for an unknown kind, a missing or superfluous number, or
-    ``about`` without a published difference.
+    ``better`` means above 0, and ``worse`` means below 0. ``about`` means within a tolerance of the published
+    difference. ``little`` means closer to 0 than the margin, and ``no_better`` means below the margin.
+    ``within`` takes a number and means closer to 0 than this number. ``above`` also takes a number and means
+    that the left side minus this number is above 0. ``both_signs`` means that neither noticeably negative nor
+    noticeably positive cases are rare. Raises PlacecatError for an unknown kind, a missing or superfluous
+    number, or ``about`` without a published difference.
     """
     name, number = kind
     known = {

@@ -18,12 +18,12 @@ from placecat.thesis.number import Number, nothing
 ADDITION = "Addition"
 COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
 
-# A published cell's table, group, row and column.
+# The table, group, row and column of a published cell.
 PublishedKey = tuple[int, str, str, str]
 
 
 def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Return all tables of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
+    """Return all tables of a run by name, e.g. ``table_12``: first those of the thesis, then the additions.
 
     Each table is its definition (:mod:`placecat.thesis.definitions`) plus ``name``. Trials without a layout
     are not shown as tables (see :mod:`placecat.thesis.in_text`). `params` are all settings, and `root` is the
@@ -60,7 +60,7 @@ def label(table: Mapping[str, Any]) -> str:
 
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
-    """Map cells to their notes in data/thesis/contradictions.csv about contradictions within the thesis."""
+    """Map cells to the `notes` on contradictions within the thesis (data/thesis/contradictions.csv)."""
     rows = notes[["table", *AXES, "note"]].itertuples(index=False, name=None)
     return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
@@ -98,11 +98,11 @@ def fill_table(
     """Fill one table.
 
     Returns a DataFrame with the columns table (its number, or "Addition"), group, row, column, published,
-    measured, spread, seeds and note. Two further columns are ``notes``, which has the note by kind, and
-    ``number``, the cell's :class:`~placecat.thesis.number.Number`, which explains the measured columns. The
-    published cells come first, in their order, followed by this run's additional cells. ``measured`` is in
-    percent (see :func:`in_percent`); if it is NaN, a note says why. Raises PlacecatError for a result that
-    the run does not have.
+    measured, spread, seeds and note. Two further columns are ``notes``, the parts of the note by kind, and
+    ``number``, the :class:`~placecat.thesis.number.Number` behind the measured columns. The published cells
+    come first, in their order, followed by this run's additional cells. ``measured`` is in percent (see
+    :func:`in_percent`); if it is NaN, a note says why. Raises PlacecatError for a result that the run does
+    not have.
 
     `table` is a table of :func:`tables_of`. `published` has all published cells, with the columns table,
     group, row, column and value; an empty value is an n/a. `dataset` is the table's data

@@ -5,7 +5,7 @@ from made_run import build, parameters
 
 @pytest.fixture(scope="session")
 def made_folder(tmp_path_factory):
-    """Folder of a small finished run."""
+    """The folder of a small finished run."""
     folder = tmp_path_factory.mktemp("run")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
@@ -15,6 +15,6 @@ def made_folder(tmp_path_factory):
 
 @pytest.fixture
 def made(made_folder, monkeypatch):
-    """Settings of that run, in its folder."""
+    """The settings of that run; the test runs in its folder."""
     monkeypatch.chdir(made_folder)
     return parameters()

@@ -1,4 +1,4 @@
-"""Every figure; and Figures 2 to 7, 9, 12 to 14, 18 and 19 on a small run with known content."""
+"""All figures in general, and Figures 2 to 7, 9, 12 to 14, 18 and 19 on a small run with known content."""
 
 import re
 
@@ -45,7 +45,7 @@ def test_figures_are_found_by_name():
     of_thesis = [name for name in names if re.fullmatch(r"figure_\d\d", name)]
     numbers = [figures.number(name) for name in of_thesis]
     assert numbers == sorted(numbers)
-    # Added figures have no number, and come last.
+    # Additional figures have no number and come last.
     assert names == [*of_thesis, "figure_reliability"]
     assert figures.number("figure_reliability") is None
     with pytest.raises(PlacecatError, match="there is no figure 'figure_99'"):
@@ -60,7 +60,7 @@ def test_every_figure_has_a_caption(name):
 @pytest.mark.parametrize(
     "number", ["13", *(pytest.param(one, marks=pytest.mark.slow) for one in MINE if one != "13")]
 )
-def test_bytes_do_not_depend_on_the_users_style(number, run, made, tmp_path):
+def test_figures_do_not_depend_on_the_users_style(number, run, made, tmp_path):
     first, second = tmp_path / "first.png", tmp_path / "second.png"
     figures.render(f"figure_{number}", run, first)
     with matplotlib.rc_context({"font.size": 30, "axes.facecolor": "red", "savefig.dpi": 30}):
@@ -71,7 +71,7 @@ def test_bytes_do_not_depend_on_the_users_style(number, run, made, tmp_path):
 
 
 @pytest.mark.parametrize("number", MINE)
-def test_text_is_seven_points_at_least_and_inside_the_figure(number, run):
+def test_text_is_at_least_seven_points_and_inside_the_figure(number, run):
     with house_style():
         figure = figures.draw(f"figure_{number}", run)
         FigureCanvasAgg(figure).draw()
@@ -84,14 +84,14 @@ def test_text_is_seven_points_at_least_and_inside_the_figure(number, run):
 
 
 @pytest.mark.parametrize("number", ["07", "09", "18", "19"])
-def test_an_unknown_setting_is_refused_when_a_stage_starts(number):
+def test_an_unknown_setting_is_rejected_when_a_stage_starts(number):
     params = read_yaml(ROOT / "params.yaml")
     params["figures"][f"figure_{number}"]["hose"] = 3
     with pytest.raises(PlacecatError, match=rf"figures\.figure_{number}.*'hose'"):
         check(params)
 
 
-def test_a_frame_without_a_label_can_be_the_example(made):
+def test_an_unlabelled_frame_can_be_the_example(made):
     made["figures"]["example"] = {"home": 1, "frame": 7}
     assert "flat 1, frame 8: no label" in texts(figures.draw("figure_02", Run(made)))
 
@@ -114,7 +114,7 @@ def test_every_intensity_map_is_shown(run):
         ("05", "orientation", ["O′ 0°", "O′ 45°", "O′ 90°", "O′ 135°"]),
     ],
 )
-def test_subchannels_stand_under_their_names_with_their_weights(number, channel, names, run):
+def test_subchannels_are_labelled_with_names_and_weights(number, channel, names, run):
     fused = run.saliency(*run.example).channels[channel]
     figure = figures.draw(f"figure_{number}", run)
     for axes, plane in zip(figure.axes[:4], fused.subchannels, strict=True):
@@ -134,7 +134,7 @@ def test_the_saliency_map_is_the_sum_of_the_maps_in_figure_6(run):
     np.testing.assert_allclose(planes[-1], total, rtol=1e-5, atol=1e-6)
 
 
-def test_circles_lie_at_the_regions(made):
+def test_circles_match_the_regions(made):
     made["figures"]["figure_07"] = {"regions": 5}
     run = Run(made)
     figure = figures.draw("figure_07", run)
@@ -147,7 +147,7 @@ def test_circles_lie_at_the_regions(made):
     assert len({circle.get_edgecolor() for circle in circles}) == len(scales)
 
 
-def test_the_shares_of_figure_9_give_its_product(run):
+def test_the_product_in_figure_9_follows_from_its_shares(run):
     figure = figures.draw("figure_09", run)
     bars = figure.axes[2]
     rows = [[patch.get_width() for patch in bars.patches[i : i + 2]] for i in range(0, len(bars.patches), 2)]
@@ -155,7 +155,7 @@ def test_the_shares_of_figure_9_give_its_product(run):
     *regions, everything, product = np.array(rows)
     own = np.prod(regions, axis=0) / everything
     np.testing.assert_allclose(product, own / own.sum(), rtol=1e-6)
-    # The same from the estimator, on the frame named in the figure.
+    # The estimator computes the same product for the frame that the figure shows.
     named = next(text for text in texts(figure) if text.startswith("flat 1, frame "))
     frame = int(re.search(r"frame (\d+)", named)[1]) - 1
     train = run.training_regions("hog_y", "flat_1")
@@ -168,7 +168,7 @@ def test_the_shares_of_figure_9_give_its_product(run):
     assert LABELS[frame] >= 0
 
 
-def test_training_regions_know_where_they_are_from(run):
+def test_training_regions_record_their_origin(run):
     train = run.training_regions("hog_y", "flat_1")
     assert train.homes == ("flat_2", "flat_3")
     assert set(train.frame.tolist()) == {0, 3, 6}
@@ -196,7 +196,7 @@ def test_patches_of_a_cluster_are_cut_from_its_regions(run):
     of_shown = [
         next(i for i, patch in enumerate(found[0].patches) if np.array_equal(patch, one)) for one in shown
     ]
-    # Two moments in two homes: each block has two patches, none from the same home.
+    # Each of the two homes has a single moment, so each block has one patch from each home.
     assert len(of_shown) == 6
     assert contrast[of_shown[2:4]].min() > contrast[of_shown[4:6]].max()
 
@@ -208,7 +208,7 @@ def test_patches_of_a_cluster_are_cut_from_its_regions(run):
     st.integers(0, 12),
     st.randoms(use_true_random=False),
 )
-def test_of_a_moment_one_is_shown(places, count, apart, random):
+def test_each_moment_is_shown_once(places, count, apart, random):
     home, frame = np.array(places).T
     order = np.array(random.sample(range(len(places)), len(places)))
     taken = clusters.spread(order, home, frame, count, apart)
@@ -219,7 +219,7 @@ def test_of_a_moment_one_is_shown(places, count, apart, random):
     assert taken[0] == order[0] and len(taken) <= count and len(set(taken)) == len(taken)
     assert not any(near(one, other) for i, one in enumerate(taken) for other in taken[:i])
     assert taken == [one for one in order if one in taken]
-    # None was skipped without a reason.
+    # No region was skipped without a reason.
     if len(taken) < count:
         assert all(any(near(one, other) for other in taken) or one in taken for one in order)
 
@@ -236,7 +236,7 @@ def test_a_patch_is_the_square_around_its_region():
     assert (corner == (10, 20, 30)).all()
 
 
-def test_the_surest_mistakes_are_found_and_walls_are_none(run):
+def test_the_most_certain_mistakes_are_found(run):
     results = [f"cues/{cue}/5-5-1" for cue in made_run.CUES]
     found = filtered.failures(run, results, 0.05)
     assert [(one.home, one.frame, one.place) for one in found] == [("flat_1", 1, 0), ("flat_3", 4, 1)]
@@ -247,20 +247,20 @@ def test_the_surest_mistakes_are_found_and_walls_are_none(run):
     assert "(a) bedroom: flat 1, frame 2" in written and written.count("sauna") >= 5
 
 
-def test_how_sure_a_cue_is_counts_among_its_own():
+def test_certainty_is_relative_to_the_same_cue():
     largest = np.array([[0.99, 0.98, 0.97, 0.5], [0.21, 0.22, 0.23, 0.9]])
     labelled = np.array([True, True, True, False])
     np.testing.assert_allclose(filtered.surety(largest, labelled), [2 / 3, 2 / 3, 2 / 3, 1 / 2])
 
 
-def test_without_a_mistake_there_is_no_figure_18(made):
+def test_figure_18_needs_a_mistake(made):
     made["figures"]["figure_18"]["cues"] = {"Gist": "cues/gist/5-5-1"}
     made["filters"]["informative"]["threshold"] = 0.2
-    with pytest.raises(PlacecatError, match="no informative frame is decided wrongly by all of Gist"):
+    with pytest.raises(PlacecatError, match="no informative frame is misclassified by all of Gist"):
         figures.draw("figure_18", Run(made))
 
 
-def test_figure_19_shows_the_limits_of_the_rejected_frames(run, made):
+def test_figure_19_shows_the_most_and_least_informative_rejected_frames(run, made):
     rejected = {
         (home, index): run.information(home)[index]
         for home in HOMES
@@ -290,7 +290,7 @@ def grey(color):
     return float(np.dot(matplotlib.colors.to_rgb(color), (0.299, 0.587, 0.114)))
 
 
-def test_places_have_different_colours_in_print_too():
+def test_place_colours_differ_even_in_greyscale():
     thesis = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
     lightness = sorted(grey(color) for color in palette.place_colors(thesis).values())
     assert np.diff(lightness).min() > 0.1

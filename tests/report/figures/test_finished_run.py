@@ -1,4 +1,4 @@
-"""Data of a run for the figures."""
+"""The data that figures read from a finished run."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from placecat.errors import PlacecatError
 from placecat.report.run import Run
 
 
-def test_it_reads_the_outputs_of_the_stages(made):
+def test_a_run_reads_the_outputs_of_the_stages(made):
     run = Run(made)
     assert run.homes == HOMES and run.classes == made_run.CLASSES
     np.testing.assert_array_equal(run.labels("flat_2"), LABELS)
@@ -23,7 +23,7 @@ def test_it_reads_the_outputs_of_the_stages(made):
     assert run.codebook("hog_y", "flat_1").trees[0].centers(16).shape == (16, 129)
 
 
-def test_frames_come_once_each_in_order_and_match_single_ones(made):
+def test_frames_are_ordered_and_unique(made):
     run = Run(made)
     found = list(run.frames("flat_3", [5, 1, 5]))
     assert [index for index, _ in found] == [1, 5]
@@ -33,14 +33,14 @@ def test_frames_come_once_each_in_order_and_match_single_ones(made):
         run.frame("flat_3", FRAMES)
 
 
-def test_saliency_and_regions_belong_together(made):
+def test_saliency_matches_the_regions(made):
     run = Run(made)
     fused, regions = run.saliency("flat_1", 0), run.regions("flat_1", 0)
     x, y = (regions[:, :2] / 2**fused.scale).astype(int).T
     np.testing.assert_array_equal(fused.saliency[y, x], regions[:, 3])
 
 
-def test_distributions_are_of_the_first_seed_there_is(made):
+def test_distributions_come_from_the_first_seed(made):
     run = Run(made)
     for cue in CUES:
         np.testing.assert_array_equal(run.proba(f"cues/{cue}/5-5-1", "flat_3"), made_run.proba("flat_3", cue))
@@ -52,7 +52,7 @@ def test_distributions_are_of_the_first_seed_there_is(made):
         run.proba("cues/gist/5-5-1", "flat_9")
 
 
-def test_the_example_shows_most_unless_it_is_named(made):
+def test_the_example_is_the_most_informative_frame_by_default(made):
     assert Run(made).example == RICHEST
     for own, expected in (
         ({"home": 2}, RICHEST),

@@ -1,4 +1,4 @@
-"""Figures 11, 15 to 17, 20, and reliability diagrams, on a stand-in for a run with known distributions."""
+"""Figures 11, 15 to 17 and 20, and reliability diagrams, on a mock run with known distributions."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -25,7 +25,7 @@ CLASSES = ("bedroom", "kitchen", "sauna")
 HOMES = ("flat", "house", "barn", "hut")
 TESTS = ("south", "north")
 FRAMES = 90
-# The flickers that the model removes are in this home from this frame on.
+# The model removes flickers in this home, starting at this frame.
 PLANTED = ("house", 30)
 LENGTH = 20
 
@@ -42,7 +42,7 @@ def truth_of(home):
 
 
 class Run:
-    """Stands in for `placecat.report.run.Run`."""
+    """A stand-in for `placecat.report.run.Run`."""
 
     classes = CLASSES
 
@@ -111,7 +111,7 @@ def titles(figure):
 @pytest.mark.parametrize(
     "number", [11, 15, *(pytest.param(one, marks=pytest.mark.slow) for one in (16, 17, 20, "reliability"))]
 )
-def test_a_figure_is_drawn_and_its_bytes_repeat(number, tmp_path):
+def test_figures_are_reproducible(number, tmp_path):
     assert figures.caption(f"figure_{number}").endswith(".")
     first, second = tmp_path / "first.png", tmp_path / "second.png"
     for target in (first, second):
@@ -128,18 +128,18 @@ def test_no_text_is_smaller_than_seven_points(number):
 
 
 @pytest.mark.parametrize(("homes", "expected"), [(HOMES, "barn"), (HOMES[:2], "house"), (HOMES[:1], "flat")])
-def test_figures_show_home_3_or_the_last_where_there_are_fewer(homes, expected):
+def test_figures_show_home_3_or_the_last_home(homes, expected):
     run = Run(homes)
     assert home_of(run, 3) == expected
     assert figures.draw("figure_16", run).axes[4].get_xlabel() == f"frame of {expected}"
     assert figures.draw("figure_15", run).axes[0].get_ylabel() == f"true place of {expected}"
 
 
-def test_a_strip_is_dark_where_a_place_is_probable():
+def test_probable_places_are_dark_in_a_strip():
     axes = Figure().subplots()
     proba = one_hot(np.array([0, 0, 2, 1]))
     image = strips.draw(axes, proba, np.array([0, 0, 2, -1]), CLASSES, cuts=[], span=(0.0, 1.0))
-    # Rows of the picture are places, columns are frames; 0 is white, 255 black.
+    # In the picture, rows are places and columns are frames; 0 is black and 255 is white.
     drawn = image.to_rgba(image.get_array(), bytes=True)[..., 0]
     assert drawn.shape == (3, 4)
     dark = np.zeros((3, 4), bool)
@@ -149,7 +149,7 @@ def test_a_strip_is_dark_where_a_place_is_probable():
     assert (left, right, bottom, top) == (0, 4, 2.5, -0.5)
 
 
-def test_the_true_place_is_a_blue_line_through_its_row_and_unlabelled_frames_have_a_row_of_their_own():
+def test_the_true_place_is_a_blue_line_with_a_separate_row_for_unlabelled_frames():
     axes = Figure().subplots()
     truth = np.array([0, 0, -1, 2, 2], np.int16)
     strips.draw(axes, one_hot(np.maximum(truth, 0)), truth, CLASSES, cuts=[3], span=(0.0, 1.0))
@@ -165,7 +165,7 @@ def test_the_true_place_is_a_blue_line_through_its_row_and_unlabelled_frames_hav
     assert axes.get_title(loc="right") == "accuracy 100.0 %"
 
 
-def test_without_unlabelled_frames_there_is_no_row_for_them():
+def test_there_is_no_row_for_unlabelled_frames_without_any():
     figure = figures.draw("figure_17", Run(figure_17={"home": 4}))
     assert [label.get_text() for label in figure.axes[0].get_yticklabels()] == list(CLASSES)
 
@@ -188,7 +188,7 @@ def test_columns_average_neighbouring_frames(frames, limit):
         assert np.allclose(averaged, proba.reshape(limit, -1, 3).mean(axis=1))
 
 
-def test_figure_16_has_a_strip_a_cue_and_says_where_the_film_is_cut():
+def test_figure_16_has_one_strip_per_cue_and_marks_cuts():
     figure = figures.draw("figure_16", Run())
     assert titles(figure) == [
         "(a) HOG on salient regions",
@@ -204,7 +204,7 @@ def test_figure_16_has_a_strip_a_cue_and_says_where_the_film_is_cut():
         figures.draw("figure_16", Run(figure_16={"panels": {"Nothing": "nothing"}}))
 
 
-def test_figure_20_has_every_test_sequence_beside_each_other():
+def test_figure_20_shows_all_test_sequences_side_by_side():
     figure = figures.draw("figure_20", Run())
     assert [axes.get_xlabel() for axes in figure.axes if axes.get_xlabel()] == [
         "frame of south",
@@ -215,7 +215,7 @@ def test_figure_20_has_every_test_sequence_beside_each_other():
         figures.draw("figure_20", Run(figure_20={"panels": {}}))
 
 
-def test_a_reliability_diagram_has_its_bins_where_they_belong_and_the_numbers_of_the_table():
+def test_a_reliability_diagram_shows_its_bins_and_quality_measures():
     figure = figures.draw("figure_reliability", Run())
     above = [axes for axes in figure.axes if axes.get_title(loc="left")]
     assert [axes.get_title(loc="left").split("\n")[0] for axes in above] == [
@@ -225,8 +225,8 @@ def test_a_reliability_diagram_has_its_bins_where_they_belong_and_the_numbers_of
         "(d) Integration",
         "(e) Smoothing",
     ]
-    # All decisions have the probability 0.9. One of three places has 10 of 30 frames wrong in every home,
-    # another one in one of the four homes.
+    # All decisions have a probability of 0.9. In every home, 10 of 30 frames of one place are wrong; in one
+    # of the four homes, so are 10 frames of another place.
     right = [(8 / 9 + 8 / 9 + 8 / 9 + 7 / 9) / 4] * 4 + [1.0]
     for axes, expected in zip(above, right, strict=True):
         np.testing.assert_allclose(axes.collections[-1].get_offsets(), [[0.9, expected]])
@@ -249,7 +249,7 @@ def test_reliability_diagrams_need_results_and_labels():
         figures.draw("figure_reliability", run)
 
 
-def test_figure_15_has_percentages_of_the_true_place_and_counts_of_the_first_seed():
+def test_figure_15_shows_percentages_and_counts():
     figure = figures.draw("figure_15", Run())
     before, after = figure.axes
     assert before.get_title(loc="left") == "(a) After integration, accuracy 88.9 %"
@@ -264,7 +264,7 @@ def test_a_place_without_frames_has_a_row_of_dashes():
     assert [text.get_text() for text in axes.texts if text.get_position()[1] == 1] == ["–"] * 3
 
 
-def test_the_segment_with_the_most_removed_jumps_is_found():
+def test_figure_11_finds_the_window_with_the_most_removed_changes():
     run = Run()
     own = run.options("figure_11")
     home, window = figure_11.choose(run, own["classifier"], own["hmm"], home=None, start=None, frames=LENGTH)
@@ -280,7 +280,7 @@ def test_the_segment_with_the_most_removed_jumps_is_found():
     assert "kitchen" in texts(figure)
 
 
-def test_the_segment_may_be_named():
+def test_the_window_of_figure_11_can_be_set():
     figure = figures.draw("figure_11", Run(figure_11={"home": 1, "start": 62}))
     assert figure.axes[-1].get_xlabel() == "frame of flat"
     assert figure.axes[-1].get_xlim() == (62, 82)
@@ -288,7 +288,7 @@ def test_the_segment_may_be_named():
         figures.draw("figure_11", Run(figure_11={"home": 1, "start": 89}))
 
 
-def test_jumps_count_between_labelled_frames_of_one_sequence_only():
+def test_changes_count_only_between_labelled_frames_of_one_sequence():
     truth = np.array([0, 0, -1, 0, 0, 0, 0, 0])
     jumping, calm = one_hot(np.array([0, 1, 0, 1, 0, 1, 1, 1])), one_hot(np.zeros(8, int))
     assert changes(jumping, truth).tolist() == [1, 0, 0, 1, 1, 0, 0]

@@ -31,7 +31,7 @@ def numbers_of_gains(made):
     return {column: number for (_, row, column), number in cells if row == "Gain"}
 
 
-def test_a_gain_is_the_difference_to_the_best_on_average():
+def test_a_gain_is_relative_to_the_best_result_on_average():
     found = gains()
     assert [cell.measured for cell in found.values()] == [-9.0, 11.0, 21.0, 1.0, 11.0, 1.0, 6.0]
     assert list(found)[-1] == "Average"
@@ -39,14 +39,14 @@ def test_a_gain_is_the_difference_to_the_best_on_average():
     assert {(number.spread, number.seeds) for number in found.values()} == {(2.0, 2)}
 
 
-def test_seeds_are_compared_one_by_one():
+def test_gains_are_computed_per_seed():
     found = gains(gist=measured([0] * 6))
     assert found["Home 1"].measured == pytest.approx(31 - 22)
     assert found["Home 1"].spread == pytest.approx(2.0)
     assert found["Average"].notes == ("minus Hog, the best on average",)
 
 
-def test_a_gain_over_a_single_result_names_only_it():
+def test_a_gain_over_a_single_result_names_that_result():
     found = gains(TABLE | {"gains": [GAIN | {"over": ["other"]}]}, other=measured(GIST))
     assert {cell.notes for cell in found.values()} == {("minus other",)}
 
@@ -61,7 +61,7 @@ def test_a_home_without_a_number_has_a_reason_and_no_gain():
     assert found["Home 1"].measured == -9.0
 
 
-def test_without_any_number_there_are_reasons():
+def test_missing_results_leave_reasons():
     lost = {(name, f"home_{number}"): "too few frames" for name in ("gist", "hog") for number in range(1, 7)}
     made = results(lost, fused=measured(FUSED))
     assert {number.notes for number in numbers_of_gains(made).values()} == {("too few frames",)}

@@ -17,7 +17,7 @@ def rows(*results):
     return TABLE | {"rows": [{"group": "g", "row": name, "result": name} for name in results]}
 
 
-def test_every_row_has_the_means_over_homes_of_each_seed():
+def test_cells_are_means_over_homes_and_seeds():
     found = probabilities(TABLE, RESULTS)
     assert len(found) == 3 * len(TABLE["rows"])
     names = {(row["group"], row["row"]): row["result"] for row in TABLE["rows"]}
@@ -34,7 +34,7 @@ def test_every_row_has_the_means_over_homes_of_each_seed():
             assert cell.seeds == 2
 
 
-def test_fewer_homes_than_there_are_are_named():
+def test_a_mean_over_fewer_homes_has_a_note():
     name = "cues/gist/5-5-1"
     one = RESULTS.quality[name]
     part = Quality(one.homes[1:3], one.seeds, {key: value[:, 1:3] for key, value in one.values.items()})
@@ -45,7 +45,7 @@ def test_fewer_homes_than_there_are_are_named():
     )
 
 
-def test_missing_numbers_have_a_reason_and_unknown_results_are_refused():
+def test_missing_numbers_have_a_reason_and_unknown_results_raise():
     name = "cues/gist/5-5-1"
     one = RESULTS.quality[name]
     empty = Quality(one.homes, one.seeds, {key: value * np.nan for key, value in one.values.items()})

@@ -1,4 +1,4 @@
-"""Draw a bar chart of a table's averages: one bar per result, with a point for each home or place."""
+"""A bar chart of the averages in a table: one bar per result, with a point for each home or place."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from placecat.thesis.number import AVERAGE
 
 BAR, POINT, PUBLISHED = "#0072b2", "#222222", "#d55e00"
-# In inches: the width, the height of a line, and the total space above and below the lines.
+# Width, line height, and total space above and below the lines, in inches.
 _WIDTH, _LINE, _ROUND = 6.5, 0.19, 0.85
 _HOME = r"Home \d+"
 
@@ -23,7 +23,7 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
     bars = bars_of(cells)
     if not bars:
         return None
-    # Lines from top to bottom: bars and section names.
+    # Each bar and each section name takes up one line.
     places: list[int] = []
     headings: dict[int, str] = {}
     section = ""
@@ -65,9 +65,10 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
 
 @dataclass(frozen=True)
 class Bar:
-    """One bar of the chart: the name of its group ("" for none), its own name, and its numbers in percent.
+    """One bar of the chart, with numbers in percent.
 
-    `published` is NaN if it is missing. `points` are numbers in the table, and `measured` is their mean.
+    `section` is the name of its group ("" if there is none), and `label` is its own name. `measured` is the
+    mean of `points`, the numbers in the table. `published` is NaN if it is missing.
     """
 
     section: str
@@ -80,8 +81,9 @@ class Bar:
 def bars_of(cells: pd.DataFrame) -> list[Bar]:
     """Turn a filled table's averages into bars.
 
-    The averages over homes are used or, if there are none, those over places. A table without averages has a
-    bar for each cell. Bars are in the table's order, and cells that were not measured have no bar.
+    The bars show the averages over homes or, if there are none, the averages over places. A table without
+    averages gets one bar per cell. Bars are in the order of the table. Cells that were not measured have no
+    bar.
     """
     axis = _averaged(cells)
     if axis is None:
@@ -104,13 +106,13 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
 
 
 def point_name(cells: pd.DataFrame) -> str:
-    """Return what each point of the bars stands for: "home" or "place"."""
+    """Return what a point on a bar stands for: "home" or "place"."""
     axis = _averaged(cells)
     return "home" if axis is not None and cells[axis].str.fullmatch(_HOME).any() else "place"
 
 
 def _averaged(cells: pd.DataFrame) -> str | None:
-    """Return the label column over which a table averages, or None."""
+    """Return the axis ("row" or "column") over which a table has averages, or None."""
     for axis in ("row", "column"):
         if cells[axis].str.fullmatch(_HOME).any():
             return axis

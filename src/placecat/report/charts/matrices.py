@@ -1,6 +1,6 @@
-"""Draw confusion matrices: those of one row with numbers, or those of a whole table without numbers.
+"""Pictures of confusion matrices: one row of a table, with numbers, or a complete table, with colours only.
 
-NumPy paints them, since Matplotlib takes ten times as long.
+They are painted with NumPy, because Matplotlib takes ten times as long.
 """
 
 from collections.abc import Mapping
@@ -18,22 +18,26 @@ from placecat.results.confusion import ALL_HOMES, in_home, pooled_counts, shares
 from placecat.results.measured import Measured
 
 _MAP = "Blues"
-# In pixels: a cell, the gap between matrices, the margin, and the sizes of text.
+# Cell size, gap between matrices, margin, and text sizes, in pixels.
 _CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
-# Size of a cell, in pixels, in the picture of a whole table, which has no numbers.
+# Cell size in pixels for a complete table, where cells have no numbers.
 _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
 # Cells above this percentage are dark, so their numbers are white.
 _DARK = 55
-_CAPTION = "Rows are true places, columns decisions; numbers are percentages of the true place."
-_SHEET = "Rows are true places, columns decisions; dark blue means all frames of the true place, white none."
+_CAPTION = (
+    "Rows are true places; columns are decisions. Numbers are percentages of the frames of the true place."
+)
+_SHEET = (
+    "Rows are true places; columns are decisions. White means no frames of the place; dark blue means all."
+)
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
-    """Write a PNG with matrices of the same places side by side, and their captions.
+    """Write a PNG with captioned matrices of the same places side by side.
 
-    Each number says what percentage of the frames of the row's true place were decided to be the column's
-    place, over all homes and seeds. Equal matrices give identical files.
+    Each number is the percentage of frames of the row's true place that were classified as the column's
+    place, over all homes and seeds. Equal matrices produce identical files.
     """
     names = [place_title(place) for place in next(iter(matrices.values())).classes]
     side = _CELL * len(names)
@@ -62,7 +66,7 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
     """Write a PNG with all matrices of a table: one line per row, with a matrix for each column or home.
 
-    `rows` are from :func:`placecat.thesis.decisions.decisions_of`. If there are none, the function writes no
+    `rows` are from :func:`placecat.thesis.decisions.decisions_of`. Without rows, the function writes no
     picture and returns False.
     """
     lines = {" / ".join(filter(None, labels)): _blocks(of_row) for labels, of_row in rows.items() if of_row}
@@ -102,7 +106,7 @@ def _blocks(of_row: Mapping[str, Measured]) -> dict[str, NDArray[np.float64]]:
 
 
 def _paper(height: int, width: int, title: str, caption: str) -> NDArray[np.uint8]:
-    # White needs only one value, whereas filling in a colour takes 90 times as long.
+    # White needs only a single fill value. Filling the picture with a colour would take 90 times as long.
     picture = np.full((height, width, 3), _PAPER[0], np.uint8)
     write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
     write(picture, caption, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)
@@ -115,7 +119,7 @@ def _save(picture: NDArray[np.uint8], target: Path) -> None:
 
 
 def _colors(percent: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Return (n, n, 3) uint8 BGR colours. NaN, the value for a place without frames, becomes white."""
+    """Return (n, n, 3) uint8 BGR colours. NaN, which marks a place without frames, becomes white."""
     colors = colormaps[_MAP](percent / 100.0, bytes=True)[:, :, 2::-1].copy()
     colors[np.isnan(percent)] = _PAPER
     return colors

@@ -1,9 +1,8 @@
 """The figures of the thesis and additional ones, drawn from a run.
 
-Each module with figures has a mapping `FIGURES` from the name of a figure to its caption and a function. A
-figure of the thesis is named ``figure_NN``, and an additional one ``figure_NAME``. The function takes the run
-and the settings ``figures.<name>``. It returns the figure, or raises PlacecatError if the run lacks the data
-for it.
+Each module with figures has a mapping `FIGURES` from figure names to captions and functions. A figure of the
+thesis is named ``figure_NN``, and an additional one ``figure_NAME``. A function takes the run and the
+settings ``figures.<name>``. It returns the figure, or raises PlacecatError if the run lacks the data for it.
 """
 
 import importlib
@@ -40,7 +39,7 @@ def caption(name: str) -> str:
 
 
 def draw(name: str, run: Run) -> Figure:
-    """Draw the figure with a name from `names`.
+    """Draw a figure by its name (see `names`).
 
     Raises PlacecatError if there is no such figure, or if the run lacks the data for it.
     """
@@ -55,8 +54,8 @@ def draw(name: str, run: Run) -> Figure:
 def render(name: str, run: Run, target: Path) -> None:
     """Draw one figure (see `draw`) in the project's style and write it to a PNG.
 
-    Also writes a PDF with the same name. Its properties contain the settings behind the figure. If drawing
-    fails, nothing is written.
+    Also writes a PDF with the same name, whose properties contain the settings used for the figure. If
+    drawing fails, nothing is written.
     """
     with house_style():
         figure = draw(name, run)

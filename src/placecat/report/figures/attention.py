@@ -35,7 +35,7 @@ def draw_example(run: Run) -> Figure:
 
 
 def draw_intensity(run: Run) -> Figure:
-    """Draw the intensity channel: feature maps at every scale, their sums, and the weighted sum of these."""
+    """Draw the intensity channel: feature maps at every scale, their sums, and the conspicuity map."""
     # Inches.
     small_width, large_width, gap, margin, above, arrow = 0.87, 1.24, 0.06, 0.42, 0.34, 0.62
     home, index = run.example
@@ -77,7 +77,7 @@ def draw_intensity(run: Run) -> Figure:
 def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]) -> Figure:
     """Draw one channel: feature maps of its four sub-channels, added across scales, and the conspicuity map.
 
-    The conspicuity map is the weighted sum of the feature maps. `symbol`, e.g. "C", stands for it.
+    The conspicuity map is the weighted sum of the feature maps, and `symbol` is its symbol, e.g. "C".
     `subchannels` are the names of the sub-channels in order.
     """
     # Inches.

@@ -27,7 +27,7 @@ class Cluster:
     """One cluster of salient regions.
 
     `total` is the number of regions in all clusters, and `shares` are the (classes,) shares of the places in
-    this cluster. The other attributes have one entry per region: `labels` is the place of its frame,
+    this cluster. The other attributes have one entry per region: `labels` is the place that its frame shows,
     `distance` is its distance from the cluster's centre, and `home` and `frame` say where it comes from.
     `patches` are the squares around the regions, (n, PIXELS, PIXELS, 3) uint8 BGR.
     """
@@ -50,7 +50,7 @@ def draw_cluster(
 ) -> Figure:
     """Draw patches from the cluster with a given rank, using the settings in ``figures.clusters``.
 
-    Ranks are from 1 (the largest cluster) to `SHOWN`. With `by_contrast`, there are two random samples: one
+    Ranks run from 1 (the largest cluster) to `SHOWN`. With `by_contrast`, there are two random samples: one
     from the third of the patches with the most contrast, and one from the third with the least. Otherwise,
     there is one random sample from all patches.
     """
@@ -68,8 +68,8 @@ def draw_cluster(
         rank_of = np.argsort(np.argsort(cluster.contrast(), kind="stable"))[mixed]
         third = len(mixed) / 3
         blocks += [
-            ("random sample of the third with most contrast", mixed[rank_of >= 2 * third]),
-            ("random sample of the third with least contrast", mixed[rank_of < third]),
+            ("random sample of the third with the most contrast", mixed[rank_of >= 2 * third]),
+            ("random sample of the third with the least contrast", mixed[rank_of < third]),
         ]
     else:
         blocks += [("random sample", mixed)]
@@ -175,7 +175,7 @@ def _sheet(
 FIGURES = {
     "figure_12": (
         "Salient regions in the largest cluster of the localized HOG descriptor, from the training frames of "
-        "one fold. The colour of a patch's edge is that of its frame's place. The bar shows the places of "
+        "one fold. The colour of a patch's edge shows the place of its frame. The bar shows the places of "
         "all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) and (c) "
         "random samples of the third of the patches with the most and with the least contrast (standard "
         "deviation of the grey levels).",
@@ -183,14 +183,14 @@ FIGURES = {
     ),
     "figure_13": (
         "Salient regions in the second largest cluster of the localized HOG descriptor, from the training "
-        "frames of one fold. The colour of a patch's edge is that of its frame's place. The bar shows the "
+        "frames of one fold. The colour of a patch's edge shows the place of its frame. The bar shows the "
         "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",
         lambda run: draw_cluster(run, 2, False, **run.options("clusters")),
     ),
     "figure_14": (
         "Salient regions in the third largest cluster of the localized HOG descriptor, from the training "
-        "frames of one fold. The colour of a patch's edge is that of its frame's place. The bar shows the "
+        "frames of one fold. The colour of a patch's edge shows the place of its frame. The bar shows the "
         "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",
         lambda run: draw_cluster(run, 3, False, **run.options("clusters")),

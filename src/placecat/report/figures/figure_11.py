@@ -16,16 +16,16 @@ from placecat.report.figures.panels import stretches
 from placecat.report.run import Run, home_of
 
 TITLE = (
-    "Probabilities of the places over time after integration and after the hidden Markov model, without and "
-    "with its delay, in the window in which the model removes the most changes of the decision (first seed). "
+    "Probabilities of the places over time: after integration, and after the hidden Markov model without and "
+    "with its delay. In this window, the model removes the most changes in the decision (first seed). "
     "The bar below each panel shows the decision; the bar at the top shows the true place."
 )
 
-# Line styles distinguish the places in grey print.
+# Line styles distinguish the places in black-and-white prints.
 LINES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (1, 2)), (0, (3, 3)))
-# Bottom and top of the decision's bar, below the curves.
+# Bottom and top of the bar that shows the decision, below the curves.
 BAR = (-0.22, -0.09)
-# A stretch must have at least this share of the window to have room for its place's name.
+# A stretch shorter than this share of the window has no room for the name of its place.
 NAMED = 0.12
 LUMINANCE = np.array([0.299, 0.587, 0.114])
 
@@ -44,7 +44,7 @@ def draw(
 def choose(
     run: Run, classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
 ) -> tuple[str, slice]:
-    """Choose the home and the frames in which smoothing removes the most changes of the decision.
+    """Choose the home and the frames in which smoothing removes the most changes in the decision.
 
     `home` is the number of a home, from 1. None selects the best home (the first in a tie), or the first home
     if `start` is set. `start` is the index of the first frame. None selects the best window, which contains
@@ -72,13 +72,13 @@ def most_smoothed(
     *,
     frames: int,
 ) -> tuple[int, slice]:
-    """Find the window in which smoothing removes the most changes of the decision; in a tie, the first one.
+    """Find the first window in which smoothing removes the most changes in the decision.
 
     Returns the number of changes that smoothing removes (before minus after), and the window. A change counts
     only if both frames are labelled and there is no cut between them. `before` and `after` are (n, classes)
     distributions on the same frames. `truth` has their (n,) class indices, -1 if unlabelled. `sequences` are
-    the stretches without a cut. A window has `frames` frames and lies within one stretch. A stretch that is
-    shorter is itself a window.
+    the stretches without a cut. A window has `frames` frames and lies within one stretch; a shorter stretch
+    is a window of its own.
     """
     removed = changes(before, truth) - changes(after, truth)
     best: tuple[int, slice] | None = None
@@ -150,7 +150,7 @@ def figure(
 def _bar(
     axes: Axes, places: NDArray[np.integer], start: int, span: tuple[float, float], colors: Sequence[str]
 ) -> None:
-    """Draw places over time as a bar in their colours, between two heights; unlabelled frames stay white."""
+    """Draw places over time as a bar in their colours; unlabelled frames stay white."""
     for part in stretches(places):
         if places[part.start] >= 0:
             axes.fill_between(

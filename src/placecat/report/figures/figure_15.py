@@ -16,7 +16,7 @@ from placecat.report.run import Run, home_of
 
 TITLE = (
     "The confusion matrices of a home after integration and after smoothing, first seed. Each cell shows "
-    "what percentage of the frames of the row's place were decided to be the column's place, with their "
+    "the percentage of frames of the row's place that were classified as the column's place, with their "
     "number below."
 )
 

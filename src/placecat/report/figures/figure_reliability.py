@@ -1,4 +1,4 @@
-"""Reliability diagrams, an additional figure: are decisions right as often as their probabilities say?"""
+"""An additional figure: reliability diagrams, which compare confidence with accuracy."""
 
 from collections.abc import Mapping
 
@@ -15,21 +15,21 @@ from placecat.report.run import Run
 
 TITLE = (
     "Reliability diagrams: frames are sorted into bins by the probability of the decided place. Each point "
-    "is a bin; the more frames it has, the larger the point (bins of less than 0.5 % are not drawn). On the "
-    "dashed line, decisions are right as often as their probability says; below it they are overconfident, "
-    "above it underconfident. The bars below each diagram show each bin's share of the frames. Places, test "
-    "homes and seeds have equal weight. Log loss and calibration error are means over homes and seeds, from "
-    "the added table. The error of the pooled homes, which are drawn here, is smaller, since overconfidence "
-    "in one home offsets underconfidence in another."
+    "is a bin; the more frames it has, the larger the point (bins with less than 0.5 % are not drawn). On "
+    "the dashed line, decisions are right as often as their probability says; below it they are "
+    "overconfident, above it underconfident. The bars below each diagram show each bin's share of the "
+    "frames. Places, test homes and seeds have equal weight. Log loss and calibration error (the mean gap) "
+    "are means over homes and seeds, from the additional table. The diagrams pool all homes and therefore "
+    "show a smaller error, because overconfidence in one home offsets underconfidence in another."
 )
 
 COLUMNS = 3
 # Sizes in inches.
 WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
-# Bins with a smaller share of the frames are not drawn, since a few frames say little.
+# Bins with a smaller share of the frames are not drawn, because a few frames say little.
 LEAST = 0.005
-# Marker areas, in square points, of a bin with all frames and of the smallest bins.
+# Marker areas in square points: the first for a bin with all frames, the second for the smallest bins.
 LARGEST, SMALLEST = 150.0, 5.0
 
 
@@ -52,7 +52,7 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
         below.set_xlabel("probability of the decided place")
         below.tick_params(labelbottom=True)
         if column == 0:
-            above.set_ylabel("share of right decisions")
+            above.set_ylabel("share of correct decisions")
             below.set_ylabel("frames, %")
         else:
             above.tick_params(labelleft=False)
@@ -62,7 +62,7 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
             axes.remove()
     handles = [
         Line2D([], [], color=POINT, marker="o", label="bin of frames"),
-        Line2D([], [], color=GAP, linewidth=2.0, alpha=0.5, label="distance averaged in the error"),
+        Line2D([], [], color=GAP, linewidth=2.0, alpha=0.5, label="calibration gap"),
         Line2D([], [], color=palette.MUTED, linewidth=0.8, linestyle="--", label="perfect calibration"),
     ]
     drawn.legend(handles=handles, loc="outside lower right", ncols=len(handles))
@@ -79,7 +79,7 @@ def diagram_of(run: Run, result: str) -> Reliability:
     found = [
         reliability(run.labels(source.listed(home)), run.proba(result, home, seed), bins=bins)
         for home in source.homes
-        # Without seeds, reading raises an error that says that the result was not computed.
+        # Without seeds, `proba` raises the error that the result was not computed.
         for seed in source.seeds() or (None,)
     ]
     there = [one for one in found if one.weight.any()]
@@ -89,13 +89,13 @@ def diagram_of(run: Run, result: str) -> Reliability:
 
 
 def numbers(run: Run, result: str) -> str:
-    """Format a result's log loss and calibration error as in the additional table."""
+    """Format a result's log loss and calibration error, averaged as in the additional table."""
     averages = run.results.quality[result].averages()
     return f"log loss {averages['log_loss']:.2f}, error {averages['calibration_error']:.1f} %"
 
 
 def points(axes: Axes, diagram: Reliability) -> None:
-    """Draw the bins of a diagram, their distances from the diagonal, and the diagonal."""
+    """Draw the bins of a diagram, their gaps to the diagonal, and the diagonal."""
     axes.plot([0, 1], [0, 1], color=palette.MUTED, linewidth=0.8, linestyle="--")
     there = diagram.weight >= LEAST
     confidence, accuracy, weight = (part[there] for part in diagram)

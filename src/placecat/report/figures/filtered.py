@@ -14,7 +14,7 @@ from placecat.report.run import Run
 
 
 class Failure(NamedTuple):
-    """A frame that all cues get wrong: its home, number (from 0), place, and the cues' certainty (0 to 1)."""
+    """A frame (counted from 0) that all cues get wrong, with the mean certainty of the cues, from 0 to 1."""
 
     home: str
     frame: int
@@ -28,7 +28,7 @@ def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
     width, labels, bars, decisions, foot = 2.6, 1.4, 2.25, 0.78, 0.34
     found = failures(run, list(cues.values()), run.threshold(filter))[:2]
     if not found:
-        raise PlacecatError(f"no informative frame is decided wrongly by all of {', '.join(cues)}")
+        raise PlacecatError(f"no informative frame is misclassified by all of {', '.join(cues)}")
     facts = run.home_facts(found[0].home)
     height = width * facts["height"] / facts["width"]
     row = height + 0.45
@@ -52,8 +52,8 @@ def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
 def failures(run: Run, results: list[str], least: float) -> list[Failure]:
     """Find, for each place, the frame that all cues get wrong with the greatest certainty.
 
-    The frames are sorted, with the most certain one first. Only frames with an information measure of at
-    least `least` count. `results` are the results of the cues.
+    The most certain mistake comes first. Only frames with an information measure of at least `least` are
+    considered. `results` are the results of the cues.
     """
     homes = run.source(results[0]).homes
     labels = [run.labels(home) for home in homes]
@@ -80,7 +80,7 @@ def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray
 
     For one cue, this is the share of `labelled` frames on which the cue is no more certain. The result is the
     mean over all cues. `largest` has the (cues, frames) probabilities of the decisions. They cannot be
-    compared directly, since some cues always have nearly even distributions and others never do.
+    compared across cues, because some cues always have nearly even distributions and others never do.
     """
     shares = [
         np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()

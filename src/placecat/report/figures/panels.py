@@ -1,4 +1,4 @@
-"""Parts that figures share: frames, maps, circles, arrows, and distributions over places as divided bars."""
+"""Parts shared by the figures: frames, maps, circles, arrows, and bars of distributions over places."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -15,9 +15,9 @@ from placecat.drawing import palette
 from placecat.vision.regions import radius
 
 DARKEST = 99.5
-# Maximum width in pixels of a frame in a figure.
+# Maximum width of a frame in a figure, in pixels.
 MOST_PIXELS = 960
-# The smallest share that has room for its percentage.
+# Smallest share that has room for its percentage.
 LEAST_WRITTEN = 0.07
 LEGEND_COLUMNS = 5
 
@@ -96,7 +96,7 @@ def weight_text(weight: float) -> str:
 
 
 def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None:
-    """Show only a line around the axes."""
+    """Hide the ticks and draw a line around the axes."""
     axes.set_xticks([])
     axes.set_yticks([])
     axes.spines[:].set(visible=True, color=color, linewidth=linewidth)
@@ -131,9 +131,9 @@ def share_rows(
 
 
 def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]) -> None:
-    """Draw the legend of the places' colours.
+    """Draw a legend of the places and their colours.
 
-    `at` is the middle of the left side of the legend, in fractions of the figure.
+    `at` is the middle of the legend's left edge, in fractions of the figure.
     """
     handles = [Patch(color=color) for color in palette.place_colors(classes).values()]
     titles = [palette.place_title(place) for place in classes]
@@ -143,7 +143,7 @@ def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]
 
 
 def stretches(places: NDArray[np.integer]) -> list[slice]:
-    """Return, in order, the stretches of (n,) places in which the place stays the same."""
+    """Split (n,) places into stretches in which the place stays the same."""
     if not len(places):
         return []
     starts = np.flatnonzero(np.r_[True, places[1:] != places[:-1]]).tolist()

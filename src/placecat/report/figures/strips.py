@@ -45,10 +45,10 @@ def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
 
 
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
-    """Draw strips one below the other, each with its homes side by side.
+    """Draw strips one below the other, each with all homes side by side.
 
-    `homes` are test homes of every result. `panels` maps the title of each strip to its result, from top to
-    bottom. The first seed is drawn, and the greys of a strip span its values. Raises PlacecatError if a
+    `homes` must be test homes of every result. `panels` maps the title of each strip to its result, from top
+    to bottom. The first seed is drawn, and the greys of a strip span its values. Raises PlacecatError if a
     result is missing.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
@@ -98,11 +98,11 @@ def draw(
     cuts: Sequence[int],
     span: tuple[float, float],
 ) -> AxesImage:
-    """Draw one strip: a row per place, a blue line for the true place, and the accuracy (thesis 4.2) above.
+    """Draw one strip: a row per place, a blue line for the true place, and the accuracy (thesis 4.2) on top.
 
     For unlabelled frames, the line runs through an additional row. `proba` is (frames, len(classes)). `truth`
     has the (frames,) class indices, with -1 for unlabelled frames. `cuts` lists the first frame after each
-    cut in the film. `span` gives the probability that is drawn white, and the one that is drawn black.
+    cut in the video. `span` has the probabilities that are drawn white and black.
     """
     frames, n_classes = proba.shape
     if len(truth) != frames:
@@ -143,7 +143,7 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
     parts = stretches(row)
     starts = [part.start for part in parts]
     levels = row[starts]
-    # The white rim separates the line from dark rows, also in grey print.
+    # The white rim separates the line from dark rows, even in black-and-white prints.
     rim = [patheffects.withStroke(linewidth=2.6, foreground="white")]
     axes.hlines(
         levels, starts, [part.stop for part in parts], color=palette.TRUTH, linewidth=1.4, path_effects=rim
@@ -152,7 +152,7 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
 
 
 def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
-    """Return the probability that is drawn white, and the one that is drawn black.
+    """Return the probabilities that are drawn white and black.
 
     These are the percentiles `WHITE` and `BLACK`, or 0 and 1 if the percentiles are equal. With 0 and 1 for
     every strip, the nearly uniform distributions of some classifiers would be invisible.

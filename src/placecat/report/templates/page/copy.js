@@ -1,6 +1,6 @@
 (() => {
   "use strict";
-  // One header line, a separate column for the group's name, one line per row.
+  // One header line, one line per row, and a separate column for the name of the group.
   const toText = (table) => {
     const bodies = [...table.tBodies];
     const grouped = bodies.some((body) => body.querySelector("tr.group"));
@@ -37,7 +37,7 @@
       try {
         await navigator.clipboard.writeText(toText(table));
       } catch {
-        // Without permission for the clipboard: leave the table selected, so the user can copy it.
+        // Without permission to use the clipboard, select the table so that the user can copy it.
         select(table);
         said = "Selected";
       }

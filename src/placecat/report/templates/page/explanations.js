@@ -25,11 +25,11 @@
     history.replaceState(null, "", `#${number}`);
   };
   dialog.querySelector("button").addEventListener("click", () => dialog.close());
-  // The backdrop belongs to the dialog itself; its content is in elements inside it.
+  // A click on the backdrop targets the dialog itself; a click on its content targets an inner element.
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   dialog.addEventListener("close", () => history.replaceState(null, "", location.pathname + location.search));
 
-  // Cells are numbered as in placecat.provenance.numbering, before sorting moves rows.
+  // Number the cells like placecat.provenance.numbering does, before sorting moves rows.
   for (const table of document.querySelectorAll("table[data-name]")) {
     const name = table.dataset.name;
     const rows = [...table.tBodies].flatMap((body) => [...body.rows]).filter((row) => !row.matches(".group"));

@@ -1,12 +1,12 @@
 (() => {
   "use strict";
   const SHOWN = 40;
-  // Characters around a match.
+  // Number of characters shown on either side of a match.
   const AROUND = 40;
   const box = document.querySelector(".search");
   const [input, found, list, count] = ["input", ".found", "ol", "output"].map((one) => box.querySelector(one));
   const clean = (text) => text.replace(/\s+/g, " ").trim();
-  // textContent has no blank between cells.
+  // textContent has no space between cells.
   const textOf = (elements) => {
     const parts = [];
     for (const one of elements) {
@@ -16,7 +16,8 @@
     return clean(parts.join(" "));
   };
 
-  // Each kind's name, its elements (with the ids to link to), the element with the name, and further elements to search.
+  // For each kind: its name, a selector of its elements (their ids are link targets), a function that finds the
+  // label of an element, and one that finds more to search.
   const KINDS = [
     ["section", "main > section", (one) => one.querySelector("h2"), () => []],
     ["table", ".table[id]", (one) => one.querySelector("h3, summary"), (one) => one.querySelectorAll("th, .notes")],

@@ -52,7 +52,7 @@
       }
     };
 
-    let column = 1; // The first cell below a head that spans several.
+    let column = 1; // The first cell below a head that spans several columns.
     for (const head of heads) {
       let target = head;
       if (head.colSpan > 1) {

@@ -1,6 +1,6 @@
 (() => {
   "use strict";
-  // In the page's head, so that the page never starts in the wrong colours.
+  // This runs in the head of the page, so the page never starts in the wrong colours.
   const root = document.documentElement;
   const system = matchMedia("(prefers-color-scheme: dark)");
   const remembered = () => {
