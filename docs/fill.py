@@ -220,7 +220,7 @@ def embedding_by_home() -> str:
 
 
 def tried(candidate: str, column: str, networks: str = "Lite1") -> float:
-    """Look up the result of a candidate in docs/embedding.md on six real homes."""
+    """Look up the result on six real homes of a candidate that docs/embedding.md mentions."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     chosen = lines[(lines["candidate"] == candidate) & (lines["networks"] == networks)]
     return float(chosen[column].item())
