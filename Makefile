@@ -48,7 +48,7 @@ endif
 test: $(READY_TEST) lint ## run every test
 	$(BIN)/python -m pytest $(WORKERS) tests
 
-test-quick: $(READY_TEST) ## run only the quick tests: none with DVC, servers, browsers or the renderer
+test-quick: $(READY_TEST) ## run only the quick tests, without DVC, servers, browsers or the renderer
 	$(BIN)/python -m pytest $(WORKERS) -m "not slow" --hypothesis-profile quick tests
 
 bench: $(READY_BENCH) $(VENV)/contributed ## compare the speed of each piece with alternatives; PIECE="..." selects pieces
