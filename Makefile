@@ -1,5 +1,5 @@
 # `make` lists the targets. Each target first installs the pinned packages that it needs into .venv; the tests also need
-# the packages of the renderer, and `make bench` needs the libraries that it compares with.
+# the packages of the renderer, and `make bench` needs the libraries that it compares placecat with.
 PYTHON ?= python3
 # Hydra overrides that choose other data or settings, such as SET="dataset=vpc2009 dataset.root=PATH".
 SET ?=
@@ -32,7 +32,7 @@ endif
 help: ## list these targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{printf "%-20s%s\n", $$1, $$2}'
 
-demo: $(READY) ## show a first result in a minute: train on five homes, walk through the sixth
+demo: $(READY) ## show a first result in a minute: train on five homes, classify a walk through the sixth
 	$(BIN)/placecat demo
 
 repro: $(READY) ## compute every table, figure and number; SET="dataset=..." chooses other data or settings
