@@ -1,4 +1,4 @@
-"""A script that fills the numbers in README.md and docs/ from result files: ``python docs/fill.py``.
+"""A script that updates the numbers in README.md and docs/ from result files: ``python docs/fill.py``.
 
 An HTML comment, invisible to readers, states where a number or a table comes from:
 
@@ -42,7 +42,7 @@ _BLOCK = re.compile(r"<!-- block: (.+?) -->\n(.*?)<!-- end -->", re.DOTALL)
 
 
 def fill(text: str) -> str:
-    """Replace every number and table that has such a comment with its value from the result files."""
+    """Replace every number and table marked by a comment with its value from the result files."""
 
     def number(match: re.Match[str]) -> str:
         value, decimals = _value(match[3]), len(match[2] or "")
@@ -220,7 +220,7 @@ def embedding_by_home() -> str:
 
 
 def tried(candidate: str, column: str, networks: str = "Lite1") -> float:
-    """Look up the result on six real homes of a candidate that docs/embedding.md mentions."""
+    """Look up the result of a candidate in docs/embedding.md on six real homes."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     chosen = lines[(lines["candidate"] == candidate) & (lines["networks"] == networks)]
     return float(chosen[column].item())
