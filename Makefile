@@ -1,11 +1,11 @@
 # `make` lists the targets. Each target first installs the pinned packages that it needs into .venv; the tests also need
-# the renderer's packages, and `make bench` needs the libraries to compare with.
+# the packages of the renderer, and `make bench` needs the libraries that it compares placecat with.
 PYTHON ?= python3
-# Hydra overrides that choose other data or settings, e.g. SET="dataset=vpc2009 dataset.root=PATH".
+# Hydra overrides that choose other data or settings, such as SET="dataset=vpc2009 dataset.root=PATH".
 SET ?=
-# Pieces that `make bench` measures, e.g. PIECE="dependency_tree rvm"; by default all.
+# Pieces that `make bench` measures, such as PIECE="dependency_tree rvm"; all by default.
 PIECE ?=
-# Settings that `make choose` judges: cues, systems or smoothing; by default all.
+# Settings that `make choose` judges: cues, systems or smoothing; all by default.
 KIND ?=
 VENV := .venv
 BIN := $(VENV)/bin
@@ -17,7 +17,7 @@ WORKERS := -n 2 --dist loadgroup --no-loadscope-reorder
 
 # Packages on PYTHONPATH would hide those in .venv.
 unexport PYTHONPATH PYTHONHOME
-# Without bytecode, each process would compile all modules anew.
+# Without bytecode, each process would compile all modules again.
 unexport PYTHONDONTWRITEBYTECODE
 export PYTHONNOUSERSITE := 1
 
@@ -32,14 +32,14 @@ endif
 help: ## list these targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{printf "%-20s%s\n", $$1, $$2}'
 
-demo: $(READY) ## show a first result in a minute: train on five homes, walk through the sixth
+demo: $(READY) ## show a first result in a minute: train on five homes, classify a walk through the sixth
 	$(BIN)/placecat demo
 
 repro: $(READY) ## compute every table, figure and number; SET="dataset=..." chooses other data or settings
 	$(BIN)/placecat repro $(SET)
 
 # Homes that already exist are not rendered again.
-replicate: $(READY_TEST) ## render 24 homes, run them in groups of six, judge the findings on all; SET="dataset=..." uses others
+replicate: $(READY_TEST) ## render 24 homes, run them in groups of six, judge the findings on all of them; SET="dataset=..." uses others
 ifeq ($(SET),)
 	$(BIN)/placecat-homes --homes 24 --seed 1 --to data/homes_of_seed_1
 endif
@@ -48,10 +48,10 @@ endif
 test: $(READY_TEST) lint ## run every test
 	$(BIN)/python -m pytest $(WORKERS) tests
 
-test-quick: $(READY_TEST) ## run only the quick tests: none with DVC, servers, browsers or the renderer
+test-quick: $(READY_TEST) ## run only the quick tests, without DVC, servers, browsers or the renderer
 	$(BIN)/python -m pytest $(WORKERS) -m "not slow" --hypothesis-profile quick tests
 
-bench: $(READY_BENCH) $(VENV)/contributed ## compare the speed of each piece with alternatives; PIECE="..." chooses some
+bench: $(READY_BENCH) $(VENV)/contributed ## compare the speed of each piece with alternatives; PIECE="..." selects pieces
 	$(BIN)/python -m placecat_bench $(PIECE)
 
 bench-scale: $(READY) ## measure how time and memory grow with the data; needs `make repro`, takes about an hour
@@ -77,7 +77,7 @@ lint: $(READY_TEST) ## check format, style and types
 	$(BIN)/ruff check src tests docs/*.py
 	$(BIN)/mypy
 
-# All lock files hold the same version of a package, so they can be installed in any order.
+# All lock files have the same version of each package, so they can be installed in any order.
 $(READY): requirements.lock pyproject.toml
 $(READY_TEST): requirements-test.lock pyproject.toml
 $(READY_BENCH): requirements-bench.lock pyproject.toml
@@ -92,12 +92,12 @@ ui: $(READY) ## open MLflow with the runs that `make repro` logged
 	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true PYTHONWARNINGS=ignore:starlette \
 		$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db --workers 1
 
-# `fewest`: one version of a package for all versions of Python, so that they compute the same bits.
+# `fewest` selects one version of each package for all Python versions, so that they compute the same bits.
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
 	--no-header --upgrade
 TESTED := --extra build --extra cluster --extra dask --extra docs --extra render --extra rerun --extra robot \
 	--extra search --extra test
-lock: ## write the lock files, after a change to the dependencies in pyproject.toml; needs uv
+lock: ## write the lock files after a change to the dependencies in pyproject.toml; needs uv
 	$(COMPILE) $(TESTED) -o requirements-test.lock
 	$(COMPILE) --extra build -c requirements-test.lock -o requirements.lock
 	$(COMPILE) $(TESTED) --extra bench -c requirements-test.lock -o requirements-bench.lock

@@ -1,7 +1,7 @@
-"""Settings of Sphinx for `make docs`, which builds a site from README.md and docs/.
+"""Sphinx settings for `make docs`, which builds a site from README.md and docs/.
 
-We use Sphinx with MyST and Furo because they are maintained, read the same Markdown as a forge such as
-GitHub, and make pages that load nothing from the network.
+We use Sphinx with MyST and Furo because they are maintained and read the same Markdown as GitHub. The
+pages that they build load nothing from the network.
 """
 
 import shutil

@@ -1,9 +1,9 @@
-"""Fill the numbers of README.md and docs/ from result files: ``python docs/fill.py``.
+"""A script that updates the numbers in README.md and docs/ from result files: ``python docs/fill.py``.
 
 An HTML comment, invisible to readers, states where a number or a table comes from:
 
-- ``12.3<!-- = EXPRESSION -->`` is a number, which keeps its number of decimals;
-- ``<!-- block: EXPRESSION -->``, lines, ``<!-- end -->`` is a table.
+- ``12.3<!-- = EXPRESSION -->`` is a number. Its number of decimals stays the same.
+- ``<!-- block: EXPRESSION -->`` and ``<!-- end -->`` enclose a table.
 
 An expression calls the functions below. All paths are relative to the project's folder.
 """
@@ -42,7 +42,7 @@ _BLOCK = re.compile(r"<!-- block: (.+?) -->\n(.*?)<!-- end -->", re.DOTALL)
 
 
 def fill(text: str) -> str:
-    """Replace every number and table that has such a comment with the values in the result files."""
+    """Replace every number and table marked by a comment with its value from the result files."""
 
     def number(match: re.Match[str]) -> str:
         value, decimals = _value(match[3]), len(match[2] or "")
@@ -74,7 +74,7 @@ def _read(path: str) -> pd.DataFrame:
 
 
 def _markdown(head: Sequence[str], rows: Iterable[Sequence[str]], texts: int = 1) -> str:
-    """Write a Markdown table whose first `texts` columns are text and whose other columns are numbers."""
+    """Format a Markdown table: text in the first `texts` columns, numbers in the others."""
     rule = "|" + "---|" * texts + "---:|" * (len(head) - texts)
     return "\n".join(["| " + " | ".join(head) + " |", rule, *("| " + " | ".join(row) + " |" for row in rows)])
 
@@ -97,12 +97,12 @@ def run_minutes() -> float:
 
 
 def verdicts(verdict: str, folder: str = "reports") -> int:
-    """Count the findings that have this verdict."""
+    """Count the findings with this verdict."""
     return int((_read(f"{folder}/findings.csv")["verdict"] == verdict).sum())
 
 
 def table_26(folder: str) -> str:
-    """Tabulate the averages in Table 26: one column per protocol, one row per cue."""
+    """Tabulate the averages in Table 26, with one column per protocol and one row per result."""
     cells = _read(f"{folder}/table_26.csv")
     averages = cells[cells["column"] == "Average"].pivot(index="row", columns="group", values="measured")
     groups = {"4-5-1, all cues": "4-5-1", ALL: "5-5-1", BEST: "5-5-1, five best cues"}
@@ -120,7 +120,7 @@ def table_26(folder: str) -> str:
 
 
 def findings() -> str:
-    """Tabulate how many findings have each verdict and, if fewer than ten, which."""
+    """Tabulate the number of findings with each verdict, and list them if there are fewer than ten."""
     data = [_read(f"{folder}/findings.csv") for folder in ("reports", MORE, REAL)]
 
     def cell(ledger: pd.DataFrame, verdict: str) -> str:
@@ -139,12 +139,12 @@ def _options() -> options.Options:
 
 
 def power() -> str:
-    """Tabulate each finding's power with 24 homes, and how many homes it needs."""
+    """Tabulate the power of each finding with 24 homes, and the number of homes it needs."""
     return needed.markdown(needed.power_table(_read(str(needed.COMPARISONS)), 24, _options()))
 
 
 def replicated() -> str:
-    """Tabulate the verdicts on six and on 24 homes, and how many homes the undecided findings need."""
+    """Tabulate the verdicts on 6 and on 24 homes, and the number of homes that undecided findings need."""
     few, more = (_read(f"{folder}/findings.csv").set_index("number") for folder in ("reports", MORE))
 
     def row(number: int, one: pd.Series) -> list[str]:
@@ -168,13 +168,13 @@ def replicated() -> str:
 
 
 def _homes_needed(number: int) -> float:
-    """Look up how many homes give a power of 0.8 if the 24 homes' difference is true; NaN if unknown."""
+    """Return the number of homes for a power of 0.8 if the measured difference is true; NaN if unknown."""
     of_findings = _read(f"{MORE}/power.csv").set_index("number")["needed_measured"]
     return float(of_findings.get(number, np.nan))
 
 
 def too_small() -> int:
-    """Count the undecided findings that need more than the largest number of homes (`needed.MOST`)."""
+    """Count the undecided findings that need more than `needed.MOST` homes."""
     more = _read(f"{MORE}/findings.csv")
     return sum(
         np.isinf(_homes_needed(number)) for number in more.loc[more["verdict"] == "undecided", "number"]
@@ -182,13 +182,13 @@ def too_small() -> int:
 
 
 def marked() -> int:
-    """Count the verdicts on 24 homes for which a group's homes share more variance than the rule allows."""
+    """Count the verdicts on 24 homes in which the homes of a group share more variance than allowed."""
     more = _read(f"{MORE}/findings.csv")
     return int(((more["verdict"] != "undecided") & (more["shared"] > _options().shared)).sum())
 
 
 def averages(name: str) -> str:
-    """Tabulate the column of averages over homes, group by group, from a CSV file of a table."""
+    """Tabulate the averages over homes from the CSV file of a table, group by group."""
     cells = _read(name)
     cells = cells[cells["column"] == "Average"]
     rows = ([line.group, line.row, f"{line.measured:.2f}"] for line in cells.itertuples(index=False))
@@ -196,7 +196,7 @@ def averages(name: str) -> str:
 
 
 def embedding() -> str:
-    """Tabulate the network's cue and its integrations on six real homes, as means over homes."""
+    """Tabulate the embedding cue and its integrations on six real homes, as means over homes."""
     lines = _read(f"{REAL}/embedding.csv")
     means = lines.groupby("system", sort=False).mean(numeric_only=True)
     digits = {"frames": 1, "stays": 1, "log_loss": 2, "covered": 1, "wrong": 0}
@@ -208,7 +208,7 @@ def embedding() -> str:
 
 
 def embedding_by_home() -> str:
-    """Tabulate the smoothed accuracies on frames of the same systems, by home."""
+    """Tabulate the smoothed frame accuracy of the same systems in each home."""
     lines = _read(f"{REAL}/embedding.csv")
     lines = lines[lines["system"].str.endswith("smoothed")]
     homes = list(lines["home"].unique())
@@ -220,21 +220,21 @@ def embedding_by_home() -> str:
 
 
 def tried(candidate: str, column: str, networks: str = "Lite1") -> float:
-    """Look up a result on six real homes of a candidate in docs/embedding.md."""
+    """Look up the result of a candidate in docs/embedding.md on six real homes."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     chosen = lines[(lines["candidate"] == candidate) & (lines["networks"] == networks)]
     return float(chosen[column].item())
 
 
 def several(column: str, largest: bool) -> float:
-    """Return the highest or the lowest result among pools and votes of several networks."""
+    """Return the highest or lowest result among the pools and votes of several networks."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     values = lines.loc[lines["networks"].str.contains(",") & (lines["candidate"] != BOTH), column]
     return float(values.max() if largest else values.min())
 
 
 def rendered_model() -> str:
-    """Tabulate the accuracies of the project's model in real homes."""
+    """Tabulate the accuracies of the supplied model in real homes."""
     lines = _read(f"{REAL}/rendered_model.csv").set_index("home").T
     lines["average"] = lines.mean(axis=1)
     titles = {"accuracy": "Smoothed", "frame_alone": "Each frame alone", "named": "Named, not unknown"}
@@ -250,7 +250,7 @@ def bench(piece: str, input_part: str, quantity_part: str) -> float:
 
 
 def benchmarks() -> str:
-    """Tabulate the speed compared with alternatives; missed targets are bold."""
+    """Tabulate the speed compared with alternatives, with missed targets in bold."""
     rows = []
     for line in _read("reports/benchmarks.csv").itertuples(index=False):
         if "second" not in line.quantity and "frames/s" not in line.quantity:
@@ -282,12 +282,12 @@ def robustness() -> str:
 
 
 def scale(quantity: str) -> float:
-    """Look up a quantity at the largest size of `make bench-scale`."""
+    """Look up a quantity that `make bench-scale` measured at the largest size."""
     return pd.read_json(ROOT / "reports/scale.json", typ="series")["largest"][quantity]
 
 
 def growth(column: str) -> float:
-    """Look up how all stages together grow with the number of frames."""
+    """Look up how the cost of all stages together grows with the number of frames."""
     lines = _read("reports/scale_growth.csv")
     return float(lines.loc[lines["stage"] == "all", column].item())
 
@@ -298,7 +298,7 @@ def full_run_hours() -> float:
 
 
 def sweep() -> str:
-    """Tabulate the results of the sweep in README.md, taken from the same trials in Table 12."""
+    """Tabulate the results of the sweep in README.md; the same trials are in Table 12."""
     clusters, homes = ("46", "196", "496"), {"Home 1": "home_1", "Home 6": "home_6", "Average": "average"}
     rows = [
         [name, homes[home], *(f"{table('table_12', group, home, column):.2f}" for column in clusters)]
@@ -309,7 +309,7 @@ def sweep() -> str:
 
 
 def _judged(kind: str, name: str, candidate: str) -> dict[str, str]:
-    """Format a candidate's means over the real and over the rendered homes."""
+    """Format the means of a candidate over the real homes and over the rendered homes."""
     lines = _read("reports/cross_validation.csv")
     lines = lines[(lines["kind"] == kind) & (lines["name"] == name) & (lines["candidate"] == candidate)]
     means = lines.groupby("data").mean(numeric_only=True).loc[["own homes", "rendered homes"]]
@@ -321,7 +321,7 @@ _JUDGED = ["training homes, real / rendered", "log-loss there", "test homes, rea
 
 
 def chosen_cues() -> str:
-    """Tabulate calibrations, scalings and gamma scales for the whole-frame cues, the chosen ones first."""
+    """Tabulate the candidates for the whole-frame cues, with the chosen ones first."""
     by_home = "homes_centred {0} 1.0, homes_averaged {0} 1.0, samples distance 1.0, samples standard"
     candidates = {
         "gist": f"samples standard 0.7, consecutive standard 0.7, {by_home.format('standard')} 2.0",

@@ -13,7 +13,7 @@ from placecat.footage.image_messages import raw_image
 
 
 class PlaceNode(Node):
-    """Subscribe to `image`; publish `classification` for each frame, and latched `place` when it changes."""
+    """Publish a `classification` for each `image`, and a latched `place` whenever the place changes."""
 
     def __init__(self) -> None:
         super().__init__("placecat")

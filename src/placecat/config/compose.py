@@ -42,7 +42,7 @@ def found(conf: Path = paths.CONF) -> str:
     Inferred cue settings come last. Raises the errors of :mod:`placecat.config.inferred`.
     """
     lines = [
-        "# Written by `placecat params`: every file of these folders. Add a file there, not a line here.",
+        "# `placecat params` writes this list of all files in these folders. To extend it, add a file.",
         "defaults:",
     ]
     for folder_name, package in FOUND.items():
@@ -53,7 +53,11 @@ def found(conf: Path = paths.CONF) -> str:
     content = {"descriptors": descriptors, "codebooks": codebooks}
     own = {name: part for name, part in content.items() if part}
     if own:
-        lines += ["- _self_", "# Without a file of their own.", yaml.safe_dump(own, sort_keys=False).rstrip()]
+        lines += [
+            "- _self_",
+            "# Inferred settings, which have no file.",
+            yaml.safe_dump(own, sort_keys=False).rstrip(),
+        ]
     return "\n".join(lines) + "\n"
 
 
