@@ -270,7 +270,7 @@ def benchmarks() -> str:
             target, measured = f"{target} {unit}", f"{line.ours:.3g} {unit}"
         measured = measured if line.met == "yes" else f"**{measured}**"
         rows.append([line.piece, line.input, peer, target, measured])
-    return _markdown(["piece", "input", "beside", "asked", "measured"], rows, 5)
+    return _markdown(["piece", "input", "compared with", "target", "measured"], rows, 5)
 
 
 def robustness() -> str:
