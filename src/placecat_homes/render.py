@@ -28,7 +28,7 @@ TEMPORARY = ".rendering-"
 
 
 def render(names: Sequence[str] = ()) -> None:
-    """Render videos into data/ of the current folder and draw the contact sheet.
+    """Render videos into data/ in the current folder and draw the contact sheet.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def render(names: Sequence[str] = ()) -> None:
     Raises
     ------
     PlacecatError
-        If a video is unknown, the extra is missing, or the current folder is not that of the project.
+        If a video is unknown, the extra is missing, or the current folder is not the project's folder.
     """
     videos = listed()
     wanted = names or tuple(videos)
@@ -52,7 +52,7 @@ def render(names: Sequence[str] = ()) -> None:
 
 
 def draw_contact_sheet() -> None:
-    """Write a view of every place of each home to data/contact_sheet.jpg."""
+    """Write data/contact_sheet.jpg, which shows every place in each home."""
     dataset = _read(DATASET)
     chosen = _read_settings("contact_sheet")
     views = {}
@@ -118,7 +118,7 @@ def assemble(
     size: tuple[int, int] | None = None,
     **changes: Any,
 ) -> "Film":
-    """Make a film of a plan and the settings of its video.
+    """Make a film from a plan and the settings of its video.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ def assemble(
     where
         How messages refer to the settings of the video.
     size
-        Width and height of a frame in pixels; None takes those of the camera.
+        Width and height of a frame in pixels; by default, those of the camera.
     **changes
         Values that override settings in conf/finish.yaml.
 
@@ -203,7 +203,7 @@ def write(made: "Film", video: Path, labels: Path, *, fps: int) -> None:
 
 @contextmanager
 def writing(target: Path) -> Iterator[tuple[Path, Path]]:
-    """Yield temporary paths of a video and its labels; rename them, the video last, if the block succeeds."""
+    """Yield temporary paths for a video and its labels. On success, rename them, the video last."""
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent, prefix=TEMPORARY) as folder:
         video, labels = Path(folder) / target.name, Path(folder) / f"{target.stem}.csv"

@@ -13,13 +13,13 @@ from placecat_homes.plan_parts import RoomPlan
 from placecat_homes.walking.walk import Walk
 
 LARGEST = {"bedroom": 1.2, "living_room": 0.9, "dining_room": 0.6, "kitchen": 0.3, "bathroom": 0.3}
-"""Least floor area of a room's largest object (a bed, a sofa, a table), in square metres."""
+"""Minimum floor area of the largest object in a room, such as a bed or a sofa, in square metres."""
 STANDING = {"bedroom": 2, "living_room": 3, "dining_room": 1, "kitchen": 3, "bathroom": 3}
-"""Least number of objects on the floor of a room."""
+"""Minimum number of objects on the floor of a room."""
 COVERED = 0.08
-"""Least share of the floor that furniture covers."""
+"""Minimum share of the floor that is covered by furniture."""
 LEAST_FRAMES = 5
-"""Least number of frames in which the camera is in a room and looks at one of its two largest objects."""
+"""Minimum number of frames taken in a room that show one of its two largest objects."""
 
 _BEYOND = 0.06
 _AIM = np.radians(30)
@@ -34,7 +34,7 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
     building
         The furnished home.
     walk
-        A walk through all of its rooms.
+        A walk through all its rooms.
 
     Yields
     ------
@@ -60,7 +60,7 @@ def of_rooms(building: Building) -> Iterator[str]:
 
 
 def _looks(walk: Walk, plan: RoomPlan, room: Room) -> NDArray[np.bool_]:
-    """Tell for each frame whether the camera looks at one of the two largest objects of a room."""
+    """Return, for each frame, whether the camera looks at one of the two largest objects of a room."""
     largest = sorted(room.blocking, key=_area, reverse=True)[:2]
     looks = np.zeros(len(walk.yaw), bool)
     for thing in largest:

@@ -33,7 +33,7 @@ _LIMIT = 1000
 def render_homes(
     count: int, seed: int, folder: Path, *, only_plans: bool = False, **video: int
 ) -> list[Path]:
-    """Draw homes and render those that the folder does not have yet.
+    """Draw homes, and render those that are not yet in the folder.
 
     Parameters
     ----------
@@ -56,8 +56,8 @@ def render_homes(
     Raises
     ------
     PlacecatError
-        If a number is out of range, the folder holds other homes or is used by another run, or an extra is
-        missing.
+        If a number is out of range, the folder contains other homes, another run uses the folder, or an extra
+        is missing.
     """
     if not 1 <= count <= _LIMIT:
         raise PlacecatError(f"--homes must be from 1 to {_LIMIT}, not {count}")
@@ -100,16 +100,15 @@ def film(path: Path, source: Source, **changes: Any) -> "render.Film":
     Parameters
     ----------
     path
-        `plans/home_7.yaml` of the folder.
+        `plans/home_7.yaml` in the folder.
     source
-        Settings of the camera, the walk and the size.
-        **changes
-        Values that override settings in conf/finish.yaml.
+        Settings of the camera, the walk and the frame size. **changes Values that override settings in
+        conf/finish.yaml.
 
     Returns
     -------
     Film
-        The film with light, not yet rendered.
+        The film with its light, not yet rendered.
     """
     content = settings.read_yaml(path, "remove the folder and run again")
     settings.refuse_unknown(content, ["shot", "plan"], str(path))
@@ -202,7 +201,7 @@ def _checksum(package: Path) -> str:
 
 
 def dataset(folder: Path) -> Mapping[str, Any]:
-    """Describe a folder of rendered homes as a data set of conf/dataset.
+    """Describe a folder of rendered homes as a data set, like the files in conf/dataset.
 
     Raises PlacecatError if the folder has no homes.
     """

@@ -1,4 +1,4 @@
-"""The green sign of an emergency exit: a running person, an arrow and a door."""
+"""The green sign at an emergency exit: a running person, an arrow and a door."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -34,7 +34,7 @@ class Piece:
     start, end
         Metres from the start of the path; equal for a pause.
     viewpoint
-        Place at which to pause; None for a part of the path or a pause on the way.
+        Place for looking around during a pause; None for a part of the path or a pause on the way.
     """
 
     start: float
@@ -58,7 +58,7 @@ class Section:
     room
         Index of the room; -1 for a transition.
     weight
-        Length relative to other sections of the same sort; 0 for a room that is only passed.
+        Length relative to other sections of the same type; 0 for a room that is only passed.
     pieces
         The parts and pauses of the section.
     """
@@ -107,7 +107,7 @@ def lay_out(
     seconds: float,
     transition_share: float,
 ) -> Journey:
-    """Choose places to look around from and connect them.
+    """Choose the places for looking around, and connect them.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ def lay_out(
     rng
         Source of randomness.
     statistics
-        Statistics of walks: where transitions begin and end.
+        Statistics of where transitions begin and end.
     carriage
         How fast the camera moves.
     stops
@@ -260,8 +260,8 @@ class _Tour:
         there: int,
         weight: float,
     ) -> list[tuple[float, int]]:
-        # Ends and rooms (-1 for a transition) of the parts; the first part belongs to `here`, the last to
-        # `there`.
+        # End and room of each part of the path; the room of a transition is -1. The first part belongs to
+        # `here`, the last to `there`.
         rooms = self.ground.room_at(path)
         before, after = (value * self.rng.uniform(0.7, 1.3) for value in self.statistics.doorway)
         total = float(along[-1])

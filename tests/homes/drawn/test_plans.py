@@ -92,14 +92,14 @@ def test_the_odds_of_arrangements_are_those_of_the_settings():
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"depth": [4.5, 3.3]}, r"plan depth must be \[least, most\] within 2.8 to 8, not \[4.5, 3.3\]"),
+        ({"depth": [4.5, 3.3]}, r"plan depth must be \[minimum, maximum\] between 2.8 and 8, not"),
         ({"height": [2.0, 2.5]}, "plan height"),
-        ({"height": 2.5}, r"plan height must be \[least, most\], not 2.5"),
+        ({"height": 2.5}, r"plan height must be \[minimum, maximum\], not 2.5"),
         ({"dpeth": [3, 4]}, "no setting 'dpeth'; did you mean 'depth'"),
-        ({"bedrooms": {4: 1}}, "plan bedrooms needs odds for some of 1, 2, 3: numbers from 0, not all 0"),
+        ({"bedrooms": {4: 1}}, "plan bedrooms needs odds for some of 1, 2, 3:  numbers of 0 or more"),
         ({"bedrooms": {2: 0}}, "plan bedrooms"),
         ({"arrangements": {"tower": 1}}, "plan arrangements"),
-        ({"areas": {"kitchen": [8, 14]}}, r"plan areas bedroom must be \[least, most\], not None"),
+        ({"areas": {"kitchen": [8, 14]}}, r"plan areas bedroom must be \[minimum, maximum\], not None"),
         ({"areas": CONTENT["plan"]["areas"] | {"cellar": [1, 2]}}, "no setting 'cellar'"),
     ],
 )

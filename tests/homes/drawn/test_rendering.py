@@ -147,7 +147,7 @@ def test_another_run_in_the_folder_is_refused(tmp_path, small):
         (["--homes", "2", "--seed", "1", "--frames", "3"], "frames must be a whole number from 200"),
         (["--seed", "1"], "--seed needs --homes"),
         (["--plans"], "--plans needs --homes"),
-        (["homes/home_1", "--homes", "2", "--seed", "1"], "give either names of videos or --homes, not both"),
+        (["homes/home_1", "--homes", "2", "--seed", "1"], "use either names of videos or --homes, not both"),
     ],
 )
 def test_the_command_refuses_what_makes_no_sense(tmp_path, monkeypatch, options, message):
