@@ -9,7 +9,7 @@ NAME = "StaticSaliencySpectralResidual"
 
 
 def test_another_opencv_computes_in_a_process_of_its_own(tmp_path, monkeypatch):
-    """A stand-in for the package that records its pictures."""
+    """The package is replaced with one that records its pictures."""
     (tmp_path / "cv2.py").write_text(
         "def setNumThreads(number): ...\n"
         "class saliency:\n"

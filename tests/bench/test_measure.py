@@ -12,13 +12,13 @@ PEER = Peer("NumPy: sort", "numpy")
 
 
 class Clock:
-    """A clock that each call advances by its duration."""
+    """A clock that every call advances by its duration."""
 
     def __init__(self, monkeypatch):
         self.now = 0.0
         self.calls = []
         monkeypatch.setattr("placecat_bench.timing.time.perf_counter", lambda: self.now)
-        # Quick, since earlier tests may have left much garbage.
+        # Skip garbage collection, since earlier tests may have left a lot of garbage.
         monkeypatch.setattr("placecat_bench.timing.gc.collect", lambda: None)
 
     def call(self, name, *durations):

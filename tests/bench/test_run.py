@@ -12,7 +12,7 @@ from placecat_bench.comparison import Comparison, Limit, Peer
 
 @pytest.fixture
 def made(monkeypatch):
-    """Two pieces with changeable numbers."""
+    """Two pieces with numbers that tests can change."""
     numbers = {"first": 1.0, "second": 2.0}
     threads = []
 
@@ -26,7 +26,7 @@ def made(monkeypatch):
 
         return entries
 
-    # Quick, since earlier tests may have left much garbage.
+    # Skip garbage collection, since earlier tests may have left a lot of garbage.
     monkeypatch.setattr("placecat_bench.timing.gc.collect", lambda: None)
     monkeypatch.setattr(pieces, "names", lambda: ["first", "second"])
     monkeypatch.setattr(pieces, "load", entries_of)

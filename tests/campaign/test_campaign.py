@@ -10,7 +10,7 @@ import pytest
 import campaign
 
 FEW = 25
-# Undetectable damage: in formats without checksums it can produce other valid pictures.
+# In formats without checksums, damage can be undetectable and produce other valid pictures.
 UNSEEN = {"pictures", "videos"}
 
 

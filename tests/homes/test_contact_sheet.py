@@ -1,4 +1,4 @@
-"""The contact sheet picks the view with the most detail for each place and puts it in the right cell."""
+"""The contact sheet chooses the view with the most detail for each place, and puts it in the right cell."""
 
 import numpy as np
 

@@ -38,7 +38,7 @@ def test_all_plans_are_there() -> None:
 )
 def test_every_room_of_a_plan_can_be_walked_to(name: str) -> None:
     plan = read(name)
-    # In empty rooms, the walls, doors and leaves alone must leave a way. Room checks the furniture.
+    # In empty rooms, walls, doors and door leaves must leave a way through. Room checks the furniture.
     empty = FloorPlan(
         plan.name, plan.height, tuple(_unfurnished(plan)), plan.doors, plan.windows, plan.windowless
     )

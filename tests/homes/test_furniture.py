@@ -1,4 +1,4 @@
-"""Every piece of furniture and every texture is found by name, whole, in its frame, seeded, not too fine."""
+"""Every piece of furniture and texture is found by name, complete, in its frame, seeded and not too fine."""
 
 import importlib
 import inspect
@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def makers():
-    """All functions of the modules that need only (rng, style) and return a mesh."""
+    """All functions that return a mesh and require only (rng, style)."""
     for module in pkgutil.iter_modules(furniture.__path__):
         found = importlib.import_module(f"{furniture.__name__}.{module.name}")
         for name, function in vars(found).items():

@@ -1,4 +1,4 @@
-"""Light agrees with cases whose result is known in closed form."""
+"""Light agrees with closed-form solutions."""
 
 import numpy as np
 import pytest
@@ -62,7 +62,8 @@ def test_a_board_takes_the_lamp_and_the_sun_away():
     light = bake(scene, open_sky(0.0, 1.0), Quality(directions=16, bounces=0))
     floor_ = scene.vertices[:, 2] == 0
     radius = np.abs(scene.vertices[:, :2]).max(axis=1)
-    # The lamp at twice the height of the board throws a shadow twice as wide; the sun's is no wider.
+    # The lamp is twice as high as the board, so the shadow is twice as wide. The shadow from the sun is not
+    # wider.
     assert light[floor_ & (radius < 0.5), 0] == pytest.approx(0, abs=1e-6)
     assert (light[floor_ & (radius > 1.4), 0] > 0.02).all()
     assert light[floor_ & (radius < 0.3), 3] == pytest.approx(0, abs=1e-6)

@@ -1,4 +1,4 @@
-"""The command explains what it cannot do."""
+"""The command explains why it fails."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Subdivision keeps the surface; textures and colours arrive in the tables."""
+"""Subdivision preserves the surface, and the tables contain the textures and colours."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,7 @@ def test_subdivision_leaves_no_gaps():
     border = 2 * (1.0 + 1.3)
     single = sides[np.isin(np.arange(len(sides)), np.unique(sides, axis=0, return_index=True)[1][uses == 1])]
     length = np.linalg.norm(fine.vertices[single[:, 0]] - fine.vertices[single[:, 1]], axis=1).sum()
-    # Inner edges belong to two triangles; edges of only one triangle form the border.
+    # Inner edges belong to two triangles. Edges of only one triangle form the border.
     assert set(uses) == {1, 2}
     assert length == pytest.approx(border, rel=1e-5)
 

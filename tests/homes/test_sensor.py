@@ -1,4 +1,4 @@
-"""The camera's exposure, motion blur and noise."""
+"""The exposure, motion blur and noise of the camera."""
 
 import numpy as np
 import pytest
@@ -45,7 +45,7 @@ def test_motion_of_a_turn_and_of_a_step_aside():
     # Turning left by a small angle moves the picture to the right.
     flow = motion(Pose(0, 0, 0, 0), Pose(0, 0, 0, 0.02), lens, far, 1.0)
     assert flow[18, 32] == pytest.approx([0.02 * focus, 0], abs=0.05)
-    # A step to the right (towards -y) moves what is 2 m away to the left.
+    # A step to the right (towards -y) moves objects at a distance of 2 m to the left.
     near = np.full((36, 64), 2.0, np.float32)
     flow = motion(Pose(0, 0, 0, 0), Pose(0, -0.1, 0, 0), lens, near, 0.5)
     assert flow[18, 32] == pytest.approx([-0.05 * focus * 0.5, 0], abs=0.05)

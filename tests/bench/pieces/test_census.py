@@ -3,12 +3,12 @@ import pytest
 
 from placecat_bench.pieces import census
 
-# Few grey levels, so neighbours are often equal.
+# With few grey levels, neighbours are often equal.
 IMAGE = np.random.default_rng(0).integers(0, 6, (23, 31)).astype(np.uint8)
 
 
 def naive(image, cells):
-    """Shares of the codes of the straight neighbours, with a bit for each that is at least the centre."""
+    """Return the shares of the codes of straight neighbours. A bit is set if a neighbour is >= the centre."""
     height, width = (length - 2 for length in image.shape)
     counts = np.zeros((cells, cells, 16))
     for y in range(height):

@@ -35,7 +35,7 @@ def test_codes_have_a_tree():
     assert codes.max() == 6
     np.testing.assert_array_equal(codes, dependency_tree.chained_codes(2000, 4, 7))
     agreement = [(codes[:, [variable]] == codes[:, :variable]).mean(axis=0).max() for variable in (1, 2, 3)]
-    # Half, and by chance every seventh of the others.
+    # Half of the samples agree, and one in seven of the others by chance.
     assert np.allclose(agreement, 0.5 + 0.5 / 7, atol=0.05)
 
 

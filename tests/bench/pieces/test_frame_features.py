@@ -23,7 +23,7 @@ def test_its_entries_and_targets():
     assert "holistic_centrist_full" in every
     assert [picture.shape for picture in entries[0].theirs()] == [(240, 320, 3)]
     assert entries[1].measure() > 0
-    # A missed target shows where the time goes.
+    # If a target is missed, the row shows where the time goes.
     assert all("maps" in entry.parts for entry in entries)
     assert all("decoding" in entry.parts for entry in entries[1::2])
 

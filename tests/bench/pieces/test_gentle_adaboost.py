@@ -14,7 +14,7 @@ def test_its_entries_and_targets():
 
 
 def test_opencv_boosts_the_same():
-    """With fewer frames than bins, both may cut between any two values."""
+    """With fewer frames than bins, both can split between any two values."""
     time, accuracy, *_ = gentle_adaboost.entries(frames=200, features=8, rounds=10)
     frames = gentle_adaboost.draw_frames(200, 8, gentle_adaboost.HOMES).descriptors
     theirs = time.theirs().predict(frames, flags=256)[1][:, 0]

@@ -48,7 +48,7 @@ def test_the_other_peers_give_nearly_the_same(entries, package, place):
 
 
 def test_the_models_that_were_timed_predict(monkeypatch):
-    """Their fit takes minutes, so it is not repeated."""
+    """Fitting takes minutes, so it is not repeated."""
     fits = []
     theirs = nu_svm.theirs
     monkeypatch.setattr(nu_svm, "theirs", lambda *given: fits.append(1) or theirs(*given))

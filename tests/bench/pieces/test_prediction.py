@@ -12,7 +12,7 @@ def test_its_entries_and_targets(tmp_path, monkeypatch):
     model = tmp_path / "model.placecat"
     model_file.write(model, make_system(tracked=True))
     monkeypatch.setattr(paths, "MODEL", model)
-    # Comparisons require five pairs; the rest is measured once.
+    # Comparisons require five pairs. Everything else is measured once.
     monkeypatch.setattr(prediction, "REPEATS", 1)
     given = frames(8)
     whole, rate, *latencies, start = prediction.entries(frames=given)

@@ -1,4 +1,4 @@
-"""The whole command at a tiny size, on made features, with one cheap real stage."""
+"""The complete command at a tiny size, with made-up features and one cheap real stage."""
 
 import copy
 import importlib
@@ -37,7 +37,7 @@ SCALE = {
 
 
 def run_here(words, folder, log):
-    """Like `watch`, without the import time of a new process."""
+    """Like `watch`, but without the import time of a new process."""
     python, option, module = words
     assert (python, option) == (sys.executable, "-m")
     with pytest.MonkeyPatch.context() as patch:
@@ -47,7 +47,7 @@ def run_here(words, folder, log):
 
 
 def make_variant(features):
-    """A variant with the regions of every third frame and other descriptors."""
+    """Make a variant with the regions of every third frame and other descriptors."""
     folder = features / "variant_other"
     folder.mkdir()
     shutil.copy(features / "descriptors.json", folder)
@@ -80,7 +80,7 @@ def ran(tmp_path_factory):
     (folder / "data/toy.csv").touch()
     (folder / "reports/times.csv").write_text("stage,runs,seconds\nfeatures,4,36.0\nfigures,1,5.0\n")
     (folder / "conf/scale.yaml").write_text(yaml.safe_dump(SCALE))
-    # Composing this project's settings would take most of the time.
+    # Composing the settings of this project would take most of the time.
     made = copy.deepcopy(params)
     made["dataset"]["homes"], made["protocol"]["test_homes"] = list("abcd"), ["a"]
     asked = []
@@ -114,7 +114,7 @@ def test_homes_have_the_size_and_the_walk_that_was_asked_for(ran):
         hog = np.load(made / kind / "a/local_hog.npy")
         assert hog.shape == (180, 6, 6) and hog.dtype == np.float32
         assert len(np.unique(hog, axis=0)) == 180
-    # Made descriptors reveal the place: drawn ones come from the same place of the home in its position.
+    # The made-up descriptors reveal the place. Drawn descriptors come from the same place in the source home.
     source = np.load(folder / f"data/features/{HOMES[1]}/holistic_gist.npy")
     own = pd.read_csv(folder / f"data/sequences/{HOMES[1]}/labels.csv")["class"].to_numpy()
     drawn = np.load(made / "features/b/holistic_gist.npy")
@@ -154,7 +154,8 @@ def test_times_and_growth_are_written(ran):
     ]
     facts = json.loads((folder / "reports/scale.json").read_text())
     assert facts["largest"]["frames"] == 720 and facts["largest"]["met"] is True
-    # Four homes instead of one, 720 frames instead of 360; stages that do not depend on homes are unchanged.
+    # Four homes instead of one, and 720 frames instead of 360. Stages that do not depend on homes are
+    # unchanged.
     assert facts["full_run"]["seconds"] == {"codebooks": 160.0, "features": 72.0, "figures": 5.0}
 
 
@@ -162,7 +163,7 @@ def test_trials_are_repeated_as_often_as_tables_ask_for_homes(ran, monkeypatch):
     monkeypatch.chdir(ran[0])
     params = copy.deepcopy(PARAMS)
     params["protocol"]["test_homes"] = ["H1"]
-    # Three trials in homes 1 and 3, one in all four.
+    # Three trials test homes 1 and 3, and one tests all four.
     assert full_run.times_as_often("trials", params) == (3 * 2 + 4) / (3 + 1)
     assert full_run.times_as_often("scores", params) == 1.0
 

@@ -19,7 +19,7 @@ def test_frames_have_the_same_label_or_class_and_a_stretch_is_continuous():
     chosen = drawing.draw_frames(WALK, LABELS, CLASSES, OWN, "a")
     assert len(chosen) == 37
     assert set(chosen[:20]) == {9, 10, 11, 12}
-    # No closet: another frame without a class. No bathroom at all: any frame.
+    # Without a closet, another frame without a class is used. Without a bathroom, any frame is used.
     assert set(chosen[20:29]) <= {6, 7, 8}
     assert set(chosen[29:34]) <= set(range(6))
     assert set(np.diff(chosen[:20])) <= {0, 1, -3}

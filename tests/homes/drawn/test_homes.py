@@ -1,4 +1,4 @@
-"""Whole homes drawn from a seed are furnished, walked through and free of faults, and faults are found."""
+"""Homes drawn from a seed are furnished, contain a walk and have no faults. Faults are found."""
 
 from dataclasses import replace
 from functools import cache
@@ -36,7 +36,7 @@ def home():
     return drawn(NUMBER, SEED)
 
 
-# Hypothesis begins with the smallest numbers, those of the fixture's home, and draws a second home at random.
+# Hypothesis starts with the smallest numbers, which are those of the fixture. The second home is random.
 @settings(max_examples=2, deadline=None, suppress_health_check=list(HealthCheck))
 @given(number=st.integers(NUMBER, 1000), seed=st.integers(SEED, 2**32 - 1))
 def test_the_walk_meets_nothing_and_sees_every_room(number, seed):
@@ -95,7 +95,7 @@ def test_the_view_from_above_shows_rooms_and_the_way(home):
 
 def test_too_few_frames_are_refused_with_the_reason(home, monkeypatch):
     monkeypatch.setattr(homes, "_DRAWS", 1)
-    # Build the home of that name, which takes seconds, but try only a few of the many walks.
+    # Building takes seconds, so the home of the fixture is used. Only a few of the many walks are tried.
     monkeypatch.setattr(homes, "build", lambda plan, attempt: home.building)
     monkeypatch.setattr(walk, "_TRIES", 5)
     message = "home 1 of seed 1: all 1 plans drawn have faults; the last fault: no walk of 200"

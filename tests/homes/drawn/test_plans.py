@@ -1,4 +1,4 @@
-"""Floor plans of many seeds are valid, and invalid settings are refused."""
+"""Floor plans from many seeds are valid, and invalid settings are rejected."""
 
 from itertools import combinations
 
@@ -77,7 +77,7 @@ def test_name_and_number_alone_decide_the_plan(name, number):
 
 
 def test_the_odds_of_arrangements_are_those_of_the_settings():
-    """Odds of 0 leave out an arrangement; the others are drawn equally often, though some fail more often."""
+    """Odds of 0 exclude an arrangement. The others are drawn equally often, although some fail more often."""
     ranges = PlanRanges.of(
         CONTENT["plan"] | {"arrangements": {"two_rows": 1, "around_living_room": 1}}, "plan", arrangements.ALL
     )

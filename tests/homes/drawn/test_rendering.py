@@ -1,4 +1,4 @@
-"""Rendering into a folder gives the same bytes even if it is killed anywhere and started again."""
+"""Rendering into a folder always creates the same bytes, even if it is killed at any point and restarted."""
 
 import os
 import signal
@@ -28,7 +28,7 @@ class Died(BaseException):
 
 @pytest.fixture
 def small(monkeypatch):
-    """Replace plans and films by fast ones; a dictionary says at which home and frame to call a function."""
+    """Replace plans and films with fast ones. A dictionary maps homes and frames to functions to call."""
     at = {}
 
     def draw(number, seed, source):

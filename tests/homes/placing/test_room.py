@@ -75,7 +75,7 @@ def test_a_place_that_cuts_off_a_door_is_refused() -> None:
     door = {"sill": 0.0, "top": 2.05, "kind": "door", "passage": True}
     room = plain(Opening(1, 0.3, 1.15, **door), Opening(3, 0.3, 1.15, **door))
     assert room.against(box(2.7, 0.4, 0.8), wall=0, at=2.0) is not None
-    # The gap between this object and the first would be too narrow.
+    # The gap between this object and the first one would be too narrow.
     assert room.against(box(1.0, 2.3, 0.8), wall=2, at=2.0, front=0.0) is None
 
 

@@ -21,7 +21,7 @@ BODY = 0.25
 
 
 def floor(rooms, doors, items=(), windows=(), cell=0.1):
-    """Make a ground of rooms {name: (x0, y0, x1, y1)}, doors (room, room, x, y) and items
+    """Make a ground from rooms {name: (x0, y0, x1, y1)}, doors (room, room, x, y) and items
     (room, x, y, width, depth, height)."""
     rects = np.array(list(rooms.values()))
     low, high = rects[:, :2].min(axis=0) - 0.2, rects[:, 2:].max(axis=0) + 0.2
