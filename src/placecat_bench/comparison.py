@@ -29,9 +29,9 @@ class Comparison:
     """Our code and a peer, timed in alternation on the same input.
 
     The target is either `faster`, the minimum speed-up of our code, or `at_most`, the maximum time of our
-    code as a multiple of the time of the peer. `ours` and `theirs` are the calls to time, and `repeats` is
-    the number of pairs. With `warm_up`, each call is first made once; turn this off if a call takes minutes.
-    If the target is missed, the `parts` of our code are timed, to show where the time goes.
+    code as a multiple of the peer's time. `ours` and `theirs` are the calls to time, and `repeats` is the
+    number of pairs. With `warm_up`, each call is first made once; turn this off if a call takes minutes. If
+    the target is missed, the `parts` of our code are timed, to show where the time goes.
     """
 
     piece: str

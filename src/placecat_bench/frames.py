@@ -48,7 +48,7 @@ def jpegs(homes: Path = HOMES) -> list[Image]:
 
 
 def consecutive(count: int, homes: Path = HOMES) -> list[Image]:
-    """Decode `count` consecutive frames of the first rendered home, from one third into its video.
+    """Decode `count` consecutive frames of the first rendered home, starting one third into its video.
 
     Each frame is (H, W, 3) uint8 BGR. Raises the same errors as `jpegs`.
     """

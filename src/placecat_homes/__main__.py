@@ -73,7 +73,7 @@ def _parser() -> argparse.ArgumentParser:
         "homes drawn from a seed (the ranges are in conf/drawn.yaml of the package)"
     )
     drawn.add_argument("--homes", type=int, metavar="N", help="draw and render homes 1 to N")
-    drawn.add_argument("--seed", type=int, metavar="S", help="seed that the homes are drawn from")
+    drawn.add_argument("--seed", type=int, metavar="S", help="seed for drawing the homes")
     drawn.add_argument("--to", type=Path, metavar="FOLDER", help="output folder, by default homes_of_seed_S")
     drawn.add_argument("--size", metavar="WxH", help="frame size in pixels, by default 640x360")
     drawn.add_argument("--frames", type=int, metavar="N", help="frames per home, by default 640")

@@ -20,7 +20,8 @@ class Daylight:
     Attributes
     ----------
     panorama
-        (h, w, 3) float32 linear radiance, rows from straight up to straight down; a bright overcast sky is 1.
+        (h, w, 3) float32 linear radiance, with rows from straight up to straight down. A bright overcast sky
+        is 1.
     sun
         (3,) float32, unit vector towards the sun.
     sunlight
@@ -45,7 +46,7 @@ class Quality:
     lamp_rays
         Shadow rays from each vertex to each lamp.
     chunk
-        Number of vertices computed together. It limits the memory used.
+        Number of vertices processed at once; fewer need less memory.
     """
 
     directions: int = 256
@@ -66,7 +67,7 @@ def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
     """Compute the light that reaches every vertex, except direct sunlight.
 
     This is radiosity: each vertex sends out one set of rays to find what it sees, and light is then passed on
-    along these rays. The light of the sky and of lamps is included. Vertices inside closed bodies take the
+    along these rays. Light from the sky and from lamps is included. Vertices inside closed bodies take the
     light of their neighbours.
 
     Parameters
@@ -105,8 +106,8 @@ def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
 
 
 def _starts(scene: Scene) -> Floats:
-    # Rays start above the surface and a little towards the middle of the surrounding triangles, so that those
-    # of room corners and furniture feet do not start inside or behind the next surface.
+    # Rays start above the surface and a little towards the middle of the surrounding triangles, so that rays
+    # from room corners and furniture feet do not start inside or behind the next surface.
     centres = scene.vertices[scene.triangles].mean(axis=1)
     total, count = np.zeros_like(scene.vertices), np.zeros(len(scene.vertices), np.float32)
     for corner in range(3):

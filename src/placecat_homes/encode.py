@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 def write_video(
     path: Path, frames: Iterable[NDArray[np.uint8]], *, fps: int, codec: str, quality: int, preset: str
 ) -> int:
-    """Encode frames.
+    """Encode frames and write them to a file.
 
     Parameters
     ----------

@@ -138,7 +138,7 @@ class FloorPlan:
             if 0 < (face_b - face_a) * outwards <= _THICKEST and high - low > 0.5:
                 low, high = self._between(door, low, high)
                 return Doorway(plan_parts.rect(wall, low, high, face_a, face_b), (wall, (wall + 2) % 4))
-        raise PlacecatError(f"{self.name}: {a.name} and {b.name} share no wall in which a door fits")
+        raise PlacecatError(f"{self.name}: {a.name} and {b.name} share no wall with space for a door")
 
     def _between(self, door: DoorPlan, low: float, high: float) -> tuple[float, float]:
         margin = 0.08
@@ -196,7 +196,7 @@ class FloorPlan:
         return self._corners(door)[0 if self.hinge(door, seed) == "left" else 1]
 
     def _corners(self, door: DoorPlan) -> tuple[float, float]:
-        """Distances in metres from a door to the left and the right corner of the room it swings into."""
+        """Distances in metres from a door to the left and right corners of the room it swings into."""
         way, room = self.doorway(door), self.room(door.rooms[-1])
         wall = way.walls[-1]
         start, end = room.along(wall, *extent(way.rect, wall))

@@ -46,7 +46,7 @@ class Material:
     emission
         Emitted light as a multiple of the colour; 0 for everything except lamps, screens and the sky.
     opacity
-        1 hides what is behind the surface; glass has 0.1 to 0.3, net curtains 0.5.
+        1 hides everything behind the surface. Glass has 0.1 to 0.3, and net curtains have 0.5.
     """
 
     colour: Colour = (1.0, 1.0, 1.0)

@@ -84,7 +84,7 @@ class Mesh:
         return self.high - self.low
 
     def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Mesh":
-        """Shift the mesh by distances in metres."""
+        """Shift the mesh by x, y and z in metres."""
         return self.transformed(np.eye(3), (x, y, z))
 
     def turned(self, degrees: float, axis: str = "z") -> "Mesh":
@@ -109,7 +109,7 @@ class Mesh:
         )
 
     def transformed(self, matrix: NDArray[np.float64], shift: Point) -> "Mesh":
-        """Rotate the mesh by a (3, 3) matrix, then shift it by distances in metres."""
+        """Rotate the mesh by a (3, 3) matrix, then shift it by a vector in metres."""
         m, s = np.asarray(matrix, dtype=np.float32), np.asarray(shift, dtype=np.float32)
         lamps = tuple(
             replace(lamp, position=_point(m @ np.asarray(lamp.position, np.float32) + s))

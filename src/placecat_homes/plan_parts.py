@@ -20,7 +20,7 @@ class RoomPlan:
     name
         Unique name of the room.
     kind
-        Kind of room, which decides the furniture.
+        Kind of room, which determines the furniture.
     rect
         x0, y0, x1, y1 of its inner faces in metres.
     label
@@ -41,7 +41,7 @@ class RoomPlan:
         return self.rect[2] - self.rect[0], self.rect[3] - self.rect[1]
 
     def along(self, wall: int, low: float, high: float) -> tuple[float, float]:
-        """Convert world coordinates along a wall to metres from its left end, seen from inside."""
+        """Convert world coordinates along a wall to metres from its left end, as seen from inside."""
         x0, y0, x1, y1 = self.rect
         if wall == 0:
             return x1 - high, x1 - low

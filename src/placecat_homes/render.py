@@ -1,4 +1,4 @@
-"""Render the videos that come with the project from the settings in conf/ of this package."""
+"""Render the videos of the project, using the settings in conf/ of this package."""
 
 import csv
 import tempfile

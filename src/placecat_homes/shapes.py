@@ -63,7 +63,7 @@ def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh
     width, depth, height
         Metres.
     bevel
-        Width of the bevel in metres; 0 gives sharp edges.
+        Width of the bevel in metres; 0 for sharp edges.
 
     Returns
     -------
@@ -179,7 +179,8 @@ def lathe(profile: Sequence[tuple[float, float]], segments: int = 20) -> Mesh:
     Returns
     -------
     Mesh
-        A body centred on the axis. u runs around (in metres at the largest radius), v along the profile.
+        A body centred on the axis. u runs around the axis (in metres at the largest radius), v along the
+        profile.
     """
     points = np.asarray(profile, dtype=np.float64)
     points = points[np.r_[True, np.any(np.abs(np.diff(points, axis=0)) > 1e-9, axis=1)]]

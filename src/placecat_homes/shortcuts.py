@@ -45,8 +45,7 @@ CLASSIFIERS: dict[str, Callable[[int], Any]] = {
         100, min_samples_leaf=5, class_weight="balanced", random_state=0
     ),
 }
-"""Functions that take the number of classes and return an untrained classifier. Classes are equally likely
-where possible."""
+"""Functions that make an untrained classifier for a number of classes, equally weighted if possible."""
 
 
 def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:

@@ -95,7 +95,7 @@ class Viewer:
     daylight
         The daylight with which the light was baked.
     glare
-        Factor that makes the world outside brighter than its light, because cameras overexpose it.
+        Factor that brightens the view outside, because cameras overexpose it. The light stays the same.
     """
 
     def __init__(self, scene: Scene, light: Floats, daylight: Daylight, *, glare: float = 1.0) -> None:

@@ -1,4 +1,4 @@
-"""The pieces of the benchmark, one per module. Its ``entries()`` yields the entries to measure."""
+"""The pieces of the benchmark, one per module. The function ``entries`` of each yields what to measure."""
 
 from collections.abc import Callable, Iterator
 

@@ -24,7 +24,7 @@ Options = Mapping[str, Any]
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | Limit]:
-    """Yield comparisons of the time with decoding, and the frames per second including decoding.
+    """Yield comparisons with decoding, and the frames per second including decoding.
 
     `frames` have the same size; by default, there is one from each rendered home.
     """

@@ -38,7 +38,7 @@ BRANCHING = 16
 ITERATIONS = 11
 _FRAME_STEP = 13
 _REGIONS = 4096
-# Number of points whose differences from their centres are in memory at once.
+# Number of points processed at once.
 _BLOCK = 1 << 14
 
 

@@ -1,7 +1,7 @@
 """nu-SVM against three variants of scikit-learn: each of five classes against the rest, with probabilities.
 
-For each class, our code and scikit-learn fit one nu-SVM on all frames, and for each fold another on the
-frames outside the fold. A sigmoid is then fitted to the decisions for the frames that were left out.
+For each class, our code and scikit-learn fit one nu-SVM on all frames, and one more per fold on the frames
+outside the fold. A sigmoid is then fitted to the decisions for the frames that were left out.
 ``CalibratedClassifierCV`` does this if ``ensemble`` is False and it receives our folds, which are random
 parts of the frames. (By default, it would skip the first nu-SVM and average the predictions over the folds.
 This needs fewer fits, but predictions take five times the work, and the probabilities are different.)

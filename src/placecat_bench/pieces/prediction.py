@@ -62,7 +62,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | L
     def decode() -> list[Any]:
         return [decoded(file) for file in files]
 
-    # This limit is our choice. The frames per second below decide whether we can keep up with a camera.
+    # This limit is our choice. The frames per second below show whether we can keep up with a camera.
     yield Comparison(PIECE, text, PEER, decide, decode, at_most=12, parts={"decisions": decide})
     yield Limit(
         PIECE,

@@ -29,7 +29,7 @@ READ = tuple(name for name in FIELDS if name != "color")
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Entry]:
-    """Yield comparisons of the time with that of decoding, and with that of the saliency in OpenCV.
+    """Yield comparisons with decoding and with OpenCV's saliency.
 
     `frames` have the same size; by default, there is one from each rendered home.
     """

@@ -101,5 +101,5 @@ def _text(facts: Mapping[str, Any]) -> str:
         f"{largest['frames']} frames, tested on {', '.join(facts['test_homes'])}: "
         f"{largest['seconds'] / 60:.1f} min; at most {largest['peak_gib']:.1f} GiB "
         f"({largest['peak_stage']}; the target is {largest['most_gib']:g} GiB).\n"
-        f"A complete run on as many frames, with all homes tested, would take about {full['hours']:.1f} h."
+        f"A complete run on this many frames, with all homes tested, would take about {full['hours']:.1f} h."
     )

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from placecat import files, paths, seeds
 from placecat_bench.scale.database import Stretch
 
-# The second axis of an array is regions if it is named REGIONS or its name starts with LOCAL.
+# The second axis of an array lists regions if the array is named REGIONS or its name starts with LOCAL.
 REGIONS = "regions"
 LOCAL = "local_"
 COUNT = "count"

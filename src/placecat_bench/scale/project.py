@@ -42,7 +42,7 @@ def build(
     sources = list(settings.get(params, "dataset.homes"))
     for path in [*LINKED, *(made / home for home in sources for made in (paths.FEATURES, paths.TRACKS))]:
         if not path.exists():
-            raise PlacecatError(f"{path} is missing: run `make repro` first, to make the source features")
+            raise PlacecatError(f"{path} is missing: run `make repro` first, to create the source features")
     if folder.exists():
         shutil.rmtree(folder)
     (folder / paths.DATA).mkdir(parents=True)

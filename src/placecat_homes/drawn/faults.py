@@ -74,10 +74,10 @@ def _of_room(building: Building, plan: RoomPlan, room: Room) -> Iterator[str]:
     width, depth = plan.size
     boxes = [thing.box() for thing in room.blocking]
     if any(max(-box[0], -box[1], box[2] - width, box[3] - depth) > _BEYOND for box in boxes):
-        yield f"an object of {plan.name} stands in a wall"
+        yield f"an object in {plan.name} overlaps a wall"
     for other in building.plan.rooms:
         if other is not plan and any(_reaches(thing, plan, other) for thing in room.placed):
-            yield f"an object of {plan.name} reaches into {other.name}"
+            yield f"an object in {plan.name} reaches into {other.name}"
     if not room.walkable():
         yield f"furniture blocks a door of {plan.name}"
     if plan.kind not in KINDS:

@@ -42,7 +42,7 @@ def render_homes(
     seed
         Seed of the set of homes, 0 to 2**32 - 1.
     folder
-        Receives `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
+        Folder for `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
     only_plans
         Draw the floor plans, but render no videos.
     **video
@@ -102,8 +102,9 @@ def film(path: Path, source: Source, **changes: Any) -> "render.Film":
     path
         `plans/home_7.yaml` in the folder.
     source
-        Settings of the camera, the walk and the frame size. **changes Values that override settings in
-        conf/finish.yaml.
+        Settings of the camera, the walk and the frame size.
+    **changes
+        Values that override settings in conf/finish.yaml.
 
     Returns
     -------
@@ -183,8 +184,8 @@ def _claim(folder: Path, seed: int, source: Source) -> None:
     for name, value in settings.flatten(record).items():
         if written.get(name) != value:
             raise PlacecatError(
-                f"{folder} has homes with another {name} ({written.get(name)}, now {value}): choose another "
-                "folder (--to), or remove this one"
+                f"{folder} has homes with a different {name} ({written.get(name)}, now {value}): choose "
+                "another folder (--to), or remove this one"
             )
 
 

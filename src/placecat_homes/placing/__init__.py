@@ -1,1 +1,1 @@
-"""Placement of objects in a room, such that people can still walk through it."""
+"""Placement of objects in a room, so that people can still walk through it."""

@@ -45,7 +45,7 @@ class AtWalls(Occupied):
         corner: bool = False,
         z: float = 0.0,
     ) -> Placed | None:
-        """Stand an object with its back to a wall, where it blocks no door, window or other object.
+        """Place an object with its back to a wall, where it blocks no door, window or other object.
 
         Parameters
         ----------

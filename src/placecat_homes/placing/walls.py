@@ -1,7 +1,7 @@
 """The walls of a room with their openings, and positions along them.
 
-Walls are numbered 0 to 3 so that an object with its back to wall k is turned by 90 k degrees: wall 0 is y =
-0, wall 1 is x = width, wall 2 is y = depth, wall 3 is x = 0. Positions along a wall are measured in metres
+Walls are numbered from 0 to 3. An object with its back to wall k is turned by 90 k degrees. Wall 0 is y = 0,
+wall 1 is x = width, wall 2 is y = depth, and wall 3 is x = 0. Positions along a wall are measured in metres
 from its left end, as seen from inside.
 """
 

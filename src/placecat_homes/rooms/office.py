@@ -1,4 +1,4 @@
-"""Offices of a university or at home."""
+"""Offices in a university or at home."""
 
 import numpy as np
 

@@ -25,7 +25,7 @@ def tile_walls(
     walls: tuple[int, ...] = (0, 1, 2, 3),
     border: Material | None = None,
 ) -> None:
-    """Tile walls up to a height, around doors and windows.
+    """Tile walls up to a given height, around doors and windows.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Curtains and blinds for a room of any kind."""
+"""Curtains and blinds for any kind of room."""
 
 import numpy as np
 

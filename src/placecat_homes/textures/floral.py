@@ -1,4 +1,4 @@
-"""Flowers and leaves scattered on a ground: wallpaper, curtains, covers."""
+"""Flowers and leaves scattered on a background, for wallpaper, curtains and covers."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Basket work."""
+"""Wickerwork."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -124,7 +124,7 @@ def lay_out(
     seconds
         Length of the walk.
     transition_share
-        Share of the walk's time that is spent in transitions.
+        Share of the time that is spent in transitions.
     """
     ground = router.ground
     way = ways(ground)

@@ -68,7 +68,7 @@ def walk(
     ground
         The building.
     rng
-        Source of randomness; a different one gives a different walk through the same rooms.
+        Source of randomness. A different one makes a different walk through the same rooms.
     statistics
         Statistics of the order of rooms and the length of stays.
     carriage
@@ -95,7 +95,7 @@ def walk(
         counts = _frames(tour, statistics, carriage, steering, frames, fps, share, most)
         if counts is not None:
             return _film(ground, rng, carriage, tour, steering, counts, fps)
-    raise PlacecatError(f"no walk of {frames} frames visits every place: set more frames")
+    raise PlacecatError(f"no walk of {frames} frames visits every place: use more frames")
 
 
 def _frames(

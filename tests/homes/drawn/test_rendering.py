@@ -121,9 +121,9 @@ def test_only_plans(tmp_path, small):
 def test_a_folder_of_other_homes_is_refused(tmp_path, small):
     make(tmp_path, count=1)
     before = content(tmp_path)
-    with pytest.raises(PlacecatError, match=r"has homes with another seed \(1, now 2\): choose another"):
+    with pytest.raises(PlacecatError, match=r"has homes with a different seed \(1, now 2\): choose another"):
         make(tmp_path, count=1, seed=2)
-    with pytest.raises(PlacecatError, match=r"another video.fps \(5, now 10\)"):
+    with pytest.raises(PlacecatError, match=r"different video.fps \(5, now 10\)"):
         make(tmp_path, count=1, fps=10)
     assert content(tmp_path) == before
     (tmp_path / "homes.yaml").unlink()
