@@ -39,8 +39,8 @@ def doorway(
     Returns
     -------
     tuple
-        The mesh of the door in the frame of the plan, and the (4, 2) footprint of its leaf. The footprint is
-        None if there is no leaf.
+        The mesh in the frame of the plan, and the (4, 2) footprint of the leaf. The footprint is None if
+        there is no leaf.
     """
     place = plan.doorway(way)
     wall, room = place.walls[-1], plan.room(way.rooms[-1])

@@ -1,6 +1,6 @@
 """Shapes that furniture is built from.
 
-They stand on z = 0 and are measured in metres. Each is a closed body wound outwards, or a thin surface.
+They are measured in metres, and most stand on z = 0. Each is a closed body wound outwards, or a thin surface.
 """
 
 import math

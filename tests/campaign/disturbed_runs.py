@@ -109,7 +109,7 @@ class DiskFull(_Runs):
 
 
 def _environment():
-    """Return the environment, with the modules that this process finds beside the tests."""
+    """Return an environment in which a new process finds the same modules as this one."""
     return environment(**BUSY, PYTHONPATH=os.pathsep.join(filter(None, sys.path)))
 
 

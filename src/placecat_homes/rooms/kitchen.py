@@ -74,7 +74,7 @@ def _best_span(room: Room) -> Span | None:
 def _fridge_at_end(
     room: Room, chill: Mesh, wall: int, start: float, end: float
 ) -> tuple[Placed | None, float, float]:
-    """Place the fridge at one end of a stretch of wall if enough of it remains. Return the rest."""
+    """Place the fridge at one end of a stretch of wall if enough remains. Return it and the rest."""
     width = float(chill.size[0])
     if end - start < width + 1.65:
         return None, start, end

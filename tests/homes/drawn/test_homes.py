@@ -1,4 +1,4 @@
-"""Homes drawn from a seed are furnished, contain a walk and have no faults. Faults are found."""
+"""Homes drawn from a seed are furnished, can be walked through and have no faults. Faults are detected."""
 
 from dataclasses import replace
 from functools import cache
@@ -22,7 +22,7 @@ from placecat_homes.walking import walk
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("drawn")]
 
 SOURCE = Source.read()
-# Its first plan and first walk have no fault.
+# The first plan and the first walk of this home have no faults.
 NUMBER, SEED = 1, 1
 
 
