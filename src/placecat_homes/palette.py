@@ -122,7 +122,7 @@ def fabric(rng: Rng) -> Material:
 
 
 def plain_fabric(rng: Rng) -> Material:
-    """Draw cloth of one colour: upholstery, towels, sheets."""
+    """Draw cloth of one colour, for upholstery, towels or sheets."""
     first = colour(rng, 0.6, 0.2, 0.95)
     kind = str(rng.choice(["weave", "carpet"]))
     size = 0.1 if kind == "weave" else 0.3

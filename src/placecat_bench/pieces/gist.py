@@ -1,7 +1,7 @@
 """Gist against torchgist: the descriptor of a frame, including the maps that our code needs.
 
-Our code averages the maps of visual attention in the cells of a grid (thesis section 3.2); torchgist filters
-a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The descriptors are
+Our code averages the maps of visual attention in the cells of a grid (thesis section 3.2), while torchgist
+filters a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The descriptors are
 different, but serve the same purpose.
 """
 

@@ -105,7 +105,7 @@ class Home:
     Attributes
     ----------
     content
-        `plan`, as in conf/plan, and `shot`, the other settings of a video, as in conf/videos.yaml.
+        `plan` is as in conf/plan. `shot` contains the other settings of a video, as in conf/videos.yaml.
     building
         The furnished home.
     walk

@@ -1,4 +1,4 @@
-"""Render the homes of a seed into a folder, one by one, so that a killed run continues where it stopped."""
+"""Render the homes of a seed into a folder, one by one. A killed run continues where it stopped."""
 
 import hashlib
 import shutil

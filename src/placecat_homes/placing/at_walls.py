@@ -191,7 +191,7 @@ class AtWalls(Occupied):
         return thing
 
     def _places(self, model: Mesh, wall: int) -> Floats:
-        """Positions along a wall for the middle of a model, such that it fits between the corners."""
+        """Positions for the middle of a model along a wall, where it fits between the corners."""
         length, width = self.length(wall), float(model.size[0])
         margin = min(GAP, (length - width) / 2)
         if margin < -0.005:

@@ -22,7 +22,7 @@ class Room(AtWalls):
     kind, name
         Kind and name of the room, such as "bedroom" and "bedroom_1".
     style
-        Style of the whole building.
+        Style of the building.
     """
 
     def __init__(
