@@ -1,11 +1,12 @@
-"""Synthetic frames of walks through homes, as hard to learn from as Gist descriptors.
+"""Synthetic frames of walks through homes, as hard to classify as Gist descriptors.
 
 The time that kernel machines take depends on the frames: with few support vectors, there is little to do.
-With the constants below, 2000 synthetic frames therefore resemble 1978 Gist descriptors from five rendered
-homes (1024 standardised numbers each). The values for the rendered homes are in brackets. The first principal
-component explains 0.23 of the variance (0.22), the first 21 explain 0.74 (0.73), and the first 101 explain
-0.95 (0.94). In the nu-SVM of a class, 66 % of the frames are support vectors (56 %). The RVM of a class has
-63 to 82 relevance vectors (51 to 99). In an unseen home, 36 % of the frames are classified correctly (36 %).
+The constants below are therefore chosen so that 2000 synthetic frames resemble 1978 Gist descriptors from
+five rendered homes (1024 standardised numbers each). The values for the rendered homes are in brackets. The
+first principal component explains 0.23 of the variance (0.22), the first 21 explain 0.74 (0.73), and the
+first 101 explain 0.95 (0.94). In the nu-SVM of a class, 66 % of the frames are support vectors (56 %). The
+RVM of a class has 63 to 82 relevance vectors (51 to 99). In an unseen home, 36 % of the frames are classified
+correctly (36 %).
 """
 
 from collections.abc import Sequence

@@ -38,7 +38,7 @@ def _run(options: argparse.Namespace) -> None:
 
         return render(options.videos)
     if options.videos:
-        raise PlacecatError("use either names of videos or --homes, not both")
+        raise PlacecatError("use either video names or --homes, not both")
     if options.seed is None:
         raise PlacecatError("--homes needs --seed: add any whole number, for example --seed 1")
     from placecat_homes.drawn.rendering import render_homes

@@ -15,7 +15,7 @@ from placecat_homes.tracer import Tracer
 
 @dataclass(frozen=True, eq=False)
 class Daylight:
-    """The light that comes from outside.
+    """Light from outside.
 
     Attributes
     ----------
@@ -237,7 +237,7 @@ def _one_lamp(tracer: Tracer, scene: Scene, start: Floats, lamp: Lamp, offsets: 
     for offset in offsets:
         rays = towards[near] + offset * lamp.radius
         distance = np.linalg.norm(rays, axis=1)
-        # A lamp casts no shadow in its own light.
+        # The body of a lamp does not block its own light.
         reach = np.maximum(distance - max(2.5 * lamp.radius, 0.15), 0.02).astype(np.float32)
         blocked = tracer.blocked(start[near], rays / np.maximum(distance, 1e-6)[:, None], reach)
         strength += ~blocked

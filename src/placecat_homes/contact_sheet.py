@@ -17,7 +17,7 @@ def only(labels: Sequence[str], chosen: Mapping[str, int]) -> list[str]:
     labels
         Label of each frame.
     chosen
-        Maps a place to the number of a frame, from 1, that has its label.
+        Maps a place to the number (from 1) of the frame that keeps its label.
 
     Returns
     -------

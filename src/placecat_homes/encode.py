@@ -41,7 +41,7 @@ def write_video(
         stream: VideoStream | None = None
         for frame in frames:
             if stream is None:
-                # With one thread and no version string, the same frames always make the same file.
+                # With one thread and no version string, the same frames always produce the same file.
                 options = {"crf": str(quality), "preset": preset, "threads": "1"}
                 stream = cast(VideoStream, container.add_stream(codec, rate=Fraction(fps), options=options))
                 stream.height, stream.width = frame.shape[:2]

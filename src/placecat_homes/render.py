@@ -44,7 +44,7 @@ def render(names: Sequence[str] = ()) -> None:
     wanted = names or tuple(videos)
     for name in wanted:
         if name not in videos:
-            raise PlacecatError(f"no video has the name {name!r}: choose from {', '.join(videos)}")
+            raise PlacecatError(f"there is no video {name!r}: choose from {', '.join(videos)}")
     if not DATASET.is_file():
         raise PlacecatError(f"{DATASET} is missing: run this command in the project's folder")
     in_parallel(_render, [(name,) for name in wanted], "rendering videos", locally=True)
@@ -95,7 +95,7 @@ def film(name: str, **changes: Any) -> "Film":
     Returns
     -------
     Film
-        The film with its light, not yet rendered.
+        The film, lit but not yet rendered.
 
     Raises
     ------
@@ -138,7 +138,7 @@ def assemble(
     Returns
     -------
     Film
-        The film with its light, not yet rendered.
+        The film, lit but not yet rendered.
 
     Raises
     ------

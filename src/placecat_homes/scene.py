@@ -10,7 +10,7 @@ from placecat_homes.materials import Material
 from placecat_homes.mesh import Floats, Lamp, Mesh
 
 LEVELS = 6
-"""Number of sizes in which a texture is stored. Each size is half of the previous one."""
+"""Number of sizes in which a texture is stored. Each size is half the previous one."""
 THIN = 0.03
 """Triangles thinner than this, in metres, may have edges three times as long."""
 

@@ -57,7 +57,7 @@ class Finish:
         rng
             Source of randomness.
         floor, wall
-            Materials that most rooms of the building have.
+            Materials used in most rooms of the building.
 
         Returns
         -------
@@ -168,7 +168,7 @@ def passage(width: float, height: float, wall: float, sides: Material | None, fl
     Returns
     -------
     Mesh
-        The near face of the wall is y = 0, the far one y = -wall.
+        The near face of the wall is at y = 0, the far face at y = -wall.
     """
     ground = _level(width, wall).of(floor)
     if sides is None:
@@ -273,7 +273,7 @@ def _boards(
 
 
 def _strip(start: float, end: float, profile: Sequence[tuple[float, float]], z: float) -> Mesh:
-    """A board along a wall, without a back; its profile of (inwards, upwards) points runs upwards."""
+    """A board along a wall, without a back. Its profile lists (inwards, upwards) points, lowest first."""
     parts = []
     for (y0, z0), (y1, z1) in pairwise(profile):
         points = [(-start, y0, z0 + z), (-end, y0, z0 + z), (-end, y1, z1 + z), (-start, y1, z1 + z)]

@@ -45,7 +45,7 @@ CLASSIFIERS: dict[str, Callable[[int], Any]] = {
         100, min_samples_leaf=5, class_weight="balanced", random_state=0
     ),
 }
-"""Functions that make an untrained classifier for a number of classes, equally weighted if possible."""
+"""Functions that make an untrained classifier for a number of classes, with equal weights if possible."""
 
 
 def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:

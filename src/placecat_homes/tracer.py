@@ -33,7 +33,7 @@ class Hits(NamedTuple):
 
 
 class Tracer:
-    """Triangles that can be tested against rays.
+    """Triangles to intersect with rays.
 
     Parameters
     ----------

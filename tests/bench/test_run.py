@@ -59,7 +59,7 @@ def test_a_named_piece_replaces_only_its_rows(made, tmp_path):
     assert after["ours"][2] == 1.25
 
 
-def test_rows_of_another_machine_are_not_mixed_in(made, tmp_path, monkeypatch):
+def test_rows_from_different_machines_are_not_mixed(made, tmp_path, monkeypatch):
     target = tmp_path / "benchmarks.csv"
     run.run([], target)
     monkeypatch.setattr(run, "_facts", lambda: {"processor": "another"})
@@ -77,7 +77,7 @@ def test_measurements_remain_if_a_later_piece_fails(made, tmp_path):
     assert set(files.read_csv(tmp_path / "benchmarks.csv")["module"]) == {"first"}
 
 
-def test_an_unknown_piece_is_one_message(monkeypatch):
+def test_an_unknown_piece_ends_with_a_one_line_message(monkeypatch):
     monkeypatch.setattr(sys, "argv", ["benchmarks", "sorting"])
     with pytest.raises(SystemExit) as ended:
         command.main(["sorting"])

@@ -1,4 +1,4 @@
-"""`make campaign`: damaged inputs, killed runs, full disks and concurrent runs, for a given time.
+"""`make campaign`: try damaged inputs, killed runs, full disks and concurrent runs, for a given time.
 
 The campaign has a seed, and continues where an earlier call with the same seed stopped. The outcome of each
 case goes to data/campaign.csv, and the counts go to reports/robustness.csv.

@@ -62,6 +62,6 @@ def test_textures(kind):
     assert picture.std() > 0
 
 
-def test_materials_can_be_told_apart_and_shared():
+def test_materials_are_compared_and_hashed_by_value():
     assert Material((1, 0, 0)) == Material((1, 0, 0))
     assert len({Material((1, 0, 0)), Material((1, 0, 0)), Material((0, 1, 0))}) == 2

@@ -43,7 +43,7 @@ def test_texture_coordinates_stay_linear():
     assert fine.uv == pytest.approx(fine.vertices[:, :2] + [0.5, 0], abs=1e-6)
 
 
-def test_tables():
+def test_scene_tables_contain_materials_and_textures():
     picture = Texture("tiles", ((0.2, 0.4, 0.6), (0.1, 0.1, 0.1)), (0.5, 0.25))
     mesh = join(
         shapes.slab(1, 1).of(Material((0.5, 0.5, 0.5), gloss=0.1, opacity=0.2)),

@@ -32,14 +32,14 @@ def test_white_balance_removes_part_of_a_cast():
     assert np.ptp(balanced[-1]) < 0.02 * np.ptp(kept[-1])
 
 
-def test_exposure_depends_on_its_seed_alone():
+def test_exposure_is_reproducible_with_a_seed():
     previews = np.random.default_rng(0).uniform(0.01, 0.5, (20, 9, 16, 3))
     sensor = Sensor()
     assert np.array_equal(exposures(previews, sensor, 1), exposures(previews, sensor, 1))
     assert not np.array_equal(exposures(previews, sensor, 1), exposures(previews, sensor, 2))
 
 
-def test_motion_of_a_turn_and_of_a_step_aside():
+def test_motion_of_a_turn_and_a_sideways_step():
     lens, far = Lens(64, 36, 60), np.full((36, 64), 50.0, np.float32)
     focus = 32 / np.tan(np.radians(30))
     # Turning left by a small angle moves the picture to the right.

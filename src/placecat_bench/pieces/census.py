@@ -3,7 +3,7 @@
 `local_binary_pattern` with 8 points at radius 1 sets a bit if a neighbour is at least as bright as the
 centre. The census transform sets it if the centre is at least as bright as the neighbour. They agree if one
 of them receives the inverted image. `local_binary_pattern` interpolates diagonal neighbours at distance 1
-between pixels, so only the codes of the four straight neighbours are compared. It also computes codes for
+between pixels, so only the codes of the four nearest neighbours are compared. It also computes codes for
 border pixels, which are cut off.
 """
 
@@ -61,7 +61,7 @@ def entries(*, images: Sequence[Image] | None = None, cells: int = 4) -> Iterato
     yield Limit(
         PIECE,
         text,
-        "largest difference of a share of the straight neighbours",
+        "largest difference between histogram bins (four nearest neighbours)",
         lambda: max(largest_difference(image, cells) for image in given),
         at_most=1e-6,
         peer=PEER,
@@ -104,7 +104,7 @@ def _blocks(image: NDArray[Any], cells: int) -> Iterator[NDArray[Any]]:
 
 
 def largest_difference(image: Image, cells: int) -> float:
-    """Return the largest difference between our shares and theirs for the 16 codes of straight neighbours."""
+    """Return the largest difference between our shares and theirs for codes of the nearest neighbours."""
     found = of_straight(ours(255 - image, cells), OUR_STRAIGHT)
     expected = of_straight(theirs(image, cells), THEIR_STRAIGHT)
     return float(np.abs(found - expected).max())

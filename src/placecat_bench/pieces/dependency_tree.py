@@ -2,9 +2,9 @@
 
 pgmpy needs two steps. ``TreeSearch`` computes the mutual information of all pairs (with scikit-learn's
 ``mutual_info_score``) and the maximum spanning tree from the same root (with NetworkX). Then
-``DiscreteBayesianEstimator`` estimates the probabilities with the prior K2. Like our code, it adds 1 to every
-count. Both steps run in one process. Our code also checks the codes and splits them by class, while pgmpy
-receives a finished table. The log-likelihoods of all samples agree, so both learn the same model.
+``DiscreteBayesianEstimator`` estimates the probabilities with the K2 prior. Like our code, this adds 1 to
+every count. Both steps run in one process. Our code also checks the codes and splits them by class, while
+pgmpy receives a finished table. The log-likelihoods of all samples agree, so both learn the same model.
 
 deeprob-kit learns only trees of binary variables, in float32, and computes all tables with one matrix
 product. pyAgrum's Chow-Liu classifier uses the first variable, the root of the same tree, as the class. It
@@ -44,7 +44,7 @@ def entries(
     yield Limit(
         PIECE,
         text,
-        "largest difference of a log-likelihood from pgmpy's",
+        "largest difference between log-likelihoods",
         lambda: largest_difference(codes, clusters),
         at_most=1e-9,
         peer=PEER,
@@ -66,7 +66,7 @@ def entries(
     yield Limit(
         PIECE,
         many_text,
-        "largest difference of a log-likelihood from deeprob-kit's",
+        "largest difference between log-likelihoods",
         lambda: deeprob_difference(many_codes),
         at_most=1e-2,
         peer=DEEPROB,

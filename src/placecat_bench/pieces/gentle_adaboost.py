@@ -3,7 +3,7 @@
 OpenCV boosts in the same way, and also leaves out samples with small weights. It may split a feature between
 any two values, whereas our code splits only at 255 quantiles. If a feature has more values, the stumps differ
 but are equally good. The accuracies on the training frames are therefore compared, too. LightGBM and XGBoost
-minimise another loss, with the same number of trees (of depth 1) and bins. They use all samples in every
+minimise a different loss, with the same number of trees (of depth 1) and bins. They use all samples in every
 round, and take full steps.
 """
 
@@ -59,7 +59,7 @@ def _beside(
         decided = model.predict(X, flags=_SUM)[1][:, 0] > 0 if peer is PEER else model.predict(X)
         return points_behind(our.result().predict(X), decided, positive)
 
-    quantity = f"points of training accuracy behind {peer.name.partition(':')[0]}'s"
+    quantity = f"{peer.name.partition(':')[0]}'s training accuracy minus ours, in percentage points"
     yield Limit(PIECE, text, quantity, behind, at_most=1, peer=peer)
 
 

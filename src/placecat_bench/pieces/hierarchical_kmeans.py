@@ -73,7 +73,7 @@ def _cut(
     def relative_inertia() -> float:
         return inertia(points, our.result()) / inertia(points, their.result())
 
-    quantity = f"inertia by {peer.name.partition(':')[0]}'s"
+    quantity = f"inertia relative to {peer.name.partition(':')[0]}'s"
     yield Limit(PIECE, text, quantity, relative_inertia, at_most=1.02, peer=peer)
 
 

@@ -19,7 +19,7 @@ from placecat_bench.frames import REGIONS, REPEATS, Described, Image, prepared, 
 PIECE = "HOG of regions"
 PEER = Peer("OpenCV: HOGDescriptor.compute for each region", "opencv-python-headless")
 DLIB = Absent(
-    PIECE, "", "dlib 20.0.1: fhog", "no wheel, and from Python only the detectors that use it can be called"
+    PIECE, "", "dlib 20.0.1: fhog", "no wheel, and only the detectors that use it are available in Python"
 )
 
 
@@ -49,7 +49,7 @@ def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> I
     yield Limit(
         PIECE,
         text,
-        "largest difference of a value",
+        "largest difference between values",
         lambda: float(np.abs(np.concatenate(ours(given)) - np.concatenate(theirs(given))).max()),
         at_most=0,
         peer=PEER,

@@ -42,7 +42,7 @@ THUNDERSVM = Absent(
     PIECE,
     "",
     "thundersvm 0.3.12",
-    "its wheel needs the library libcusparse.so.9.0 of CUDA 9, also on a processor",
+    "its wheel needs libcusparse.so.9.0 from CUDA 9, even without a GPU",
 )
 BASE = NuSVM(gamma=2.0, nu=0.2)
 
@@ -100,7 +100,7 @@ def _beside(
     def largest_difference() -> float:
         return float(np.abs(found() - expected()).max())
 
-    quantity = "largest difference of a probability"
+    quantity = "largest difference between probabilities"
     yield Limit(PIECE, texts[1], quantity, largest_difference, at_most=at_most, peer=peer)
 
 

@@ -3,7 +3,7 @@
 fastrvm and our code maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and
 Faul 2003). Both use the same kernel and a bias, and both compute the Gram matrix. fastrvm updates its
 statistics after every change, our code only after many changes. fastrvm needs thousands of changes, and more
-than 3000 for two of the five places. The place that needs the fewest is therefore used. The evidences cannot
+than 3000 for two of the five places. We therefore use the place that needs the fewest. The evidences cannot
 be compared, since fastrvm has no prior for the bias. The accuracies on the training frames are compared
 instead. Only our code is timed on 8000 frames.
 
@@ -47,7 +47,7 @@ def entries(
     yield Limit(
         PIECE,
         f"{many} x {features}",
-        f"seconds, the slowest of {CLASSES} classes",
+        f"seconds for the slowest of {CLASSES} classes",
         lambda: max(seconds(partial(ours, X, place == number)) for number in range(CLASSES)),
         at_most=60,
         parts={"Gram matrix": lambda: rbf_gram(X, GAMMA)},
@@ -66,7 +66,7 @@ def _beside(
     parts = {"Gram matrix": lambda: rbf_gram(X, GAMMA)}
     # The peer takes a minute.
     yield Comparison(PIECE, text, peer, our, their, faster=faster, warm_up=False, parts=parts)
-    quantity = f"points of training accuracy behind {peer.package}'s"
+    quantity = f"{peer.package}'s training accuracy minus ours, in percentage points"
 
     def behind() -> float:
         return points_behind(our.result().predict(X), their.result().predict(X), positive)

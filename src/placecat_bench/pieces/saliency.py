@@ -23,7 +23,7 @@ CONTRIBUTED = {
     "StaticSaliencyFineGrained": Peer("OpenCV contributed: fine-grained saliency", PACKAGE, FOLDER),
     "StaticSaliencySpectralResidual": Peer("OpenCV contributed: spectral residual", PACKAGE, FOLDER),
 }
-VOCUS2 = Absent(PIECE, "", "VOCUS2", "no package: C++ sources, whose build was not tried")
+VOCUS2 = Absent(PIECE, "", "VOCUS2", "no package, only C++ sources, which we did not try to build")
 # The maps that saliency needs. The colours themselves are used only by descriptors.
 READ = tuple(name for name in FIELDS if name != "color")
 

@@ -1,11 +1,11 @@
-"""SIFT of salient regions against the SIFT of OpenCV on full levels, and that of kornia on patches.
+"""SIFT of salient regions against OpenCV's SIFT on full levels and kornia's SIFT on patches.
 
 The regions of a frame lie on several levels of its pyramid. OpenCV receives each level as an 8-bit image,
 with a keypoint for each region. The cells of the keypoints have the same size as ours. OpenCV needs one call
 of `SIFT.compute` per level, and each call blurs the full level several times before it describes a point. The
 time for preparing images and keypoints does not count.
 
-kornia describes patches, so our code cuts out patches with the size of the regions.
+kornia describes patches, so our code cuts out patches of the size of the regions.
 """
 
 from collections.abc import Callable, Iterator, Sequence

@@ -15,7 +15,10 @@ TRANSITION = "transition"
 
 @dataclass(frozen=True)
 class Stretch:
-    """One or more consecutive frames with one label, on one floor. Floors count from 1 and have no cuts."""
+    """One or more consecutive frames with one label, on one floor.
+
+    Floors are numbered from 1. The footage of a floor is continuous.
+    """
 
     floor: int
     label: str

@@ -86,7 +86,7 @@ def _of_room(building: Building, plan: RoomPlan, room: Room) -> Iterator[str]:
     if len(areas) < STANDING[plan.kind] or sum(areas) < COVERED * width * depth:
         yield f"{plan.name} is nearly empty"
     elif max(areas) < LARGEST[plan.kind]:
-        yield f"{plan.name} lacks the large piece of furniture that its kind needs"
+        yield f"the largest piece of furniture in {plan.name} is too small"
 
 
 def _reaches(thing: Placed, plan: RoomPlan, other: RoomPlan) -> bool:

@@ -105,7 +105,8 @@ class Home:
     Attributes
     ----------
     content
-        `plan` is as in conf/plan. `shot` contains the other settings of a video, as in conf/videos.yaml.
+        `plan` is structured like the files in conf/plan. `shot` contains the other settings of a video, as in
+        conf/videos.yaml.
     building
         The furnished home.
     walk

@@ -109,7 +109,7 @@ def film(path: Path, source: Source, **changes: Any) -> "render.Film":
     Returns
     -------
     Film
-        The film with its light, not yet rendered.
+        The film, lit but not yet rendered.
     """
     content = settings.read_yaml(path, "remove the folder and run again")
     settings.refuse_unknown(content, ["shot", "plan"], str(path))

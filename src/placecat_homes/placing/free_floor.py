@@ -41,7 +41,7 @@ class FreeFloor:
         return np.asarray(distances[_PAD:-_PAD, _PAD:-_PAD])
 
     def allows(self, thing: Placed) -> bool:
-        """Return whether all doors stay connected, and enough floor within reach, if an object is added."""
+        """Return whether all doors stay connected and enough floor stays reachable if an object is added."""
         if not self._sills:
             return True
         before, _ = self._reached(self._solid)

@@ -16,7 +16,7 @@ Bools = NDArray[np.bool_]
 
 
 def room_for_person(solid: Bools, radius: float = PERSON) -> Bools:
-    """Return the cells (of edge length `CELL`) that can be the centre of a person of this radius."""
+    """Return the cells (of edge length `CELL`) where a person of this radius can stand."""
     return np.asarray(ndimage.distance_transform_edt(~solid) >= radius / CELL)
 
 

@@ -1,4 +1,4 @@
-"""An object at its place in a room."""
+"""An object placed in a room."""
 
 import math
 from dataclasses import dataclass

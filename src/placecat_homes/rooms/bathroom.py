@@ -105,7 +105,7 @@ def _toilet(room: Room, ceramic: Material) -> Placed | None:
 
 
 def _basin(room: Room, ceramic: Material) -> Placed | None:
-    """Place the washbasin with a mirror above it. Leave out the mirror only if both do not fit."""
+    """Place the washbasin with a mirror above it. Leave out the mirror only if there is no space for both."""
     rng, style = room.rng, room.style
     choices: tuple[tuple[str | None, float | None, float], ...] = (
         (None, None, 0.55),

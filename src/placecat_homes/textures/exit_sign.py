@@ -16,7 +16,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colours of the background and of the figures.
     pixels
-        Side length; the picture is stretched over a sign twice as wide as high.
+        Side length; the picture is stretched over a sign twice as wide as it is high.
 
     Returns
     -------

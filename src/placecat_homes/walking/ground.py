@@ -21,7 +21,7 @@ class Ground:
         World x, y of the corner of cell (0, 0). The centre of cell (i, j) is origin + (i + 0.5, j + 0.5) *
         cell.
     free
-        (nx, ny), cells that can be the centre of a person with a radius of 0.25 m. All free cells are
+        (nx, ny), cells where a person with a radius of 0.25 m can stand. All free cells are
         connected.
     room
         (nx, ny), index into `names`; -1 outside and in walls, -2 in door openings.

@@ -116,7 +116,7 @@ def draw(
     way = ways(ground)
     count = max(len(must), len(must_kinds), round(statistics.count.draw(rng, 1.2) * shorter))
     for attempt in range(_DRAWS):
-        # With each attempt, the walk becomes more reluctant to return to a room, and longer.
+        # Each attempt makes the walk longer and more reluctant to return to a room.
         boost, longer = 1.0 + attempt / 10, count + attempt // 30
         order = _chain(ground, rng, statistics, allowed, way, longer, boost)
         if must_kinds <= {ground.kinds[room] for room in order} and must <= set(order):
@@ -150,7 +150,7 @@ def _chain(
             near = 1.0 if here is None or again else math.exp(-way[here, room].length / _NEAR)
             rooms.append((kind, room, fresh * near))
             weights.append(odds.get(kind, 0.0))
-        # The odds apply to kinds. Within a kind, nearby rooms and rooms not yet seen are preferred.
+        # The odds apply to kinds of rooms. Within a kind, nearby rooms and rooms not yet seen are preferred.
         sums: defaultdict[str, float] = defaultdict(float)
         for kind, _, liking in rooms:
             sums[kind] += liking

@@ -1,4 +1,4 @@
-"""The path of a walk, divided into stays, transitions and rooms passed on the way."""
+"""The path of a walk, divided into stays, transitions and rooms passed through on the way."""
 
 import math
 from dataclasses import dataclass, field
@@ -58,7 +58,7 @@ class Section:
     room
         Index of the room; -1 for a transition.
     weight
-        Length relative to other sections of the same type; 0 for a room that is only passed.
+        Length relative to other sections of the same type; 0 for a room that is only passed through.
     pieces
         The parts and pauses of the section.
     """

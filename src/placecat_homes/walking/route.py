@@ -33,7 +33,7 @@ def clearance(free: NDArray[np.bool_], most: int) -> NDArray[np.int16]:
 
 
 class Router:
-    """Finds paths on a ground.
+    """Finds paths across the floor of a building.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ class Router:
                     rest = math.hypot(row - goal_row, column - goal_column)
                     heapq.heappush(queue, (reached + rest, following))
         else:
-            raise PlacecatError("no free path connects two places of the building")
+            raise PlacecatError("no free path connects two places in the building")
         nodes = [last]
         while nodes[-1] != first:
             nodes.append(before[nodes[-1]])

@@ -63,7 +63,7 @@ def allot(
     least
         Minimum number of frames of each section.
     usual
-        Number of frames of sections that are only passed, if there is time.
+        Number of frames of a section that only passes through a room, if there is time.
     frames
         Total number of frames.
     transition_share, most_transitions
@@ -131,7 +131,7 @@ def spans(
     speed: float,
     top_speed: float,
 ) -> list[Span]:
-    """Allot seconds to each piece. Walking is at the usual speed if possible; pauses take the rest."""
+    """Allot seconds to each piece. Walking uses the usual speed if possible; pauses take the rest."""
     result: list[Span] = []
     frame = 0
     for section, count in zip(sections, counts, strict=True):

@@ -1,4 +1,4 @@
-"""A camera on its way through a building."""
+"""The walk of a camera through a building."""
 
 import math
 from collections.abc import Sequence

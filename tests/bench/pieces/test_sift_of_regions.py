@@ -8,7 +8,7 @@ from placecat_bench.frames import with_regions
 from placecat_bench.pieces import sift_of_regions
 
 
-def test_its_entry_and_target():
+def test_entry_and_target():
     entry, other = sift_of_regions.entries(frames=[frame(), frame(seed=3)], count=7)
     assert (entry.input, entry.target) == ("7 regions of 320x240", "at least 4x faster")
     assert (other.input, other.target) == ("7 regions of 320x240", "at least 2x faster")
@@ -18,7 +18,7 @@ def test_its_entry_and_target():
         assert len(part()) == 2
 
 
-def test_the_peer_describes_the_same_squares():
+def test_opencv_describes_the_same_squares():
     ((maps, regions),) = with_regions([frame(1280, 960)], 25)
     # Regions near the border differ, because OpenCV leaves out the part beyond the border.
     margin = 1.5 * region_side(1280) * 2 ** regions[:, 2]

@@ -93,13 +93,13 @@ def ran(tmp_path_factory):
     return folder, asked
 
 
-def test_settings_are_the_project_s_with_other_homes(ran):
+def test_project_settings_are_composed_with_other_homes(ran):
     _, asked = ran
     assert "dataset.homes=[a,b,c,d]" in asked[0] and "protocol.test_homes=[a]" in asked[0]
     assert "dataset.thesis_data=null" in asked[0]
 
 
-def test_homes_have_the_size_and_the_walk_that_was_asked_for(ran):
+def test_homes_have_the_requested_size_and_walk(ran):
     folder, _ = ran
     made = folder / "data/scale/720/data"
     labels = pd.read_csv(made / "sequences/a/labels.csv")
@@ -124,7 +124,7 @@ def test_homes_have_the_size_and_the_walk_that_was_asked_for(ran):
         assert (own[nearest] == place).mean() > 0.95
 
 
-def test_a_variant_of_the_regions_is_drawn_for_its_frames_alone(ran):
+def test_a_variant_of_the_regions_is_drawn_only_for_its_own_frames(ran):
     folder, _ = ran
     drawn = folder / "data/scale/720/data/features/a/variant_other"
     assert np.load(drawn / "frames.npy").tolist() == list(range(0, 180, 3))
@@ -134,7 +134,7 @@ def test_a_variant_of_the_regions_is_drawn_for_its_frames_alone(ran):
     assert (drawn / "descriptors.json").is_file()
 
 
-def test_the_stage_ran_for_the_test_home_alone(ran):
+def test_the_stage_ran_only_for_the_test_home(ran):
     folder, _ = ran
     made = {path.name for path in (folder / "data/scale/720/data/codebooks/gist_cells").glob("*.npz")}
     assert made == {f"without-{rest}.seed-{seed}.npz" for rest in ("a", "a-b") for seed in (0, 1)}
@@ -159,7 +159,7 @@ def test_times_and_growth_are_written(ran):
     assert facts["full_run"]["seconds"] == {"codebooks": 160.0, "features": 72.0, "figures": 5.0}
 
 
-def test_trials_are_repeated_as_often_as_tables_ask_for_homes(ran, monkeypatch):
+def test_trials_are_repeated_for_the_homes_that_tables_need(ran, monkeypatch):
     monkeypatch.chdir(ran[0])
     params = copy.deepcopy(PARAMS)
     params["protocol"]["test_homes"] = ["H1"]
@@ -185,7 +185,7 @@ def test_a_size_can_be_added_later(ran, tmp_path, monkeypatch):
     assert growth["exponent"].tolist() == pytest.approx([1.0] * 2, abs=0.03)
 
 
-def test_missing_features_and_wrong_settings_are_refused(ran, monkeypatch):
+def test_missing_features_and_invalid_settings_raise_errors(ran, monkeypatch):
     folder, _ = ran
     monkeypatch.chdir(folder)
     (folder / "data/tracks").rename(folder / "data/away")
