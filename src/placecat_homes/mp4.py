@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 
 
 def frame_sizes(path: Path) -> NDArray[np.int64]:
-    """Return the bytes per frame of the first video track, in display order."""
+    """Return the size in bytes of each frame of the first video track, in display order."""
     tracks = [
         _boxes(track)[b"mdia"] for kind, track in _walk(_boxes(path.read_bytes())[b"moov"]) if kind == b"trak"
     ]

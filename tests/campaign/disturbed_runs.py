@@ -22,7 +22,7 @@ REPRO = (
     "import sys\nfrom placecat.runs import repro\nfrom placecat.errors import exiting\n"
     "with exiting():\n    sys.exit(repro.run())",
 )
-# Limits of the free space on a separate disk in KB, and a size that is enough.
+# Range of the free space on a separate disk, and a size that is enough, both in KB.
 SIZES, ENOUGH = (4, 110), 64_000
 MOUNT = ["unshare", "--map-root-user", "--mount", sys.executable, __file__]
 

@@ -62,7 +62,7 @@ def build(
 
 
 def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:
-    """Write the settings of this project with other homes; return them. The results are not comparable."""
+    """Write the settings of this project with other homes and without thesis data; return them."""
     overrides = [
         f"dataset.homes=[{','.join(home.name for home in homes)}]",
         "dataset.name=scale",

@@ -73,7 +73,7 @@ def two_rows(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
 
 
 def _two_lists(rng: np.random.Generator, ranges: PlanRanges) -> tuple[list[str], list[str]]:
-    """Draw the kinds of rooms in both rows, in order. A corridor in a row is the entrance."""
+    """Draw the kinds of rooms in both rows, in order. A corridor among them is the entrance."""
     bedrooms, bathrooms = chosen(rng, ranges.bedrooms), chosen(rng, ranges.bathrooms)
     south = ["living_room", "dining_room"]
     north: list[str] = []

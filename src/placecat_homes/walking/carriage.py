@@ -16,7 +16,7 @@ class Carriage:
     height
         Height of the camera in metres.
     height_spread
-        Standard deviation of the height among walks, in metres.
+        Standard deviation of the height across walks, in metres.
     speed, top_speed
         Usual and maximum speed in metres per second.
     turn_rate
@@ -26,7 +26,7 @@ class Carriage:
     pitch
         Mean tilt in degrees; negative looks down.
     pitch_spread
-        Standard deviation of the mean tilt among walks, in degrees.
+        Standard deviation of the mean tilt across walks, in degrees.
     pitch_wander, roll_wander, yaw_wander
         Standard deviations of slow wandering, in degrees.
     shake
