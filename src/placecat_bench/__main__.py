@@ -18,7 +18,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     )
     parser.add_argument("pieces", nargs="*", metavar="PIECE", help="a piece to measure; by default all")
     options = parser.parse_args(arguments)
-    # Some libraries, such as the peers' OpenMP, read this variable on import.
+    # Some libraries, such as the OpenMP of the peers, read this variable on import.
     os.environ["OMP_NUM_THREADS"] = "1"
     from placecat_bench.run import run
 

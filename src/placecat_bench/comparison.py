@@ -12,10 +12,10 @@ TORCH = "bench-torch"
 
 @dataclass(frozen=True)
 class Peer:
-    """An alternative that a user could pick, e.g. "scikit-image: local_binary_pattern and histogram".
+    """An alternative to our code, such as "scikit-image: local_binary_pattern and histogram".
 
-    `package` is the distribution that contains it, whose version is recorded. This package may be in a
-    separate `folder`, or belong to an `extra` other than ``bench``, which need not be installed.
+    `package` is the distribution that contains it; its version is recorded. The package may be in a separate
+    `folder`. An `extra` other than ``bench`` need not be installed.
     """
 
     name: str
@@ -28,10 +28,10 @@ class Peer:
 class Comparison:
     """Our code and a peer, timed in alternation on the same input.
 
-    The target is either `faster`, the minimum factor by which our code must be faster, or `at_most`, the
-    largest allowed multiple of the peer's time. `ours` and `theirs` are the calls to time, and `repeats` is
-    the number of pairs. With `warm_up`, each call is first made once; turn this off if a call takes minutes.
-    If the target is missed, the `parts` of our code are timed, to show where the time goes.
+    The target is either `faster`, the minimum speed-up of our code, or `at_most`, the maximum time of our
+    code as a multiple of the peer's time. `ours` and `theirs` are the calls to time, and `repeats` is the
+    number of pairs. With `warm_up`, each call is first made once; turn this off if a call takes minutes. If
+    the target is missed, the `parts` of our code are timed, to show where the time goes.
     """
 
     piece: str
@@ -53,11 +53,11 @@ class Comparison:
         return f"at most {self.at_most:g}x its time"
 
     def ratio(self, ours: float, theirs: float) -> float:
-        """Return the ratio of two times in seconds that the target applies to."""
+        """Return the ratio of two times in seconds to which the target applies."""
         return theirs / ours if self.faster is not None else ours / theirs
 
     def is_met(self, ratio: float) -> bool:
-        """Whether a ratio reaches the target."""
+        """Return whether a ratio reaches the target."""
         return _reaches(ratio, at_least=self.faster, at_most=self.at_most)
 
 
@@ -65,8 +65,8 @@ class Comparison:
 class Limit:
     """A number with a limit, `at_most` or `at_least`.
 
-    `measure` returns the number, and `quantity` names it, e.g. "frames/s" or "largest difference of a
-    probability". `parts` are as for `Comparison`.
+    `measure` returns the number, and `quantity` names it, such as "frames/s". `parts` are as for
+    `Comparison`.
     """
 
     piece: str
@@ -86,13 +86,13 @@ class Limit:
         return f"at most {self.at_most:g}"
 
     def is_met(self, value: float) -> bool:
-        """Whether a number reaches the target."""
+        """Return whether a number reaches the target."""
         return _reaches(value, at_least=self.at_least, at_most=self.at_most)
 
 
 @dataclass(frozen=True)
 class Absent:
-    """A peer that cannot be measured on a piece's `input`, and the reason."""
+    """A peer that cannot be measured on an `input`, and the reason."""
 
     piece: str
     input: str

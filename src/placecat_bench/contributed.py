@@ -1,4 +1,4 @@
-"""Run OpenCV's contributed saliency in a separate process, since its package replaces the one placecat uses.
+"""OpenCV's contributed saliency, run in a separate process because its package replaces the one in use.
 
 As a program, ``python contributed.py NAME FILE`` reads lines from standard input. For each line, it computes
 the maps of all pictures in an .npz file and then prints a line.
@@ -18,13 +18,13 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 PACKAGE = "opencv-contrib-python-headless"
-# `make bench` installs the package here, apart from the environment's packages.
+# `make bench` installs the package here, apart from the packages of the environment.
 FOLDER = Path(sys.prefix) / "contributed"
 
 
 @contextmanager
 def contributed(name: str, pictures: Sequence[NDArray[np.uint8]]) -> Iterator[Callable[[], None]]:
-    """Make a function that computes the maps of (H, W, 3) pictures with ``cv2.saliency``'s class `name`.
+    """Make a function that computes the maps of (H, W, 3) pictures with the class `name` of ``cv2.saliency``.
 
     The function raises PlacecatError if the package is missing or its process ends.
     """

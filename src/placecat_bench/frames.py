@@ -1,4 +1,4 @@
-"""Frames for the pieces of vision code, one from each rendered home."""
+"""Frames for benchmarks of vision code, one from each rendered home."""
 
 from collections.abc import Sequence
 from itertools import islice
@@ -20,16 +20,16 @@ from placecat.vision.memory import keep_freed_memory
 HOMES = Path("data/homes")
 # Number of regions per frame, as in the thesis.
 REGIONS = 25
-# Number of pairs of calls; each call describes all frames.
+# Number of pairs of calls. Each call describes all frames.
 REPEATS = 15
 
 Image = NDArray[np.uint8]
-# A frame's maps and its salient regions.
+# The maps and the salient regions of a frame.
 Described = tuple[FrameMaps, NDArray[np.float32]]
 
 
 def prepared(frames: Sequence[Image] | None = None) -> tuple[list[Image], list[Image]]:
-    """Return frames as JPEG files and decoded; by default, one frame from each rendered home.
+    """Return frames as JPEG files and as pixels; by default, one frame from each rendered home.
 
     Like the `features` stage, the process keeps freed memory from now on.
     """
@@ -39,16 +39,16 @@ def prepared(frames: Sequence[Image] | None = None) -> tuple[list[Image], list[I
 
 
 def jpegs(homes: Path = HOMES) -> list[Image]:
-    """Encode a frame of each rendered home's video as JPEG, with OpenCV's default quality.
+    """Encode one frame from each rendered home as JPEG, with the default quality of OpenCV.
 
-    The frame is one third into the video. Returns each JPEG's bytes. Raises PlacecatError if the folder has
-    no videos or a video cannot be read.
+    The frame is one third into the video. Returns the bytes of each JPEG. Raises PlacecatError if the folder
+    has no videos or a video cannot be read.
     """
     return [encoded(_frames(path, 1)[0]) for path in _videos(homes)]
 
 
 def consecutive(count: int, homes: Path = HOMES) -> list[Image]:
-    """Decode `count` consecutive frames of the first rendered home, from one third into its video.
+    """Decode `count` consecutive frames of the first rendered home, starting one third into its video.
 
     Each frame is (H, W, 3) uint8 BGR. Raises the same errors as `jpegs`.
     """
@@ -66,7 +66,7 @@ def decoded(jpeg: Image) -> Image:
 
 
 def size(frame: NDArray[Any]) -> str:
-    """Return a frame's width and height as text."""
+    """Return the width and height of a frame as text."""
     return f"{frame.shape[1]}x{frame.shape[0]}"
 
 

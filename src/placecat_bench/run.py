@@ -1,4 +1,4 @@
-"""Measure pieces one after another, and write the measurements to a file."""
+"""A benchmark run, which measures pieces one by one and writes the measurements to a file."""
 
 import platform
 from collections.abc import Sequence
@@ -19,13 +19,13 @@ _MODULE = "module"
 
 
 def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
-    """Measure pieces on one thread. Write the rows after each piece, and keep the rows of other pieces.
+    """Measure pieces on one thread. Write the rows after each piece, and keep those of other pieces.
 
     `chosen` are names of modules in :mod:`placecat_bench.pieces`; if empty, all are measured. `target` is the
-    CSV file; facts about the machine and the packages go to a JSON file of the same name. Returns the CSV's
-    content, which has the column ``module`` and :data:`placecat_bench.measure.COLUMNS`. Raises PlacecatError
-    for an unknown piece, a missing peer, or kept rows that were measured on another machine or with other
-    packages.
+    CSV file; facts about the machine and the packages go to a JSON file of the same name. Returns the content
+    of the CSV file, which has the column ``module`` and :data:`placecat_bench.measure.COLUMNS`. Raises
+    PlacecatError for an unknown piece, a missing peer, or kept rows that were measured on another machine or
+    with other packages.
     """
     all_names, facts, facts_file = pieces.names(), _facts(), target.with_suffix(".json")
     generators = {name: pieces.load(name) for name in dict.fromkeys(chosen or all_names)}
@@ -41,7 +41,7 @@ def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
     for name, entries in generators.items():
         rows = pd.DataFrame(single_threaded(_measure_piece, (name, entries)), columns=table.columns)
         others = table[table[_MODULE] != name]
-        # Sort by piece, and keep the order of each piece's rows.
+        # Sort by piece, and keep the order of the rows of a piece.
         table = pd.concat([others, rows]) if len(others) else rows
         table = table.sort_values(_MODULE, kind="stable", ignore_index=True)
         files.write_csv(target, table)
@@ -73,7 +73,7 @@ def summary(row: dict[str, object]) -> str:
 
 
 def _facts() -> dict[str, str]:
-    """Return the facts that the numbers depend on, apart from the peers' versions."""
+    """Return the facts that the numbers depend on, apart from the versions of the peers."""
     processor = Path("/proc/cpuinfo")
     lines = processor.read_text(encoding="utf-8").splitlines() if processor.exists() else []
     model = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")

@@ -1,4 +1,4 @@
-"""Measure the wall times of alternating calls."""
+"""Wall times of alternating calls."""
 
 import gc
 import statistics
@@ -13,8 +13,8 @@ def time_in_turn(
 ) -> tuple[list[float], list[float]]:
     """Time pairs of calls in the order A B, B A, A B, ..., so that a temporary slowdown affects both.
 
-    With `warm_up`, each call is first made once, untimed. Returns the seconds that each of our `repeats`
-    calls took, and the same for theirs.
+    With `warm_up`, each call is first made once, untimed. Returns two lists of `repeats` times in seconds:
+    ours and theirs.
     """
     if warm_up:
         ours()
@@ -40,7 +40,7 @@ def median_seconds(call: Callable[[], Any], repeats: int) -> float:
 
 
 class Latest:
-    """A call that keeps its last result, so that comparing results needs no further call."""
+    """A call that keeps its last result, so that results can be compared without another call."""
 
     def __init__(self, call: Callable[..., Any], *args: Any) -> None:
         self._call = partial(call, *args)
@@ -51,5 +51,5 @@ class Latest:
         return self._result
 
     def result(self) -> Any:
-        """Return the last call's result; make the call first if it was never made."""
+        """Return the result of the last call. Make the call first if it was never made."""
         return self._result if hasattr(self, "_result") else self()

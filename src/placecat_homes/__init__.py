@@ -1,5 +1,5 @@
-"""The homes that come with the project: furnished rooms, filmed on rendered walks.
+"""Synthetic homes: furnished rooms, and rendered videos of walks through them.
 
-``python -m placecat_homes`` renders the videos of data/ again. `placecat` does not import this package, which
-is the only one that needs the optional extra ``render``.
+``python -m placecat_homes`` renders the videos in data/ again. `placecat` does not import this package. No
+other package needs the optional extra ``render``.
 """

@@ -9,7 +9,7 @@ import placecat.stages  # noqa: F401  import before NumPy: it chooses the kernel
 from placecat.errors import PlacecatError, exiting
 
 _EXAMPLES = """examples:
-  placecat-homes homes/home_1                    one video of data/
+  placecat-homes homes/home_1                    one video in data/
   placecat-homes --homes 24 --seed 1             24 new homes, written to homes_of_seed_1/
   placecat-homes --homes 24 --seed 1 --plans     only their floor plans, for a first look
 
@@ -19,7 +19,7 @@ PLACECAT_WORKERS sets the number of processes; the results do not depend on it."
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command; a user's mistake prints a message and exits with status 1."""
+    """Run the command. After a user's mistake, print a message and exit with status 1."""
     options = _parser().parse_args(arguments)
     with exiting():
         _run(options)
@@ -33,12 +33,12 @@ def _run(options: argparse.Namespace) -> None:
     }
     if options.homes is None:
         if of_homes:
-            raise PlacecatError(f"--{next(iter(of_homes))} needs --homes: add a number of homes")
+            raise PlacecatError(f"--{next(iter(of_homes))} needs --homes: add the number of homes")
         from placecat_homes.render import render
 
         return render(options.videos)
     if options.videos:
-        raise PlacecatError("give either names of videos or --homes, not both")
+        raise PlacecatError("use either video names or --homes, not both")
     if options.seed is None:
         raise PlacecatError("--homes needs --seed: add any whole number, for example --seed 1")
     from placecat_homes.drawn.rendering import render_homes
@@ -62,22 +62,22 @@ def _size(text: str) -> tuple[int, int]:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="placecat-homes",
-        description="Render the videos of data/ again, which takes an hour or more for all, and draw the "
-        "contact sheet; or render new homes, drawn from a seed. Needs the optional extra: "
+        description="Render the videos in data/ again and draw the contact sheet, or render new homes drawn "
+        "from a seed. Rendering all videos takes an hour or more. Needs the optional extra: "
         "pip install -e '.[render]'.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("videos", nargs="*", metavar="VIDEO", help="such as homes/home_1; by default all")
     drawn = parser.add_argument_group(
-        "homes drawn from a seed, with the ranges in conf/drawn.yaml of the package"
+        "homes drawn from a seed (the ranges are in conf/drawn.yaml of the package)"
     )
     drawn.add_argument("--homes", type=int, metavar="N", help="draw and render homes 1 to N")
-    drawn.add_argument("--seed", type=int, metavar="S", help="seed that the homes are drawn from")
+    drawn.add_argument("--seed", type=int, metavar="S", help="seed for drawing the homes")
     drawn.add_argument("--to", type=Path, metavar="FOLDER", help="output folder, by default homes_of_seed_S")
-    drawn.add_argument("--size", metavar="WxH", help="size of a frame in pixels, by default 640x360")
-    drawn.add_argument("--frames", type=int, metavar="N", help="frames of each home, by default 640")
-    drawn.add_argument("--fps", type=int, metavar="N", help="frames a second, by default 5")
+    drawn.add_argument("--size", metavar="WxH", help="frame size in pixels, by default 640x360")
+    drawn.add_argument("--frames", type=int, metavar="N", help="frames per home, by default 640")
+    drawn.add_argument("--fps", type=int, metavar="N", help="frames per second, by default 5")
     drawn.add_argument("--plans", action="store_true", help="draw only the floor plans, without rendering")
     return parser
 

@@ -15,12 +15,13 @@ from placecat_homes.tracer import Tracer
 
 @dataclass(frozen=True, eq=False)
 class Daylight:
-    """The light that comes from outside.
+    """Light from outside.
 
     Attributes
     ----------
     panorama
-        (h, w, 3) float32 linear radiance, rows from straight up to straight down; a bright overcast sky is 1.
+        (h, w, 3) float32 linear radiance, with rows from straight up to straight down. A bright overcast sky
+        is 1.
     sun
         (3,) float32, unit vector towards the sun.
     sunlight
@@ -34,18 +35,18 @@ class Daylight:
 
 @dataclass(frozen=True)
 class Quality:
-    """How precisely the light is baked.
+    """How accurately the light is baked.
 
     Attributes
     ----------
     directions
         Rays from each vertex; a power of two.
     bounces
-        How often light is passed on from surface to surface.
+        Number of times that light passes from surface to surface.
     lamp_rays
         Shadow rays from each vertex to each lamp.
     chunk
-        Vertices that are computed at a time, which bounds memory.
+        Number of vertices processed at once; fewer need less memory.
     """
 
     directions: int = 256
@@ -57,16 +58,16 @@ class Quality:
 LIFT = 0.004
 """Height above the surface at which rays start, in metres."""
 SETS = 8
-"""Number of ray sets that the vertices of large surfaces use in turn."""
+"""Number of ray sets. Each vertex of a large surface uses one of them."""
 INWARDS = 0.25
-"""How far rays start from the vertex towards the middle of the triangles around it."""
+"""How far rays start from the vertex, as a share of the way to the middle of the surrounding triangles."""
 
 
 def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
     """Compute the light that reaches every vertex, except direct sunlight.
 
     This is radiosity: each vertex sends out one set of rays to find what it sees, and light is then passed on
-    along these rays. The light of the sky and of lamps is included. Vertices inside closed bodies take the
+    along these rays. Light from the sky and from lamps is included. Vertices inside closed bodies take the
     light of their neighbours.
 
     Parameters
@@ -81,8 +82,8 @@ def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
     Returns
     -------
     numpy.ndarray
-        (n, 4) float32: the irradiance divided by pi in red, green and blue, then the share of the sun's light
-        (cosine included) that reflections need.
+        (n, 4) float32: the irradiance divided by pi in red, green and blue, then the share of direct
+        sunlight, including the cosine, for use in reflections.
     """
     solid = scene.surface[scene.material, 3] >= 0.999
     tracer = Tracer(scene.vertices, scene.triangles[solid])
@@ -105,8 +106,8 @@ def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
 
 
 def _starts(scene: Scene) -> Floats:
-    # Rays start above the surface and a little towards the middle of the surrounding triangles, so that those
-    # of room corners and furniture feet do not start inside or behind the next surface.
+    # Rays start above the surface and a little towards the middle of the surrounding triangles, so that rays
+    # from room corners and furniture feet do not start inside or behind the next surface.
     centres = scene.vertices[scene.triangles].mean(axis=1)
     total, count = np.zeros_like(scene.vertices), np.zeros(len(scene.vertices), np.float32)
     for corner in range(3):
@@ -128,8 +129,8 @@ def _vertex_colours(scene: Scene) -> tuple[Floats, Floats]:
 
 
 def _frames(normals: Floats) -> tuple[Floats, Floats]:
-    # A frame without branches that turns slowly with the normal, so that neighbours share their directions
-    # (Duff et al. 2017).
+    # A branchless basis that turns slowly with the normal, so that neighbours have similar directions (Duff
+    # et al. 2017).
     sign = np.where(normals[:, 2] >= 0, 1.0, -1.0).astype(np.float32)
     a = -1 / (sign + normals[:, 2])
     b = normals[:, 0] * normals[:, 1] * a
@@ -148,9 +149,9 @@ def _hemispheres(count: int) -> Floats:
 
 
 def _sets(scene: Scene) -> NDArray[np.intp]:
-    # On large plain surfaces neighbours use different rays, and `_heal` evens out the differences; otherwise
-    # the outline of a window would appear as many faint shadows. On fine furniture neighbours use the same
-    # rays.
+    # On large plain surfaces, neighbours use different rays, and `_heal` evens out the differences.
+    # Otherwise, the outline of a window would appear as many faint shadows. On fine furniture, neighbours use
+    # the same rays.
     edge = np.linalg.norm(
         scene.vertices[scene.triangles[:, 0]] - scene.vertices[scene.triangles[:, 1]], axis=1
     )
@@ -236,7 +237,7 @@ def _one_lamp(tracer: Tracer, scene: Scene, start: Floats, lamp: Lamp, offsets: 
     for offset in offsets:
         rays = towards[near] + offset * lamp.radius
         distance = np.linalg.norm(rays, axis=1)
-        # The body of a lamp casts no shadow in its light.
+        # The body of a lamp does not block its own light.
         reach = np.maximum(distance - max(2.5 * lamp.radius, 0.15), 0.02).astype(np.float32)
         blocked = tracer.blocked(start[near], rays / np.maximum(distance, 1e-6)[:, None], reach)
         strength += ~blocked

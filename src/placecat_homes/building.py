@@ -1,4 +1,4 @@
-"""A whole building: furnished rooms with walls, doors, windows and radiators."""
+"""A complete building: furnished rooms with walls, doors, windows and radiators."""
 
 from dataclasses import dataclass
 
@@ -35,7 +35,7 @@ class Building:
     Attributes
     ----------
     mesh
-        The whole building in the frame of the plan.
+        The complete building in the frame of the plan.
     plan
         The plan with all windows.
     rooms
@@ -43,7 +43,7 @@ class Building:
     leaves
         (4, 2) footprints of open door leaves.
     things
-        For each room, the objects that its furnishing put in.
+        The objects placed in each room.
     """
 
     mesh: Mesh
@@ -117,10 +117,10 @@ def build(plan: FloorPlan, seed: int, *, unfurnished: bool = False) -> Building:
     plan
         Plan of the building.
     seed
-        Seed of the building. Each room derives its own seed, so that changing one room leaves the others as
-        they are.
+        Seed of the building. Each room derives its own seed, so that changing one room leaves the others
+        unchanged.
     unfurnished
-        Leave a room empty if its kind has no furnishing, instead of failing.
+        Leave a room empty if there is no furniture for its kind, instead of raising an error.
 
     Returns
     -------
@@ -130,7 +130,7 @@ def build(plan: FloorPlan, seed: int, *, unfurnished: bool = False) -> Building:
     Raises
     ------
     PlacecatError
-        If a kind of room has no furnishing.
+        If there is no furniture for a kind of room.
     """
     plan = plan.windowed(seed)
     furnished = lookup.names(ROOMS, "furnish")
@@ -176,7 +176,7 @@ def _rng(plan: FloorPlan, seed: int, *names: str) -> np.random.Generator:
 def _inside(
     rect: tuple[float, float, float, float], origin: tuple[float, float], shape: tuple[int, ...]
 ) -> tuple[slice, slice]:
-    """Cells whose middles lie in a rectangle."""
+    """Cells whose centres lie in a rectangle."""
     low = [round((rect[k] - origin[k]) / CELL) for k in (0, 1)]
     high = [round((rect[k + 2] - origin[k]) / CELL) for k in (0, 1)]
     return slice(max(low[0], 0), min(high[0], shape[0])), slice(max(low[1], 0), min(high[1], shape[1]))

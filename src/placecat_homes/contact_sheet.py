@@ -1,4 +1,4 @@
-"""One picture that shows every place of every home."""
+"""The contact sheet: one picture that shows every place in every home."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -17,12 +17,12 @@ def only(labels: Sequence[str], chosen: Mapping[str, int]) -> list[str]:
     labels
         Label of each frame.
     chosen
-        Maps a place to the number of a frame, from 1, that has its label.
+        Maps a place to the number (from 1) of the frame that keeps its label.
 
     Returns
     -------
     list of str
-        The labels, with those of all other frames of these places emptied.
+        The labels. All other frames of these places have the label "".
     """
     return [
         "" if label in chosen and chosen[label] != number else label
@@ -31,7 +31,7 @@ def only(labels: Sequence[str], chosen: Mapping[str, int]) -> list[str]:
 
 
 def sharpest(frames: Iterable[Frame], labels: Sequence[str], places: Sequence[str]) -> dict[str, Frame]:
-    """Choose for each place the frame that shows most: the one with the strongest detail.
+    """Choose the frame with the most detail for each place.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def sharpest(frames: Iterable[Frame], labels: Sequence[str], places: Sequence[st
     labels
         Label of each frame.
     places
-        The labels to choose views for.
+        Labels to choose frames for.
 
     Returns
     -------
@@ -61,12 +61,12 @@ def sharpest(frames: Iterable[Frame], labels: Sequence[str], places: Sequence[st
 
 
 def draw(views: Mapping[str, Mapping[str, Frame]], places: Sequence[str], width: int = 384) -> Frame:
-    """Arrange views in a row for each home and a column for each place.
+    """Arrange views in a grid, with a row for each home and a column for each place.
 
     Parameters
     ----------
     views
-        Maps each home to its views: place to (H, W, 3) uint8 BGR.
+        Maps each home to its views, which map places to (H, W, 3) uint8 BGR.
     places
         Places of the columns, in order.
     width
@@ -75,7 +75,7 @@ def draw(views: Mapping[str, Mapping[str, Frame]], places: Sequence[str], width:
     Returns
     -------
     numpy.ndarray
-        uint8 BGR; a place that a home lacks stays white.
+        uint8 BGR. If a home lacks a place, its cell stays white.
     """
     height = round(width * 9 / 16)
     head, margin = 30, 4

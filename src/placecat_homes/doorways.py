@@ -39,8 +39,8 @@ def doorway(
     Returns
     -------
     tuple
-        The mesh of frame, leaf, floor and sides in the frame of the plan, and the (4, 2) footprint of the
-        leaf, None without a leaf.
+        The mesh in the frame of the plan, and the (4, 2) footprint of the leaf. The footprint is None if
+        there is no leaf.
     """
     place = plan.doorway(way)
     wall, room = place.walls[-1], plan.room(way.rooms[-1])
@@ -75,7 +75,7 @@ def doorway(
 
 
 def shut(width: float, height: float, style: Style, design: int, hinge: str) -> Mesh:
-    """Build a shut door with a dark surface behind its gaps.
+    """Build a closed door with a dark surface behind its gaps.
 
     Parameters
     ----------
@@ -84,14 +84,14 @@ def shut(width: float, height: float, style: Style, design: int, hinge: str) -> 
     style
         Style of the building.
     design
-        Seed of the look that all doors of the building share.
+        Seed of the design shared by all doors of the building.
     hinge
         "left" or "right".
 
     Returns
     -------
     Mesh
-        The door in the frame of `door`.
+        The door, in the frame that `door` uses.
     """
     made = door(np.random.default_rng(design), style, width, height, 0.1, 0.0, hinge)
     back = box(width, 0.02, height, 0.0).moved(0, -0.12).of(Material((0.05, 0.05, 0.05)))

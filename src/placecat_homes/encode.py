@@ -14,22 +14,22 @@ from numpy.typing import NDArray
 def write_video(
     path: Path, frames: Iterable[NDArray[np.uint8]], *, fps: int, codec: str, quality: int, preset: str
 ) -> int:
-    """Encode frames.
+    """Encode frames and write them to a file.
 
     Parameters
     ----------
     path
         The .mp4 file to write.
     frames
-        (height, width, 3) uint8, BGR; all of the same size, which is even.
+        (height, width, 3) uint8, BGR. All have the same even width and height.
     fps
-        Frames a second.
+        Frames per second.
     codec
-        FFmpeg's name of the encoder.
+        Name of the encoder in FFmpeg.
     quality
-        Constant rate factor: lower values give better quality and larger files.
+        Constant rate factor: lower values mean better quality and larger files.
     preset
-        Speed preset of the encoder: slower ones give smaller files.
+        Speed preset of the encoder: slower presets make smaller files.
 
     Returns
     -------
@@ -41,7 +41,7 @@ def write_video(
         stream: VideoStream | None = None
         for frame in frames:
             if stream is None:
-                # One thread and no version string: the same frames give the same file.
+                # With one thread and no version string, the same frames always produce the same file.
                 options = {"crf": str(quality), "preset": preset, "threads": "1"}
                 stream = cast(VideoStream, container.add_stream(codec, rate=Fraction(fps), options=options))
                 stream.height, stream.width = frame.shape[:2]

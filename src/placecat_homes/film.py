@@ -1,4 +1,4 @@
-"""One video: a building with its light, filmed by a camera on a walk."""
+"""One video: a lit building, filmed by a camera on a walk through it."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -28,17 +28,17 @@ class Shot:
     Attributes
     ----------
     name
-        Name of the video; it seeds the walk and the camera's noise.
+        Name of the video. It seeds the walk and the camera noise.
     building
         Seed of the furniture and surfaces.
     weather, azimuth, elevation
-        See `outside.draw`; the sun's angles in degrees.
+        See `outside.draw`, but the angles are in degrees.
     lamps
         Share of the rooms whose lamps are switched on.
     frames, fps
         Number of frames, and frames per second.
     rooms
-        Names of the rooms to stay in; None for all.
+        Names of the rooms to stay in; all rooms if None.
     """
 
     name: str
@@ -54,12 +54,12 @@ class Shot:
 
 @dataclass(frozen=True)
 class Finish:
-    """How finely to render.
+    """The level of detail of a rendering.
 
     Attributes
     ----------
     edge
-        Longest edge of the triangles that hold the baked light, in metres.
+        Longest edge, in metres, of the triangles that store the baked light.
     texture
         Width of a texture in pixels.
     preview
@@ -93,14 +93,14 @@ class Film:
     lens, sensor_
         The camera's lens and sensor.
     finish
-        How finely to render.
+        The level of detail.
 
     Attributes
     ----------
     building
         The furnished building.
     walk
-        The pose of the camera and the label in each frame.
+        The camera pose and the label of each frame.
     """
 
     def __init__(

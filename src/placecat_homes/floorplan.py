@@ -50,17 +50,17 @@ class FloorPlan:
 
     @classmethod
     def from_dict(cls, name: str, plan: Mapping[str, Any]) -> "FloorPlan":
-        """Read a plan that was loaded from YAML, and check it.
+        """Make a plan from data loaded from YAML, and check it.
 
         Parameters
         ----------
         name
             Name of the plan.
         plan
-            `height`, `rooms` (by name: `kind`, `rect`, and optionally `label` and `part`), `doors` (`rooms`,
-            optionally `kind`, `position`, `width`, `height`, `side`), and optionally `windows` (`room`,
-            `side`, `width`, optionally `position`, `sill`, `top`), `windowless` (rooms without windows) and
-            `glazing`.
+            `height`, `rooms` by name, `doors`, and optionally `windows`, `windowless` (names of rooms) and
+            `glazing`. A room has `kind`, `rect`, and optionally `label` and `part`. A door has `rooms`, and
+            optionally `kind`, `position`, `width`, `height` and `side`. A window has `room`, `side`, `width`,
+            and optionally `position`, `sill` and `top`.
 
         Returns
         -------
@@ -122,7 +122,7 @@ class FloorPlan:
         Raises
         ------
         PlacecatError
-            If the door has no wall to go into.
+            If no wall has space for the door.
         """
         if door.kind == "closed":
             room, wall = self.room(door.rooms[0]), SIDES.index(door.side)
@@ -138,7 +138,7 @@ class FloorPlan:
             if 0 < (face_b - face_a) * outwards <= _THICKEST and high - low > 0.5:
                 low, high = self._between(door, low, high)
                 return Doorway(plan_parts.rect(wall, low, high, face_a, face_b), (wall, (wall + 2) % 4))
-        raise PlacecatError(f"{self.name}: {a.name} and {b.name} share no wall in which a door fits")
+        raise PlacecatError(f"{self.name}: {a.name} and {b.name} share no wall with space for a door")
 
     def _between(self, door: DoorPlan, low: float, high: float) -> tuple[float, float]:
         margin = 0.08
@@ -158,7 +158,7 @@ class FloorPlan:
         name
             Name of the room.
         seed
-            Seed that decides on which side the hinges of doors are.
+            Seed for the hinge sides of the doors.
 
         Returns
         -------
@@ -185,7 +185,7 @@ class FloorPlan:
         return tuple(found)
 
     def hinge(self, door: DoorPlan, seed: int) -> str:
-        """Tell on which side a door's hinge is, seen from the room it swings into: at the nearer corner."""
+        """Return the hinge side of a door, seen from the room it swings into: the side nearer to a corner."""
         left, right = self._corners(door)
         if abs(left - right) < 0.3:
             return ("left", "right")[derive("hinge", self.name, *door.rooms, seed) % 2]
@@ -196,7 +196,7 @@ class FloorPlan:
         return self._corners(door)[0 if self.hinge(door, seed) == "left" else 1]
 
     def _corners(self, door: DoorPlan) -> tuple[float, float]:
-        """Distances in metres from a door to the left and the right corner of the room it swings into."""
+        """Distances in metres from a door to the left and right corners of the room it swings into."""
         way, room = self.doorway(door), self.room(door.rooms[-1])
         wall = way.walls[-1]
         start, end = room.along(wall, *extent(way.rect, wall))
@@ -208,7 +208,7 @@ class FloorPlan:
         Parameters
         ----------
         seed
-            Seed of the sizes and places of the windows.
+            Seed for the sizes and positions of the windows.
 
         Returns
         -------
@@ -262,7 +262,7 @@ class FloorPlan:
         return windows
 
     def _outer(self, room: RoomPlan, wall: int) -> list[tuple[float, float]]:
-        """Stretches of a wall with nothing built behind them and no closed door in them."""
+        """Stretches of a wall that have no building behind them and contain no closed door."""
         low, high, face, outwards = plan_parts.side(room.rect, wall)
         covered = []
         for other in self.rooms:

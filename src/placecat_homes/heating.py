@@ -7,16 +7,16 @@ from placecat_homes.placing.room import Room
 
 
 def heat(room: Room, design: int, rng: np.random.Generator) -> None:
-    """Put a radiator under a window or elsewhere, if enough space is left.
+    """Put a radiator under a window or elsewhere if there is enough space.
 
     Parameters
     ----------
     room
         The furnished room.
     design
-        Seed of the look that all radiators of a building share.
+        Seed of the design shared by all radiators of a building.
     rng
-        Random number generator for the size and the place.
+        Random number generator for the size and position.
     """
     for window in room.windows:
         if window.sill < 0.7:

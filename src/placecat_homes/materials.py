@@ -30,7 +30,7 @@ class Texture:
 
 @dataclass(frozen=True)
 class Material:
-    """How a surface looks.
+    """The appearance of a surface.
 
     Attributes
     ----------
@@ -42,11 +42,11 @@ class Material:
         Mirror reflection at normal incidence, 0 (matt) to 1 (a mirror); it grows towards grazing angles.
         Paint has 0, varnish and tiles 0.03 to 0.06, metal 0.5 to 0.8, mirrors 0.9.
     roughness
-        0 gives a sharp mirror image, 1 only a hint of one.
+        0 for a sharp mirror image, 1 for only a hint of one.
     emission
-        Light given off, as a multiple of the colour; 0 for everything except lamps, screens and the sky.
+        Emitted light as a multiple of the colour; 0 for everything except lamps, screens and the sky.
     opacity
-        1 hides what is behind the surface; glass has 0.1 to 0.3, net curtains 0.5.
+        1 hides everything behind the surface. Glass has 0.1 to 0.3, and net curtains have 0.5.
     """
 
     colour: Colour = (1.0, 1.0, 1.0)

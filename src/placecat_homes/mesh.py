@@ -15,7 +15,7 @@ Point = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Lamp:
-    """A point that gives off light.
+    """A point light source.
 
     Attributes
     ----------
@@ -24,7 +24,7 @@ class Lamp:
     colour
         sRGB.
     power
-        Irradiance at one metre, in units of the light of a bright overcast sky at a window (1.0).
+        Irradiance at one metre; 1.0 is the light of a bright overcast sky at a window.
     radius
         Radius of the luminous body in metres; larger bodies cast softer shadows.
     """
@@ -47,7 +47,7 @@ class Mesh:
     vertices
         (n, 3) float32, metres.
     normals
-        (n, 3) float32, of unit length, outwards.
+        (n, 3) float32, of unit length, pointing outwards.
     uv
         (n, 2) float32, texture coordinates in metres.
     triangles
@@ -84,11 +84,11 @@ class Mesh:
         return self.high - self.low
 
     def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Mesh":
-        """Shift the mesh by metres."""
+        """Shift the mesh by x, y and z in metres."""
         return self.transformed(np.eye(3), (x, y, z))
 
     def turned(self, degrees: float, axis: str = "z") -> "Mesh":
-        """Turn the mesh around an axis through the origin, counter-clockwise seen from the axis's tip."""
+        """Rotate the mesh about the x, y or z axis, counter-clockwise as seen from the tip of the axis."""
         c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
         if axis == "x":
             matrix = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
@@ -99,7 +99,7 @@ class Mesh:
         return self.transformed(matrix, (0.0, 0.0, 0.0))
 
     def scaled(self, x: float, y: float | None = None, z: float | None = None) -> "Mesh":
-        """Stretch the mesh along the axes (equally if only `x` is given); factors are positive."""
+        """Scale the mesh along the axes, equally if only `x` is given. Factors must be positive."""
         factors = np.array([x, x if y is None else y, x if z is None else z], dtype=np.float32)
         normals = self.normals / factors
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
@@ -109,7 +109,7 @@ class Mesh:
         )
 
     def transformed(self, matrix: NDArray[np.float64], shift: Point) -> "Mesh":
-        """Turn the mesh by a (3, 3) rotation, then shift it by metres."""
+        """Rotate the mesh by a (3, 3) matrix, then shift it by a vector in metres."""
         m, s = np.asarray(matrix, dtype=np.float32), np.asarray(shift, dtype=np.float32)
         lamps = tuple(
             replace(lamp, position=_point(m @ np.asarray(lamp.position, np.float32) + s))
@@ -118,7 +118,7 @@ class Mesh:
         return replace(self, vertices=self.vertices @ m.T + s, normals=self.normals @ m.T, lamps=lamps)
 
     def mirrored(self) -> "Mesh":
-        """Exchange left and right (x to -x)."""
+        """Swap left and right: x becomes -x."""
         flip = np.array([-1, 1, 1], dtype=np.float32)
         lamps = tuple(
             replace(lamp, position=(-lamp.position[0], lamp.position[1], lamp.position[2]))
@@ -133,7 +133,7 @@ class Mesh:
         )
 
     def of(self, material: Material) -> "Mesh":
-        """Give the whole mesh one material."""
+        """Use one material for the entire mesh."""
         return replace(self, material=np.zeros(len(self.triangles), np.int16), materials=(material,))
 
     def lit(self, *lamps: Lamp) -> "Mesh":
@@ -162,7 +162,7 @@ def join(*parts: Mesh | Iterable[Mesh]) -> Mesh:
     Returns
     -------
     Mesh
-        All meshes in one; equal materials are merged.
+        The combined mesh, with equal materials merged.
     """
     meshes: list[Mesh] = []
     for part in parts:
@@ -207,7 +207,7 @@ def from_arrays(
     normals: NDArray[np.floating] | None = None,
     uv: NDArray[np.floating] | None = None,
 ) -> Mesh:
-    """Make a mesh of one plain material.
+    """Make a mesh from arrays.
 
     Parameters
     ----------
@@ -216,9 +216,9 @@ def from_arrays(
     triangles
         (m, 3), counter-clockwise seen from outside.
     normals
-        (n, 3); None takes the mean normal of the adjacent triangles, weighted by area (a smooth surface).
+        (n, 3); by default, the area-weighted mean normal of the adjacent triangles, for a smooth surface.
     uv
-        (n, 2) metres; None takes x and y.
+        (n, 2), metres; by default, x and y.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Seamless random fields, from which textures are made."""
+"""Seamless random fields for textures."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,14 +16,15 @@ def smooth(rng: np.random.Generator, pixels: int, power: float, stretch: float =
     pixels
         Width and height of the field.
     power
-        The amplitude falls with the frequency to this power: 0 gives white noise, 1 clouds, 2 soft blots.
+        The amplitude is divided by the frequency to this power: 0 for white noise, 1 for clouds, 2 for soft
+        blots.
     stretch
-        How much longer blots are along x than along y.
+        How many times longer blots are along x than along y.
 
     Returns
     -------
     numpy.ndarray
-        (pixels, pixels) float32 of mean 0 and standard deviation 1.
+        (pixels, pixels) float32 with mean 0 and standard deviation 1.
     """
     spectrum = np.fft.rfft2(rng.standard_normal((pixels, pixels)))
     fy, fx = np.fft.fftfreq(pixels)[:, None], np.fft.rfftfreq(pixels)[None, :]
@@ -59,7 +60,7 @@ def mix(first: NDArray[np.floating], second: NDArray[np.floating], share: Field)
     first, second
         (3,) colours or (pixels, pixels, 3) pictures.
     share
-        (pixels, pixels), 0 gives the first, 1 the second.
+        (pixels, pixels); 0 for the first, 1 for the second.
 
     Returns
     -------
@@ -71,7 +72,7 @@ def mix(first: NDArray[np.floating], second: NDArray[np.floating], share: Field)
 
 
 def cells(pixels: int, columns: int, rows: int, shift: float = 0.0) -> tuple[NDArray[np.intp], Field, Field]:
-    """Divide a picture into cells such as bricks, tiles or planks, every second row shifted.
+    """Divide a picture into cells such as bricks, tiles or planks, with every second row shifted.
 
     Parameters
     ----------
@@ -85,8 +86,8 @@ def cells(pixels: int, columns: int, rows: int, shift: float = 0.0) -> tuple[NDA
     Returns
     -------
     tuple of numpy.ndarray
-        Number of the cell at each pixel, and distances to the nearer upright and level edge, in [0, 0.5]
-        cells.
+        Number of the cell at each pixel, then distances in cells to the nearest vertical and horizontal edge,
+        in [0, 0.5].
     """
     x, y = grid(pixels)
     row = np.floor(y * rows).astype(int)

@@ -1,4 +1,4 @@
-"""What is seen through the windows: sky, trees, houses and ground in all directions."""
+"""The view through the windows: sky, trees, houses and ground in all directions."""
 
 import numpy as np
 

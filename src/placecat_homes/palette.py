@@ -24,7 +24,7 @@ def _seed(rng: Rng) -> int:
 
 
 def colour(rng: Rng, saturation: float = 0.5, low: float = 0.15, high: float = 0.95) -> Colour:
-    """Draw any colour.
+    """Draw a random colour.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ def shade(base: Colour, factor: float) -> Colour:
     base
         sRGB.
     factor
-        Factor on each component.
+        Factor for each component.
 
     Returns
     -------
@@ -122,7 +122,7 @@ def fabric(rng: Rng) -> Material:
 
 
 def plain_fabric(rng: Rng) -> Material:
-    """Draw cloth of one colour: upholstery, towels, sheets."""
+    """Draw cloth of one colour, for upholstery, towels or sheets."""
     first = colour(rng, 0.6, 0.2, 0.95)
     kind = str(rng.choice(["weave", "carpet"]))
     size = 0.1 if kind == "weave" else 0.3
@@ -274,20 +274,20 @@ def paper(rng: Rng) -> Material:
 
 
 def rug(rng: Rng, width: float, depth: float) -> Material:
-    """Draw the pattern of a rug of this size in metres."""
+    """Draw the pattern of a rug. The size is in metres."""
     colours = tuple(colour(rng, 0.75, 0.15, 0.9) for _ in range(4))
     return Material(texture=Texture("rug", colours, (width, depth), _seed(rng)))
 
 
 def art(rng: Rng, width: float, height: float) -> Material:
-    """Draw a picture of this size in metres: abstract, landscape or portrait."""
+    """Draw an abstract picture, a landscape or a portrait. The size is in metres."""
     colours = tuple(colour(rng, 0.8, 0.2, 0.98) for _ in range(4))
     kind = str(rng.choice(["abstract", "landscape", "portrait"], p=[0.4, 0.4, 0.2]))
     return Material(texture=Texture(kind, colours, (width, height), _seed(rng)), gloss=0.02, roughness=0.1)
 
 
 def poster(rng: Rng, width: float, height: float) -> Material:
-    """Draw a printed sheet of this size in metres: notice, calendar, poster."""
+    """Draw a printed sheet, such as a notice, calendar or poster. The size is in metres."""
     base = colour(rng, 0.4, 0.75, 0.97)
     texture = Texture(
         "text", (base, colour(rng, 0.3, 0.05, 0.3), colour(rng, 0.8)), (width, height), _seed(rng)

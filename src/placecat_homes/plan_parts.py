@@ -1,6 +1,6 @@
-"""The rooms, doors and windows of a floor plan, and where they are.
+"""The rooms, doors and windows of a floor plan, and their positions.
 
-Sides of a room are south (y0), east (x1), north (y1) and west (x0); they are walls 0 to 3 of `Room`.
+The sides of a room are south (y0), east (x1), north (y1) and west (x0). They are walls 0 to 3 of `Room`.
 """
 
 from dataclasses import dataclass
@@ -20,11 +20,11 @@ class RoomPlan:
     name
         Unique name of the room.
     kind
-        Kind of room, which decides the furniture.
+        Kind of room, which determines the furniture.
     rect
         x0, y0, x1, y1 of its inner faces in metres.
     label
-        Label of the place that frames in this room have.
+        Label of the frames in this room.
     part
         Part of the building that the room is in; "" if the building has no parts.
     """
@@ -41,7 +41,7 @@ class RoomPlan:
         return self.rect[2] - self.rect[0], self.rect[3] - self.rect[1]
 
     def along(self, wall: int, low: float, high: float) -> tuple[float, float]:
-        """Convert world coordinates along a wall to metres from its left end, seen from inside."""
+        """Convert world coordinates along a wall to metres from its left end, as seen from inside."""
         x0, y0, x1, y1 = self.rect
         if wall == 0:
             return x1 - high, x1 - low
@@ -109,7 +109,7 @@ class Doorway:
     rect
         x0, y0, x1, y1 of the opening in the wall, from face to face, in metres.
     walls
-        For each room of the door, the number of the wall that it is in.
+        For each room of the door, the number of the wall that the door is in.
     """
 
     rect: Rect
@@ -123,19 +123,19 @@ class Doorway:
 
 
 def side(rect: Rect, wall: int) -> tuple[float, float, float, int]:
-    """Return where a side starts and ends, its coordinate across, and the sign of the outward direction."""
+    """Return the ends of a side, its position on the other axis, and the sign of the outward direction."""
     x0, y0, x1, y1 = rect
     return ((x0, x1, y0, -1), (y0, y1, x1, 1), (x0, x1, y1, 1), (y0, y1, x0, -1))[wall]
 
 
 def rect(wall: int, low: float, high: float, face: float, beyond: float) -> Rect:
-    """Return the rectangle from a face of a wall to what lies beyond it."""
+    """Return the rectangle from `low` to `high` along a wall, and from `face` to `beyond` across it."""
     near, far = min(face, beyond), max(face, beyond)
     return (low, near, high, far) if wall % 2 == 0 else (near, low, far, high)
 
 
 def extent(rect: Rect, wall: int) -> tuple[float, float]:
-    """Return where a rectangle starts and ends along a wall."""
+    """Return the start and end of a rectangle along a wall."""
     return (rect[0], rect[2]) if wall % 2 == 0 else (rect[1], rect[3])
 
 

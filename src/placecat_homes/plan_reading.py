@@ -11,7 +11,7 @@ _DOOR_KINDS = ("door", "open", "glass", "closed")
 
 
 def read_room(plan: str, name: str, value: Mapping[str, Any]) -> RoomPlan:
-    """Read a room of a plan; an invalid one raises PlacecatError."""
+    """Read a room of a plan. Raises PlacecatError if it is invalid."""
     where = f"{plan}, room {name}"
     refuse_unknown(value, ["kind", "rect", "label", "part"], where)
     rect = _numbers(value["rect"], where)
@@ -29,7 +29,7 @@ def _numbers(values: Sequence[Any], where: str) -> Rect:
 
 
 def read_door(plan: str, value: Mapping[str, Any]) -> DoorPlan:
-    """Read a door of a plan; an invalid one raises PlacecatError."""
+    """Read a door of a plan. Raises PlacecatError if it is invalid."""
     rooms = tuple(str(room) for room in value["rooms"])
     where = f"{plan}, door {' - '.join(rooms)}"
     refuse_unknown(value, ["rooms", "kind", "position", "width", "height", "side"], where)
@@ -46,13 +46,13 @@ def read_door(plan: str, value: Mapping[str, Any]) -> DoorPlan:
 
 
 def read_window(plan: str, rooms: Mapping[str, RoomPlan], value: Mapping[str, Any]) -> WindowPlan:
-    """Read a window of a plan; an invalid one raises PlacecatError."""
+    """Read a window of a plan. Raises PlacecatError if it is invalid."""
     name = str(value["room"])
     where = f"{plan}, window of {name}"
     refuse_unknown(value, ["room", "side", "width", "position", "sill", "top"], where)
     if name not in rooms or value["side"] not in SIDES:
         raise PlacecatError(
-            f"{where}: the room is not in the plan, or the side is none of south, east, north, west"
+            f"{where}: the room must be in the plan, and the side must be south, east, north or west"
         )
     low, high, _, _ = side(rooms[name].rect, SIDES.index(value["side"]))
     width, margin = float(value["width"]), 0.15

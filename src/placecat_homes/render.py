@@ -1,4 +1,4 @@
-"""Render the videos that come with the project from the settings in conf/ of this package."""
+"""Render the videos of the project, using the settings in conf/ of this package."""
 
 import csv
 import tempfile
@@ -28,7 +28,7 @@ TEMPORARY = ".rendering-"
 
 
 def render(names: Sequence[str] = ()) -> None:
-    """Render videos into data/ of the current folder and draw the contact sheet.
+    """Render videos into data/ in the current folder and draw the contact sheet.
 
     Parameters
     ----------
@@ -38,13 +38,13 @@ def render(names: Sequence[str] = ()) -> None:
     Raises
     ------
     PlacecatError
-        If a video is unknown, the extra is missing, or the current folder is not that of the project.
+        If a video is unknown, the extra is missing, or the current folder is not the project's folder.
     """
     videos = listed()
     wanted = names or tuple(videos)
     for name in wanted:
         if name not in videos:
-            raise PlacecatError(f"no video has the name {name!r}: choose from {', '.join(videos)}")
+            raise PlacecatError(f"there is no video {name!r}: choose from {', '.join(videos)}")
     if not DATASET.is_file():
         raise PlacecatError(f"{DATASET} is missing: run this command in the project's folder")
     in_parallel(_render, [(name,) for name in wanted], "rendering videos", locally=True)
@@ -52,7 +52,7 @@ def render(names: Sequence[str] = ()) -> None:
 
 
 def draw_contact_sheet() -> None:
-    """Write a view of every place of each home to data/contact_sheet.jpg."""
+    """Write data/contact_sheet.jpg, which shows every place in each home."""
     dataset = _read(DATASET)
     chosen = _read_settings("contact_sheet")
     views = {}
@@ -95,7 +95,7 @@ def film(name: str, **changes: Any) -> "Film":
     Returns
     -------
     Film
-        The film with its light, not yet rendered.
+        The film, lit but not yet rendered.
 
     Raises
     ------
@@ -118,7 +118,7 @@ def assemble(
     size: tuple[int, int] | None = None,
     **changes: Any,
 ) -> "Film":
-    """Make a film of a plan and the settings of its video.
+    """Make a film from a plan and the settings of its video.
 
     Parameters
     ----------
@@ -131,14 +131,14 @@ def assemble(
     where
         How messages refer to the settings of the video.
     size
-        Width and height of a frame in pixels; None takes those of the camera.
+        Width and height of a frame in pixels; by default, those of the camera.
     **changes
         Values that override settings in conf/finish.yaml.
 
     Returns
     -------
     Film
-        The film with its light, not yet rendered.
+        The film, lit but not yet rendered.
 
     Raises
     ------
@@ -203,7 +203,7 @@ def write(made: "Film", video: Path, labels: Path, *, fps: int) -> None:
 
 @contextmanager
 def writing(target: Path) -> Iterator[tuple[Path, Path]]:
-    """Yield temporary paths of a video and its labels; rename them, the video last, if the block succeeds."""
+    """Yield temporary paths for a video and its labels. On success, rename them, the video last."""
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent, prefix=TEMPORARY) as folder:
         video, labels = Path(folder) / target.name, Path(folder) / f"{target.stem}.csv"

@@ -1,4 +1,4 @@
-"""A mesh made ready for rendering: fine enough to hold the light, with its textures drawn."""
+"""A mesh prepared for rendering: subdivided for the baked light, with its textures drawn."""
 
 from dataclasses import dataclass
 
@@ -10,14 +10,14 @@ from placecat_homes.materials import Material
 from placecat_homes.mesh import Floats, Lamp, Mesh
 
 LEVELS = 6
-"""Number of sizes in which a texture is kept, each half of the one before."""
+"""Number of sizes in which a texture is stored. Each size is half the previous one."""
 THIN = 0.03
-"""Thickness in metres below which the edges of triangles may be three times longer."""
+"""Triangles thinner than this, in metres, may have edges three times as long."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """The surfaces and lamps of everything to render.
+    """The surfaces and lamps to render.
 
     Attributes
     ----------
@@ -52,7 +52,7 @@ class Scene:
 
 
 def linear(srgb: NDArray[np.floating] | tuple[float, ...]) -> Floats:
-    """Turn sRGB values in [0, 1] into linear light (IEC 61966-2-1)."""
+    """Convert sRGB values in [0, 1] to linear light (IEC 61966-2-1)."""
     value = np.asarray(srgb, dtype=np.float32)
     return np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4).astype(np.float32)
 
@@ -65,8 +65,8 @@ def prepare(mesh: Mesh, *, edge: float, pixels: int = 256) -> Scene:
     mesh
         In world coordinates, metres.
     edge
-        Longest edge of a triangle in metres, which limits how finely baked light varies; for thin triangles,
-        it is 3 times longer.
+        Longest edge of a triangle in metres, which limits the detail of the baked light. Thin triangles may
+        have edges three times as long.
     pixels
         Width of a texture; a power of two, at least 2**(LEVELS - 1).
 
@@ -127,7 +127,7 @@ def _pyramid(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def subdivide(mesh: Mesh, edge: float) -> Mesh:
-    """Split edges longer than a limit, alike on both sides, until none is left.
+    """Split edges until none is longer than a limit. Triangles that share an edge stay connected.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def subdivide(mesh: Mesh, edge: float) -> Mesh:
     for _ in range(16):
         pairs = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]], axis=2)
         length = np.linalg.norm(vertices[pairs[..., 0]] - vertices[pairs[..., 1]], axis=2)
-        # Bars and bevels are so thin that light varies only along them, and slowly.
+        # Bars and bevels are so thin that light varies only along them, and only slowly.
         limit = np.where(_thickness(vertices, faces, length) < THIN, 3 * edge, edge)
         keys = pairs[..., 0] * len(vertices) + pairs[..., 1]
         unique = np.unique(keys[length > limit[:, None]])
@@ -181,8 +181,8 @@ def _thickness(vertices: Floats, faces: NDArray[np.int64], length: Floats) -> Fl
 def _split(
     faces: NDArray[np.int64], middle: NDArray[np.int64], length: Floats, material: NDArray[np.int16]
 ) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
-    # Turn every triangle so that its longest edge comes first; which of the other two edges are also split
-    # then decides the pattern.
+    # Reorder the corners of every triangle so that its longest split edge comes first. The pattern then
+    # depends on which of the other two edges are split.
     rows = np.arange(len(faces))[:, None]
     order = (np.argmax(np.where(middle >= 0, length, -1), axis=1)[:, None] + np.arange(3)) % 3
     f, m = faces[rows, order], middle[rows, order]

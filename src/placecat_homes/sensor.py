@@ -1,4 +1,4 @@
-"""Turn the light that a lens lets through into the frames of a cheap video camera."""
+"""The sensor of a cheap video camera, which turns light into frames."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ class Sensor:
     Attributes
     ----------
     key
-        Linear grey level, 0 to 1, that automatic exposure gives the logarithmic mean of a frame.
+        Linear grey level, 0 to 1, to which automatic exposure moves the logarithmic mean of a frame.
     lag
         Share of the exposure error that is corrected from frame to frame; below 1, exposure lags behind.
     drift
@@ -30,13 +30,13 @@ class Sensor:
     saturation
         1 keeps the colours; lower values fade them.
     shutter
-        Share of the time between two frames for which the shutter is open, which causes motion blur.
+        Share of the time between two frames for which the shutter is open. It determines the motion blur.
     blur
         Blur of the lens, standard deviation in pixels.
     sharpen
         Amount of sharpening by the camera's electronics.
     noise
-        Standard deviation of the sensor's noise at mid grey, on a scale of 255 grey levels.
+        Standard deviation of the sensor noise at mid grey, on a scale of 255 grey levels.
     vignette
         Share of the light that is lost in the corners.
     """
@@ -55,12 +55,12 @@ class Sensor:
 
 
 def exposures(previews: NDArray[np.floating], sensor: Sensor, seed: int) -> Floats:
-    """Compute how a camera sets the exposure and white balance of a sequence of frames.
+    """Compute the automatic exposure and white balance for a sequence of frames.
 
     Parameters
     ----------
     previews
-        (frames, h, w, 3) linear radiance of all frames in a small size, in order.
+        (frames, h, w, 3) linear radiance of small versions of all frames, in order.
     sensor
         The camera.
     seed
@@ -103,7 +103,7 @@ def motion(pose: Pose, following: Pose, lens: Lens, distance: Floats, shutter: f
     lens
         Lens of the camera.
     distance
-        (height, width) metres along each ray.
+        (height, width), distance along each ray in metres.
     shutter
         Share of the time between the two frames for which the shutter is open.
 
@@ -134,7 +134,7 @@ def smear(radiance: Floats, flow: Floats, most: int = 9) -> Floats:
     flow
         (height, width, 2) float32 pixels.
     most
-        Largest number of copies that are averaged.
+        Maximum number of copies to average.
 
     Returns
     -------

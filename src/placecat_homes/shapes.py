@@ -1,4 +1,7 @@
-"""Shapes that furniture is built from: in metres, standing on z = 0, closed or thin, wound outwards."""
+"""Shapes that furniture is built from.
+
+They are measured in metres, and most stand on z = 0. Each is a closed body wound outwards, or a thin surface.
+"""
 
 import math
 from collections.abc import Callable, Sequence
@@ -13,7 +16,9 @@ from placecat_homes.mesh import Mesh, from_arrays, join
 
 
 def quad(width: float, height: float) -> Mesh:
-    """Draw an upright rectangle on z = 0, centred in x, seen from +y; its texture starts at the lower left.
+    """Build an upright rectangle on z = 0 that faces +y and is centred in x.
+
+    Its texture starts at the lower left.
 
     Parameters
     ----------
@@ -33,7 +38,7 @@ def quad(width: float, height: float) -> Mesh:
 
 
 def slab(width: float, depth: float) -> Mesh:
-    """Draw a level rectangle seen from above, with its back edge on y = 0.
+    """Build a horizontal rectangle that faces up, with its back edge on y = 0.
 
     Parameters
     ----------
@@ -51,14 +56,14 @@ def slab(width: float, depth: float) -> Mesh:
 
 
 def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh:
-    """Draw a box with bevelled edges, its back on y = 0.
+    """Build a box with bevelled edges and its back on y = 0.
 
     Parameters
     ----------
     width, depth, height
         Metres.
     bevel
-        Width of the bevel in metres; 0 gives sharp edges.
+        Width of the bevel in metres; 0 for sharp edges.
 
     Returns
     -------
@@ -75,11 +80,12 @@ def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh
 
 
 class _Box(NamedTuple):
-    """What boxes of all sizes have in common.
+    """The parts of a box that do not depend on its size.
 
-    Of each of n vertices: the `signs` (n, 3) of its coordinates, which of them are on the surface
-    (`is_outer`), not the bevel's width further in, and its `normals`. Texture coordinates are the two
-    `columns` of coordinates, (n,) each, but on a bevel the second is a share, `across`, of its width.
+    For each of n vertices, `signs` (n, 3) are the signs of its coordinates. `is_outer` (n, 3) is true for
+    coordinates on the surface, and false for those one bevel width further in. The two `columns`, (n,) each,
+    select the coordinates that are used as texture coordinates. On a bevel, the second is `across` times the
+    bevel width.
     """
 
     signs: NDArray[np.float64]
@@ -160,20 +166,21 @@ def _flat(points: Sequence[tuple[float, ...]], uv: Sequence[tuple[float, ...]]) 
 
 
 def lathe(profile: Sequence[tuple[float, float]], segments: int = 20) -> Mesh:
-    """Turn a profile around the z axis, as a wood-turner or potter would.
+    """Revolve a profile around the z axis, as a wood-turner or potter would.
 
     Parameters
     ----------
     profile
-        (radius, height) pairs from bottom to top along the outside, in metres. A vessel goes up outside and
-        down again inside. Corners of less than 140 degrees stay sharp.
+        (radius, height) pairs from bottom to top along the outside, in metres. The profile of a vessel goes
+        up on the outside and down again on the inside. Corners of less than 140 degrees stay sharp.
     segments
         Number of segments around the axis.
 
     Returns
     -------
     Mesh
-        A body centred on the axis. u runs around (in metres at the largest radius), v along the profile.
+        A body centred on the axis. u runs around the axis (in metres at the largest radius), v along the
+        profile.
     """
     points = np.asarray(profile, dtype=np.float64)
     points = points[np.r_[True, np.any(np.abs(np.diff(points, axis=0)) > 1e-9, axis=1)]]
@@ -219,7 +226,7 @@ def _turned(points: NDArray[np.float64], segments: int, reach: float) -> Mesh:
 
 @cache
 def _lattice(rows: int, columns: int) -> NDArray[np.int32]:
-    """Triangles of a lattice whose vertices are stored row by row, facing outwards if rows x columns does."""
+    """Triangles of a lattice with vertices stored row by row, facing in the direction of rows x columns."""
     i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")
     a = (i * columns + j).ravel()
     b, c, d = a + columns, a + columns + 1, a + 1
@@ -230,13 +237,13 @@ def _lattice(rows: int, columns: int) -> NDArray[np.int32]:
 
 
 def _cross(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Like NumPy's for two vectors, but much faster."""
+    """Return the cross product of two vectors, much faster than NumPy."""
     (a, b, c), (x, y, z) = one.tolist(), other.tolist()
     return np.array([b * z - c * y, c * x - a * z, a * y - b * x])
 
 
 def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.003) -> Mesh:
-    """Draw an upright cylinder with closed ends and bevelled rims, around the z axis.
+    """Build an upright cylinder around the z axis, with closed ends and bevelled rims.
 
     Parameters
     ----------
@@ -260,7 +267,7 @@ def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.
 def superellipsoid(
     width: float, depth: float, height: float, e1: float = 0.5, e2: float = 0.5, segments: int = 20
 ) -> Mesh:
-    """Draw a body between a box (exponents near 0) and an ellipsoid (1): pillows, cushions, stones.
+    """Build a body between a box (exponents near 0) and an ellipsoid (1), such as a pillow or a stone.
 
     Parameters
     ----------
@@ -300,18 +307,17 @@ def superellipsoid(
 def extrude(
     outline: Sequence[tuple[float, float]], length: float, *, smooth: bool = False, caps: bool = True
 ) -> Mesh:
-    """Push a level outline upwards.
+    """Extrude a horizontal outline upwards.
 
     Parameters
     ----------
     outline
-        (x, y) corners in metres, counter-clockwise seen from above, not crossing itself. Caps are fans from
-        the first corner: for outlines that are not convex, choose a first corner from which all others are
-        visible.
+        (x, y) corners in metres, counter-clockwise as seen from above. The outline must not cross itself.
+        Caps are fans from the first corner, so all other corners must be visible from it.
     length
         Height in metres.
     smooth
-        Shade the sides as if they were rounded instead of with sharp edges.
+        Shade the sides as one rounded surface, without sharp edges.
     caps
         Close the bottom and the top.
 
@@ -360,7 +366,7 @@ def extrude(
 
 
 def tube(path: Sequence[tuple[float, float, float]], radius: float, segments: int = 10) -> Mesh:
-    """Draw a round bar along a line, for rails, taps, handles, wires and chair frames.
+    """Build a round bar along a line, for rails, taps, handles, wires and chair frames.
 
     Parameters
     ----------
@@ -420,15 +426,15 @@ def sheet(
     columns: int,
     size: tuple[float, float] = (1.0, 1.0),
 ) -> Mesh:
-    """Draw a smooth surface defined by a function, for blankets, towels, leaves and basins.
+    """Build a smooth surface defined by a function, for blankets, towels, leaves and basins.
 
     Parameters
     ----------
     surface
-        Function of s and t in [0, 1], each (rows + 1, columns + 1), that returns x, y, z in metres. The
-        derivative along s crossed with that along t points to the outside.
+        Function of s and t in [0, 1], each (rows + 1, columns + 1), that returns x, y, z in metres. The cross
+        product of its derivatives along s and t points outwards.
     rows, columns
-        Cells along s and along t.
+        Number of cells along s and t.
     size
         Largest texture coordinates along s and t, in metres.
 

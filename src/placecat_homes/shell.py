@@ -24,7 +24,7 @@ Hole = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Finish:
-    """The finish of the surfaces of a room, drawn from the same distributions for every kind of room.
+    """The surface finish of a room, drawn from the same distributions for every kind of room.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class Finish:
         rng
             Random number generator.
         floor, wall
-            Materials that most rooms of the building have.
+            Materials used in most rooms of the building.
 
         Returns
         -------
@@ -100,16 +100,16 @@ def shell(room: Room, finish: Finish, corner: tuple[float, float] = (0.0, 0.0)) 
     Parameters
     ----------
     room
-        The room, of which only size and openings are used.
+        The room. Only its size and its openings are used.
     finish
         Finish of the surfaces.
     corner
-        World x and y of the room's corner, so that floor patterns continue from room to room.
+        World x and y of the corner of the room. They let floor patterns continue from room to room.
 
     Returns
     -------
     Mesh
-        The shell in the frame of the room; what lies in its door openings is built elsewhere.
+        The shell in the frame of the room, without the parts in its door openings.
     """
     w, d, h = room.width, room.depth, room.height
     level = np.array([(0, 0), (w, 0), (w, d), (0, d)], dtype=np.float64)
@@ -168,7 +168,7 @@ def passage(width: float, height: float, wall: float, sides: Material | None, fl
     Returns
     -------
     Mesh
-        The near face of the wall is y = 0, the far one y = -wall.
+        The near face of the wall is at y = 0, the far face at y = -wall.
     """
     ground = _level(width, wall).of(floor)
     if sides is None:
@@ -273,7 +273,7 @@ def _boards(
 
 
 def _strip(start: float, end: float, profile: Sequence[tuple[float, float]], z: float) -> Mesh:
-    """A board along a wall, without a back; its profile of (inwards, upwards) points runs upwards."""
+    """A board along a wall, without a back. Its profile lists (inwards, upwards) points, lowest first."""
     parts = []
     for (y0, z0), (y1, z1) in pairwise(profile):
         points = [(-start, y0, z0 + z), (-end, y0, z0 + z), (-end, y1, z1 + z), (-start, y1, z1 + z)]
@@ -302,7 +302,7 @@ def _between(length: float, gaps: Sequence[tuple[float, ...]]) -> list[tuple[flo
 
 
 def _switches(openings: Sequence[Opening]) -> list[Mesh]:
-    """A light switch beside each door, on the side of the handle."""
+    """A light switch beside each door, on the handle side."""
     parts = []
     for opening in openings:
         if opening.kind == "door" and opening.passage:

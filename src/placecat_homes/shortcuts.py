@@ -1,7 +1,7 @@
-"""Test how well colour, brightness or file size alone tell the rooms of unseen homes apart.
+"""Test how well colour, brightness or file size alone can identify the rooms of unseen homes.
 
-A room should be recognized by what is in it. ``python -m placecat_homes.shortcuts FOLDER``
-prints the table for the homes in a folder.
+A room should be recognized by what is in it. ``python -m placecat_homes.shortcuts FOLDER`` prints a table of
+the accuracies for the homes in a folder.
 """
 
 import argparse
@@ -27,11 +27,11 @@ from placecat_homes.drawn.rendering import dataset
 from placecat_homes.mp4 import frame_sizes
 
 LIMIT = 35
-"""Accuracy in percent that no shortcut may exceed in the mean over the homes; chance is 20."""
+"""Highest allowed accuracy of a shortcut in percent, averaged over the homes; chance is 20."""
 EVERY = 3
 """Every third labelled frame is used, as in the thesis."""
 AROUND = 25
-"""Number of frames over which the video size is also averaged: 5 s at 5 frames a second."""
+"""Number of frames over which the video size is also averaged: 5 s at 5 frames per second."""
 
 Shortcuts = dict[str, NDArray[np.float64]]
 
@@ -45,7 +45,7 @@ CLASSIFIERS: dict[str, Callable[[int], Any]] = {
         100, min_samples_leaf=5, class_weight="balanced", random_state=0
     ),
 }
-"""From the number of classes to an untrained classifier, with equally likely classes where possible."""
+"""Functions that make an untrained classifier for a number of classes, with equal weights if possible."""
 
 
 def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
@@ -54,14 +54,15 @@ def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
     Parameters
     ----------
     dataset
-        As in conf/dataset, in the layout "video", with an absolute root; at least two homes.
+        Settings as in conf/dataset, with the layout "video", an absolute root and at least two homes.
     every
         Step between the labelled frames that are used.
 
     Returns
     -------
     pandas.DataFrame
-        Percent by shortcut and classifier, with a column for each home and `average`.
+        Accuracy in percent, with a row for each shortcut and classifier, and columns for the homes and
+        `average`.
 
     Raises
     ------
@@ -69,7 +70,7 @@ def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
         If there is only one home.
     """
     if len(dataset["homes"]) < 2:
-        raise PlacecatError(f"{dataset['root']}: shortcuts need at least two homes, one of them for the test")
+        raise PlacecatError(f"{dataset['root']}: shortcuts need at least two homes, one of them for testing")
     seen = [_see(dataset, home, every) for home in dataset["homes"]]
     truths = [truth for truth, _ in seen]
     n_classes = len(dataset["classes"])
@@ -84,7 +85,7 @@ def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
 
 
 def _see(dataset: Mapping[str, Any], name: str, every: int) -> tuple[NDArray[np.int16], Shortcuts]:
-    """Classes and shortcuts of the labelled frames of a home."""
+    """Return the classes and shortcuts of the labelled frames in a home."""
     home = open_home(dataset["layout"], dataset["root"], name, fps=dataset["fps"])
     truth = place_labels(home.frames["label"], dataset["classes"], dataset["ignored"], dataset["aliases"])
     used = np.flatnonzero(truth >= 0)[::every]
@@ -110,7 +111,7 @@ def _look(frame: NDArray[np.uint8]) -> dict[str, Any]:
 
 
 def _mean(image: NDArray[Any]) -> NDArray[np.float64]:
-    """Mean of each channel, with the bits of NumPy's, which is much slower: both sums are exact."""
+    """Return the mean of each channel, faster than NumPy. Both sums are exact, so the results are equal."""
     channels = 1 if image.ndim == 2 else image.shape[2]
     return np.array(cv2.sumElems(image)[:channels]) / (image.shape[0] * image.shape[1])
 
@@ -121,7 +122,7 @@ def _leave_one_out(
     n_classes: int,
     make: Callable[[int], Any],
 ) -> list[float]:
-    """Mean accuracy over each home's classes in percent, by a classifier trained on all other homes."""
+    """Return the mean class accuracy of each home in percent, by a classifier trained on all other homes."""
     accuracies = []
     for left, (own, truth) in enumerate(zip(values, truths, strict=True)):
         others = [home for home in range(len(values)) if home != left]
@@ -133,7 +134,7 @@ def _leave_one_out(
 
 
 def report(table: pd.DataFrame) -> str:
-    """Format the table of :func:`measure` as Markdown, and tell whether any shortcut is above `LIMIT`."""
+    """Format the table of :func:`measure` as Markdown, followed by the best shortcut and the limit."""
     lines = [
         "| " + " | ".join([*map(str, table.index.names), *table.columns]) + " |",
         "|" + "---|" * len(table.index.names) + "---:|" * len(table.columns),
@@ -151,10 +152,10 @@ def report(table: pd.DataFrame) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Judge the homes in a folder; exit with status 1 if a shortcut is above `LIMIT`."""
+    """Test the homes in a folder; exit with status 1 if a shortcut is above `LIMIT`."""
     parser = argparse.ArgumentParser(
         prog="python -m placecat_homes.shortcuts",
-        description="Print how well colour, brightness and file size alone tell rooms of unseen homes apart.",
+        description="Print how well colour, brightness and file size alone identify rooms of unseen homes.",
     )
     parser.add_argument("folder", type=Path, help="folder of videos with labels, laid out like data/homes")
     folder = parser.parse_args(arguments).folder

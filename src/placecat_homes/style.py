@@ -1,4 +1,4 @@
-"""The taste of a household, which all rooms of one home share."""
+"""The taste of a household, shared by all rooms of its home."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ class Style:
     Attributes
     ----------
     wood, second_wood
-        Woods of most furniture.
+        Woods used for most of the furniture.
     metal
         Material of taps, handles and lamps.
     trim
@@ -27,9 +27,9 @@ class Style:
     modern
         From old-fashioned (0) to modern (1).
     clutter
-        How much lies about, 0 to 1.
+        How cluttered the home is, 0 to 1.
     fabrics
-        Cloth that turns up in several rooms.
+        Fabrics used in several rooms.
     """
 
     wood: Material

@@ -18,11 +18,11 @@ class Hits(NamedTuple):
     triangle
         (r,) int32; -1 if nothing is hit.
     u, v
-        (r,) float32, barycentric: weights of the second and third corner.
+        (r,) float32, barycentric weights of the second and third corners.
     distance
         (r,) float32, metres; very large if nothing is hit.
     across
-        (r, 3) float32, normal of the flat triangle, of any length and on either side.
+        (r, 3) float32, normal of the flat triangle, of any length. It may point to either side.
     """
 
     triangle: NDArray[np.int32]
@@ -33,7 +33,7 @@ class Hits(NamedTuple):
 
 
 class Tracer:
-    """Triangles that can be tested against rays.
+    """Triangles to intersect with rays.
 
     Parameters
     ----------
@@ -59,13 +59,13 @@ class Tracer:
         Returns
         -------
         Hits
-            The hit of each ray.
+            The first hit of each ray.
         """
         found = self._scene.run(_rays(origins), _rays(directions), output=1)
         return Hits(found["primID"], found["u"], found["v"], found["tfar"], found["Ng"])
 
     def blocked(self, origins: Floats, directions: Floats, distances: Floats) -> NDArray[np.bool_]:
-        """Tell whether rays hit anything within a distance.
+        """Return whether rays hit anything within a distance.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""What a pinhole camera sees of a lit scene."""
+"""The view of a lit scene through a pinhole camera."""
 
 import math
 from dataclasses import dataclass
@@ -13,12 +13,12 @@ from placecat_homes.tracer import Tracer
 
 DECODE = linear(np.arange(256) / 255)
 METAL = 0.3
-"""Least gloss at which a surface tints its reflection."""
+"""Minimum gloss at which a surface tints its reflection."""
 
 
 @dataclass(frozen=True)
 class Pose:
-    """Where a camera is, and where it looks.
+    """Where a camera is and where it looks.
 
     Attributes
     ----------
@@ -64,8 +64,8 @@ class Lens:
     field
         Horizontal field of view in degrees.
     distortion
-        Radial distortion: the tangent of a ray's angle grows by this share of its square; negative values
-        give barrel distortion.
+        Radial distortion: the tangent of the angle of a ray is r * (1 - distortion * r**2), where r is the
+        distance from the centre in the image plane. Negative values cause barrel distortion.
     """
 
     width: int
@@ -95,7 +95,7 @@ class Viewer:
     daylight
         The daylight with which the light was baked.
     glare
-        Factor by which the world outside looks brighter than the light it sheds, since cameras overexpose it.
+        Factor that brightens the view outside, because cameras overexpose it. The light stays the same.
     """
 
     def __init__(self, scene: Scene, light: Floats, daylight: Daylight, *, glare: float = 1.0) -> None:
@@ -183,7 +183,7 @@ class Viewer:
         cosine = np.clip(-np.einsum("ij,ij->i", rays, normal), 0, 1)
         grazing = (1 - cosine) ** 5 * (1 - 0.8 * roughness) * (gloss > 0)
         reflection = gloss * (1 - 0.5 * roughness) + (1 - gloss) * grazing
-        # Rays that the rounded normal would send into the body are left out.
+        # Rays that the smoothed normal would send into the body are left out.
         mirrored = rays + 2 * cosine[:, None] * normal
         leaving = np.einsum("ij,ij->i", mirrored, across) * np.einsum("ij,ij->i", rays, across) < 0
         reflection *= hit & leaving

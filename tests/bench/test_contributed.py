@@ -8,8 +8,8 @@ PICTURE = np.random.default_rng(0).integers(0, 256, (60, 80, 3)).astype(np.uint8
 NAME = "StaticSaliencySpectralResidual"
 
 
-def test_another_opencv_computes_in_a_process_of_its_own(tmp_path, monkeypatch):
-    """A stand-in for the package that records its pictures."""
+def test_contributed_opencv_runs_in_a_separate_process(tmp_path, monkeypatch):
+    """The package is replaced with one that records its pictures."""
     (tmp_path / "cv2.py").write_text(
         "def setNumThreads(number): ...\n"
         "class saliency:\n"
@@ -25,7 +25,7 @@ def test_another_opencv_computes_in_a_process_of_its_own(tmp_path, monkeypatch):
     assert (tmp_path / "log").read_text().splitlines() == ["(60, 80, 3)", "(30, 80, 3)"] * 2
 
 
-def test_a_missing_package_has_a_remedy(tmp_path, monkeypatch, capfd):
+def test_a_missing_package_raises_an_error_with_a_remedy(tmp_path, monkeypatch, capfd):
     (tmp_path / "cv2.py").write_text("raise ImportError")
     monkeypatch.setattr(contributed, "FOLDER", tmp_path)
     with (

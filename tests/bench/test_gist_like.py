@@ -3,7 +3,7 @@ import numpy as np
 from placecat_bench.gist_like import CLASSES, draw_frames
 
 
-def test_every_home_has_every_place_on_several_visits():
+def test_every_home_visits_every_place_several_times():
     frames = draw_frames(503, 7, range(3))
     assert frames.descriptors.shape == (503, 7)
     assert frames.descriptors.dtype == np.float32
@@ -20,7 +20,7 @@ def test_a_home_does_not_depend_on_the_others():
     assert not np.allclose(alone.descriptors, other.descriptors)
 
 
-def test_neighbours_resemble_each_other_and_features_are_correlated():
+def test_consecutive_frames_are_similar_and_features_are_correlated():
     frames = draw_frames(2000, 40, range(2)).descriptors
     step = np.square(np.diff(frames, axis=0)).mean()
     assert step < 0.6 * np.square(frames[500:] - frames[:-500]).mean()

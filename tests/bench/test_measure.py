@@ -12,13 +12,13 @@ PEER = Peer("NumPy: sort", "numpy")
 
 
 class Clock:
-    """A clock that each call advances by its duration."""
+    """A clock that every call advances by its duration."""
 
     def __init__(self, monkeypatch):
         self.now = 0.0
         self.calls = []
         monkeypatch.setattr("placecat_bench.timing.time.perf_counter", lambda: self.now)
-        # Quick, since earlier tests may have left much garbage.
+        # Skip garbage collection, since earlier tests may have left a lot of garbage.
         monkeypatch.setattr("placecat_bench.timing.gc.collect", lambda: None)
 
     def call(self, name, *durations):
@@ -31,7 +31,7 @@ class Clock:
         return spend
 
 
-def test_pairs_are_made_in_turn_after_a_warm_up(monkeypatch):
+def test_pairs_are_timed_in_alternating_order_after_a_warm_up(monkeypatch):
     clock = Clock(monkeypatch)
     times = time_in_turn(clock.call("a", 100, 1, 2, 3), clock.call("b", 100, 4, 5, 6), repeats=3)
     assert clock.calls == ["a", "b", "a", "b", "b", "a", "a", "b"]
@@ -72,13 +72,13 @@ def test_a_limit_is_measured_once(monkeypatch):
     assert asked == [1]
 
 
-def test_a_peer_that_is_missing_is_named_before_anything_is_timed():
+def test_a_missing_peer_raises_an_error_before_anything_is_timed():
     entry = Comparison("Sorting", "", Peer("it", "no-such-peer"), lambda: 1 / 0, lambda: 1 / 0, faster=2)
     with pytest.raises(PlacecatError, match=r"no-such-peer is not installed.*\[bench\]"):
         measure(entry)
 
 
-def test_garbage_of_others_is_collected_outside_the_time(monkeypatch):
+def test_garbage_is_collected_before_the_clock_starts(monkeypatch):
     order = []
     monkeypatch.setattr("placecat_bench.timing.gc.collect", lambda: order.append("collect"))
     monkeypatch.setattr("placecat_bench.timing.time.perf_counter", lambda: order.append("clock") or 0.0)
@@ -86,14 +86,14 @@ def test_garbage_of_others_is_collected_outside_the_time(monkeypatch):
     assert order == ["collect", "clock", "call", "clock"]
 
 
-def test_a_peer_that_cannot_be_measured_has_a_row_with_the_reason():
+def test_a_peer_that_cannot_be_measured_gets_a_row_with_the_reason():
     row = measure(Absent("Sorting", "numbers", "another", "it needs CUDA 9"))
     assert list(row) == COLUMNS
     assert (row["peer"], row["met"], row["spent"]) == ("another", ABSENT, "it needs CUDA 9")
     assert row["ours"] is row["ratio"] is None
 
 
-def test_a_missing_peer_of_an_extra_that_few_install_is_passed_over():
+def test_a_missing_peer_of_another_extra_is_skipped():
     peer = Peer("it", "no-such-peer", extra=TORCH)
     row = measure(Comparison("Sorting", "", peer, lambda: 1 / 0, lambda: 1 / 0, faster=2))
     assert (row["met"], row["spent"]) == (ABSENT, "without the extra bench-torch")

@@ -13,7 +13,7 @@ from placecat_bench.comparison import Comparison, Limit, Peer
 
 @pytest.fixture
 def made(monkeypatch):
-    """Two pieces with changeable numbers."""
+    """Two pieces with numbers that tests can change."""
     numbers = {"first": 1.0, "second": 2.0}
     threads = []
 
@@ -27,7 +27,7 @@ def made(monkeypatch):
 
         return entries
 
-    # Quick, since earlier tests may have left much garbage.
+    # Skip garbage collection, since earlier tests may have left a lot of garbage.
     monkeypatch.setattr("placecat_bench.timing.gc.collect", lambda: None)
     monkeypatch.setattr(pieces, "names", lambda: ["first", "second"])
     monkeypatch.setattr(pieces, "load", entries_of)
@@ -60,7 +60,7 @@ def test_a_named_piece_replaces_only_its_rows(made, tmp_path):
     assert after["ours"][2] == 1.25
 
 
-def test_rows_of_another_machine_are_not_mixed_in(made, tmp_path, monkeypatch):
+def test_rows_from_different_machines_are_not_mixed(made, tmp_path, monkeypatch):
     target = tmp_path / "benchmarks.csv"
     run.run([], target)
     monkeypatch.setattr(run, "_facts", lambda: {"processor": "another"})
@@ -78,7 +78,7 @@ def test_measurements_remain_if_a_later_piece_fails(made, tmp_path):
     assert set(files.read_table(tmp_path / "benchmarks.csv")["module"]) == {"first"}
 
 
-def test_an_unknown_piece_is_one_message(monkeypatch):
+def test_an_unknown_piece_ends_with_a_one_line_message(monkeypatch):
     monkeypatch.setattr(sys, "argv", ["benchmarks", "sorting"])
     with pytest.raises(SystemExit) as ended:
         command.main(["sorting"])

@@ -1,7 +1,7 @@
-"""`make campaign`: damaged inputs, killed runs, full disks, two runs at once, for a given time.
+"""`make campaign`: try damaged inputs, killed runs, full disks and concurrent runs, for a given time.
 
 The campaign has a seed, and continues where an earlier call with the same seed stopped. The outcome of each
-case goes to data/campaign.csv, the counts to reports/robustness.csv.
+case goes to data/campaign.csv, and the counts go to reports/robustness.csv.
 """
 
 import argparse
@@ -25,7 +25,7 @@ SHOWN = 200
 
 
 def main(arguments=None):
-    """Try every part for its share of the time; print the counts and the errors."""
+    """Try every part for its share of the time. Print the counts and the errors."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seconds", type=float, default=1800, help="for all parts together")
     parser.add_argument("--most", type=int, default=1000, help="cases of each part")
@@ -48,7 +48,7 @@ def main(arguments=None):
 
 
 def count(cases, seed, peaks):
-    """Count the outcomes of each part, one row per part, with its peak memory in MB if known."""
+    """Count the outcomes, one row per part. Include the peak memory in MB if it is known."""
     found = pd.read_csv(cases, dtype={"said": str})
     found = found[found["seed"] == seed]
     rows = []
@@ -61,7 +61,7 @@ def count(cases, seed, peaks):
 
 
 def _in_a_process(part, options):
-    """Try a part in a separate process, again after a crash; return its peak memory in MB."""
+    """Try a part in a separate process. Start again after a crash. Return its peak memory in MB."""
     end = time.monotonic() + options.seconds / len(options.parts)
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
     while (left := end - time.monotonic()) > 0 and _done(part, options) < options.most:
@@ -72,13 +72,13 @@ def _in_a_process(part, options):
             break
         _add(part, options, "traceback", f"the process ended with status {done.returncode}")
     after = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
-    # The maximum over all processes so far.
+    # This is the maximum over all processes so far.
     return after // 1024 if after > before else None
 
 
 def _try(part, options):
     sys.path[:0] = [str(ROOT / "tests" / name) for name in (".", "categorizer", "runs")]
-    # Imported here, since they import everything that is tried.
+    # These imports are here because they load everything that is tried.
     import damaged_inputs
     import disturbed_runs
 
@@ -95,7 +95,7 @@ def _try(part, options):
 
 
 def _done(part, options):
-    """Number of cases of a part that an earlier call has tried."""
+    """Return the number of cases of a part that earlier calls have tried."""
     if not options.cases.exists():
         return 0
     with options.cases.open(newline="", encoding="utf-8") as file:
@@ -112,7 +112,7 @@ def _add(part, options, outcome, said):
 
 
 def _bad(cases, seed):
-    """The first cases of each part that ended in a traceback or wrong."""
+    """Return the first cases of each part that ended in a traceback or a wrong result."""
     found = pd.read_csv(cases, dtype={"said": str})
     bad = found[(found["seed"] == seed) & found["outcome"].isin(["traceback", "wrong"])]
     return bad.groupby("part").head(5)[["part", "number", "outcome", "said"]].to_string(index=False)

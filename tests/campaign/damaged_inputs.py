@@ -1,4 +1,4 @@
-"""Damaged inputs of each kind, and their outcomes."""
+"""Damaged inputs of several kinds, and their outcomes."""
 
 import io
 import math
@@ -31,14 +31,14 @@ ODD_CELLS = ["9" * 5000, "1e308", "-1", "nan", "inf", "", "0", "5", "ä", "\x00"
 
 
 class Inputs:
-    """A kind of input in a separate folder; `intact` is its correct result, `try_one` tries a damaged one."""
+    """A kind of input in a separate folder. `intact` is its correct result; `try_one` damages an input."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         folder.mkdir(parents=True, exist_ok=True)
 
     def attempt(self, rng):
-        """Damage one input and read it; return one of OUTCOMES, and the message."""
+        """Damage one input and read it. Return one of OUTCOMES and the message."""
         try:
             with redirect_stderr(io.StringIO()):
                 return self.try_one(rng)
@@ -91,7 +91,7 @@ class Pictures(Inputs):
 
 
 class Videos(Inputs):
-    """Video files with the usual containers and codecs."""
+    """Video files with common containers and codecs."""
 
     def __init__(self, folder):
         super().__init__(folder)
@@ -128,7 +128,7 @@ class Videos(Inputs):
 
 
 class Labels(Inputs):
-    """Label files of a video: a cell, a line or bytes are changed."""
+    """Label files of a video. A cell, a line or some bytes are changed."""
 
     def try_one(self, rng):
         lines = list(LINES)
@@ -149,7 +149,7 @@ class Labels(Inputs):
 
 
 class Settings(Inputs):
-    """A number in params.yaml becomes another type, or a number that no setting has."""
+    """Settings. A number in params.yaml changes its type, or becomes a number that no setting has."""
 
     def __init__(self, folder):
         super().__init__(folder)
@@ -165,7 +165,7 @@ class Settings(Inputs):
 
 
 def _numbers(here, name=""):
-    """Every number in nested containers: its container, its key, its dotted name."""
+    """Yield the container, the key and the dotted name of every number in nested containers."""
     items = here.items() if isinstance(here, Mapping) else enumerate(here)
     for key, value in items:
         if isinstance(value, Mapping | list):

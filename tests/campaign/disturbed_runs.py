@@ -1,4 +1,4 @@
-"""Runs of a small pipeline that are killed, run out of disk space, or are started twice."""
+"""Runs of a small pipeline that are killed, started twice, or run out of disk space."""
 
 import os
 import shutil
@@ -15,26 +15,26 @@ from project import contents, environment, run
 
 PARTS = ("made", "dvc.lock")
 BUSY = {"SECONDS": "0.2", "PLACECAT_WORKERS": "1"}
-# Like `placecat repro`, without composing.
+# Like `placecat repro`, but without composing the settings.
 REPRO = (
     "python",
     "-c",
     "import sys\nfrom placecat.runs import repro\nfrom placecat.errors import exiting\n"
     "with exiting():\n    sys.exit(repro.run())",
 )
-# Free KB on a separate disk: lower and upper limit; and enough space.
+# Range of the free space on a separate disk, and a size that is enough, both in KB.
 SIZES, ENOUGH = (4, 110), 64_000
 MOUNT = ["unshare", "--map-root-user", "--mount", sys.executable, __file__]
 
 
 class Kills:
-    """Runs killed at any moment; the next one must continue to the same bytes."""
+    """Runs killed at any moment. The next run must finish with the same bytes."""
 
     def __init__(self, folder):
         self.folder = folder
 
     def attempt(self, rng):
-        """Kill one run; return one of the outcomes, and the message."""
+        """Kill one run. Return one of the outcomes and the message."""
         folder = self.folder / "kills"
         shutil.rmtree(folder, ignore_errors=True)
         said = []
@@ -56,10 +56,10 @@ class _Runs:
 
 
 class TwoAtOnce(_Runs):
-    """A run started during another one."""
+    """A run that is started during another one."""
 
     def attempt(self, rng):
-        """Start a second run after a while; return one of the outcomes, and the message."""
+        """Start a second run after a while. Return one of the outcomes and the message."""
         folder = self.folder / "one"
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(self.template, folder, symlinks=True)
@@ -77,7 +77,7 @@ class TwoAtOnce(_Runs):
 
 
 class DiskFull(_Runs):
-    """A run on a full disk, then with free space."""
+    """A run on a full disk, followed by one with free space."""
 
     def __init__(self, folder):
         folder.mkdir(parents=True, exist_ok=True)
@@ -89,7 +89,7 @@ class DiskFull(_Runs):
         super().__init__(folder)
 
     def attempt(self, rng):
-        """Run with too little space, then with enough; return one of the outcomes, and the message."""
+        """Run with too little space, then with enough. Return one of the outcomes and the message."""
         place = self.folder / "disk"
         place.mkdir(exist_ok=True)
         size = str(int(rng.integers(*SIZES)))
@@ -109,12 +109,12 @@ class DiskFull(_Runs):
 
 
 def _environment():
-    """With the modules that this process finds beside the tests."""
+    """Return an environment in which a new process finds the same modules as this one."""
     return environment(**BUSY, PYTHONPATH=os.pathsep.join(filter(None, sys.path)))
 
 
 def on_a_small_disk(size, place, result, template=None):
-    """In a mount namespace: run the pipeline, free disk space, run it again and copy its outputs."""
+    """Run the pipeline, free disk space, run it again and copy its outputs, all in a mount namespace."""
     mount = ["mount", "-t", "tmpfs", "tmpfs", place, "-o"]
     subprocess.run([*mount, f"size={size}k"], check=True)
     if template is None:

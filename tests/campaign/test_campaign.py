@@ -10,12 +10,12 @@ import pytest
 import campaign
 
 FEW = 25
-# Undetectable damage: in formats without checksums it can produce other valid pictures.
+# In formats without checksums, damage can be undetectable and produce other valid pictures.
 UNSEEN = {"pictures", "videos"}
 
 
 @pytest.mark.parametrize("part", list(damaged_inputs.KINDS))
-def test_damaged_inputs_give_one_message_or_the_intact_result(part, tmp_path):
+def test_damaged_inputs_end_in_a_message_or_the_intact_result(part, tmp_path):
     kind = damaged_inputs.KINDS[part](tmp_path / part)
     found = [kind.attempt(np.random.default_rng([1, number])) for number in range(FEW)]
     counts = collections.Counter(outcome for outcome, _ in found)

@@ -1,4 +1,4 @@
-"""Single empty rooms to furnish in tests."""
+"""Single empty rooms that tests can furnish."""
 
 import numpy as np
 
@@ -25,16 +25,16 @@ _SIZES = {
 
 
 def example(kind: str, seed: int, width: float | None = None, depth: float | None = None) -> Room:
-    """Make a single empty room with a door and one or two windows, as furnishing functions receive it.
+    """Make a single empty room with a door and one or two windows, ready for a furnishing function.
 
     Parameters
     ----------
     kind
         Kind of room, such as "bedroom".
     seed
-        Seed of the size, the openings and the style.
+        Seed for the size, the openings and the style.
     width, depth
-        Metres; if None, a size usual for the kind is drawn.
+        Metres; if None, a usual size for the kind is drawn.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""The contact sheet picks the view with the most detail for each place and puts it in the right cell."""
+"""The contact sheet chooses the view with the most detail for each place, and puts it in the right cell."""
 
 import numpy as np
 
@@ -15,7 +15,7 @@ def checked(cells):
     return np.repeat(board[..., None], 3, axis=2)
 
 
-def test_the_view_with_most_detail_of_each_place_is_chosen():
+def test_the_sharpest_view_of_each_place_is_chosen():
     frames = [plain(90), checked(32), checked(8), plain(20), checked(8)]
     views = sharpest(frames, ["kitchen", "kitchen", "kitchen", "bedroom", "corridor"], ["kitchen", "bedroom"])
     assert set(views) == {"kitchen", "bedroom"}
@@ -23,12 +23,12 @@ def test_the_view_with_most_detail_of_each_place_is_chosen():
     assert np.array_equal(views["bedroom"], frames[3])
 
 
-def test_a_view_can_be_chosen_by_eye():
+def test_a_view_can_be_chosen_by_hand():
     labels = ["kitchen", "kitchen", "bedroom", "kitchen"]
     assert only(labels, {"kitchen": 2}) == ["", "kitchen", "bedroom", ""]
 
 
-def test_rows_are_homes_and_columns_places():
+def test_rows_are_homes_and_columns_are_places():
     views = {"home_1": {"kitchen": plain(10), "bedroom": plain(60)}, "home_2": {"bedroom": plain(110)}}
     sheet = draw(views, ["bedroom", "kitchen"], width=64)
     rows, columns = (30 + 18, 30 + 40 + 18), (30 + 32, 30 + 68 + 32)

@@ -1,4 +1,4 @@
-"""The stored videos are those that the renderer makes."""
+"""The stored videos match the output of the renderer."""
 
 import cv2
 import numpy as np
@@ -18,7 +18,7 @@ FRAMES = (0, 180, 450)
 
 @pytest.fixture(scope="module")
 def film():
-    # Light at fewer points, an eighth of the rays and small previews for the exposure only make the light a
+    # Fewer light points, an eighth of the rays and small previews for the exposure make the light only a
     # little coarser and noisier.
     light = {"directions": 32, "bounces": 3, "lamp_rays": 1, "chunk": 4096}
     return render.film(NAME, edge=0.2, light=light, preview=40)
@@ -35,21 +35,21 @@ def soft(frame):
     return cv2.GaussianBlur(frame.astype(np.float32), (0, 0), 2.0)
 
 
-def test_rendered_frames_are_the_kept_ones(film, kept):
+def test_rendered_frames_match_the_stored_video(film, kept):
     made = {number: soft(film.frame(number)) for number in FRAMES}
     for number in FRAMES:
         differences = {other: np.abs(soft(kept[number]) - made[other]).mean() for other in FRAMES}
-        # In grey levels of 255; any other frame differs several times more.
+        # In grey levels from 0 to 255. The difference from any other frame is several times larger.
         assert differences[number] < 5, differences
         assert min(differences, key=differences.get) == number, differences
 
 
-def test_labels_are_the_kept_ones(film, tmp_path):
+def test_labels_match_the_stored_file(film, tmp_path):
     render._write_labels(tmp_path / "labels.csv", film.labels)
     assert (tmp_path / "labels.csv").read_bytes() == (ROOT / f"data/{NAME}.csv").read_bytes()
 
 
-def test_every_frame_has_a_place_on_free_floor(film):
+def test_the_camera_stays_on_free_floor(film):
     ground = film.building.ground()
     path = film.walk
     assert len(path.position) == len(film.labels) == render.listed()[NAME]["frames"]

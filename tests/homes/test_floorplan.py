@@ -16,7 +16,7 @@ def read(name: str) -> FloorPlan:
     return FloorPlan.from_dict(name, content)
 
 
-def test_all_plans_are_there() -> None:
+def test_plans_have_the_expected_rooms() -> None:
     homes = [name for name in NAMES if name.startswith("home_")]
     apartments = [name for name in NAMES if name.startswith("apartment_")]
     assert len(homes) == 6 and len(apartments) == 3
@@ -36,9 +36,9 @@ def test_all_plans_are_there() -> None:
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=[] if name == "home_5" else pytest.mark.slow) for name in NAMES]
 )
-def test_every_room_of_a_plan_can_be_walked_to(name: str) -> None:
+def test_every_room_of_a_plan_is_reachable(name: str) -> None:
     plan = read(name)
-    # In empty rooms, the walls, doors and leaves alone must leave a way. Room checks the furniture.
+    # In empty rooms, walls, doors and door leaves must leave a way through. Room checks the furniture.
     empty = FloorPlan(
         plan.name, plan.height, tuple(_unfurnished(plan)), plan.doors, plan.windows, plan.windowless
     )
@@ -92,6 +92,6 @@ def plan(rooms=None, doors=None) -> dict:
         (plan(doors=[{"rooms": ["a", "x"]}]), "no room 'x'"),
     ],
 )
-def test_impossible_plans_are_refused(content: dict, message: str) -> None:
+def test_invalid_plans_raise_an_error(content: dict, message: str) -> None:
     with pytest.raises(PlacecatError, match=message):
         FloorPlan.from_dict("home", content)

@@ -1,4 +1,4 @@
-"""Pieces of furniture and textures are well-formed and reproducible from a seed."""
+"""Every piece of furniture and texture is found by name, complete, in its frame, seeded and not too fine."""
 
 import importlib
 import inspect
@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def makers():
-    """Yield the functions that need only (rng, style) and return a mesh."""
+    """All functions that return a mesh and require only (rng, style)."""
     for module in pkgutil.iter_modules(furniture.__path__):
         found = importlib.import_module(f"{furniture.__name__}.{module.name}")
         for name, function in vars(found).items():
@@ -62,6 +62,6 @@ def test_textures(kind):
     assert picture.std() > 0
 
 
-def test_materials_can_be_told_apart_and_shared():
+def test_materials_are_compared_and_hashed_by_value():
     assert Material((1, 0, 0)) == Material((1, 0, 0))
     assert len({Material((1, 0, 0)), Material((1, 0, 0)), Material((0, 1, 0))}) == 2

@@ -1,4 +1,4 @@
-"""Light agrees with cases whose result is known in closed form."""
+"""Light agrees with closed-form solutions."""
 
 import numpy as np
 import pytest
@@ -23,13 +23,13 @@ def open_sky(level=1.0, sunlight=0.0, sun=(0, 0, 1)):
     return Daylight(panorama, np.float32(sun), np.full(3, sunlight, np.float32))
 
 
-def test_a_plain_under_an_even_sky_receives_all_of_it():
+def test_a_plane_under_a_uniform_sky_receives_all_its_light():
     scene = prepare(shapes.slab(1, 1).of(GREY), edge=0.3)
     light = bake(scene, open_sky(0.7), Quality(directions=64, bounces=1))
     assert light[:, :3] == pytest.approx(0.7, rel=1e-5)
 
 
-def test_light_in_a_closed_room_adds_up_as_a_geometric_series():
+def test_light_in_a_closed_room_is_a_geometric_series():
     # All walls glow and reflect equally, so after many bounces E = e / (1 - a), whatever the shape of the
     # room.
     room = shapes.box(2, 3, 2.5, bevel=0)
@@ -48,13 +48,13 @@ def test_light_in_a_closed_room_adds_up_as_a_geometric_series():
     assert light[:, :3] == pytest.approx(albedo / (1 - albedo), rel=0.02)
 
 
-def test_a_lamp_falls_off_with_the_square_of_its_distance():
+def test_lamplight_falls_off_with_the_square_of_the_distance():
     scene = prepare(shapes.slab(0.02, 0.02).of(GREY).lit(Lamp((0, 0, 2), (1, 1, 1), 3.0, 0.01)), edge=1)
     light = bake(scene, DARK, Quality(directions=16, bounces=1))
     assert light[:, :3] == pytest.approx(3.0 / 4, rel=0.01)
 
 
-def test_a_board_takes_the_lamp_and_the_sun_away():
+def test_a_board_casts_shadows_from_lamp_and_sun():
     floor = shapes.slab(4, 4).moved(0, -2, 0).of(GREY)
     board = shapes.box(1, 1, 0.02, 0).moved(0, -0.5, 1.0).of(GREY)
     lamp = Lamp((0, 0, 2), (1, 1, 1), 1.0, 0.01)
@@ -62,7 +62,8 @@ def test_a_board_takes_the_lamp_and_the_sun_away():
     light = bake(scene, open_sky(0.0, 1.0), Quality(directions=16, bounces=0))
     floor_ = scene.vertices[:, 2] == 0
     radius = np.abs(scene.vertices[:, :2]).max(axis=1)
-    # The lamp at twice the height of the board throws a shadow twice as wide; the sun's is no wider.
+    # The lamp is twice as high as the board, so the shadow is twice as wide. The shadow from the sun is not
+    # wider.
     assert light[floor_ & (radius < 0.5), 0] == pytest.approx(0, abs=1e-6)
     assert (light[floor_ & (radius > 1.4), 0] > 0.02).all()
     assert light[floor_ & (radius < 0.3), 3] == pytest.approx(0, abs=1e-6)
@@ -73,7 +74,7 @@ def camera(scene, daylight, light, pose, size=(64, 36)):
     return Viewer(scene, light, daylight).frame(pose, Lens(*size, 60))
 
 
-def test_what_a_camera_sees_of_a_plain_wall_and_of_the_sky():
+def test_a_wall_and_the_sky_have_the_expected_radiance_and_distance():
     wall = shapes.quad(20, 20).moved(0, 0, -10).of(GREY)
     scene = prepare(wall, edge=5)
     light = bake(scene, open_sky(1.0), Quality(directions=64, bounces=0))
@@ -85,7 +86,7 @@ def test_what_a_camera_sees_of_a_plain_wall_and_of_the_sky():
     assert (distance == 100).all()
 
 
-def test_left_is_left_and_up_is_up():
+def test_the_image_is_neither_mirrored_nor_upside_down():
     red, blue = Material((1, 0, 0)), Material((0, 0, 1))
     # The camera looks along +x, so +y is on its left.
     left = shapes.box(0.2, 0.2, 0.2, 0).of(red).moved(3, 0.8, 0.9)
@@ -119,7 +120,7 @@ def test_glass_lets_most_light_through():
     assert distance[9, 16] == pytest.approx(1, rel=0.01)
 
 
-def test_baking_does_not_depend_on_the_chunk():
+def test_baking_does_not_depend_on_the_chunk_size():
     scene = prepare(shapes.box(1, 1, 1).of(GREY), edge=0.2)
     one, other = (bake(scene, open_sky(), Quality(directions=32, bounces=1, chunk=c)) for c in (64, 4096))
     assert np.array_equal(one, other)

@@ -1,4 +1,4 @@
-"""The command explains what it cannot do."""
+"""The command explains why it fails."""
 
 import subprocess
 import sys
@@ -11,18 +11,18 @@ from placecat_homes import render
 from project import ROOT, environment
 
 
-def test_every_video_names_settings_that_exist():
+def test_the_settings_of_every_video_exist():
     for name, video in render.listed().items():
         for kind in ("plan", "walk", "carriage", "camera"):
             assert (render.SETTINGS / f"{kind}/{video[kind]}.yaml").is_file(), name
 
 
-def test_an_unknown_video_is_refused():
-    with pytest.raises(PlacecatError, match=r"no video has the name 'homes/home_7': choose from homes"):
+def test_an_unknown_video_raises_an_error():
+    with pytest.raises(PlacecatError, match=r"there is no video 'homes/home_7': choose from homes"):
         render.render(["homes/home_7"])
 
 
-def test_another_folder_than_the_projects_is_refused(tmp_path, monkeypatch):
+def test_running_outside_the_project_raises_an_error(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(PlacecatError, match=r"conf/dataset/homes.yaml is missing: run this command"):
         render.render(["homes/home_1"])
@@ -32,21 +32,21 @@ def test_another_folder_than_the_projects_is_refused(tmp_path, monkeypatch):
 def test_the_command_ends_with_a_message(monkeypatch, capsys):
     with pytest.raises(SystemExit) as ended:
         command.main(["homes/home_7"])
-    assert str(ended.value).startswith("placecat: no video has the name 'homes/home_7': choose from")
+    assert str(ended.value).startswith("placecat: there is no video 'homes/home_7': choose from")
     with pytest.raises(SystemExit) as ended:
         command.main(["--help"])
     assert ended.value.code == 0
     assert "homes/home_1" in capsys.readouterr().out
 
 
-def test_an_unknown_setting_is_refused():
+def test_an_unknown_setting_raises_an_error():
     pytest.importorskip("embreex", reason="rendering needs the optional extra")
     with pytest.raises(PlacecatError, match=r"finish.yaml has no setting 'edges'; did you mean 'edge'"):
         render.film("apartments/webcam", edges=0.1)
 
 
 @pytest.mark.slow
-def test_without_the_extra_one_line_says_what_to_install():
+def test_without_the_extra_a_message_says_what_to_install():
     script = (
         "import sys; sys.modules['embreex'] = None\n"
         "from placecat_homes.__main__ import main\n"

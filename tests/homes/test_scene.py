@@ -1,4 +1,4 @@
-"""Subdivision keeps the surface; textures and colours arrive in the tables."""
+"""Subdivision preserves the surface, and the tables contain the textures and colours."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,7 @@ def test_subdivision_leaves_no_gaps():
     border = 2 * (1.0 + 1.3)
     single = sides[np.isin(np.arange(len(sides)), np.unique(sides, axis=0, return_index=True)[1][uses == 1])]
     length = np.linalg.norm(fine.vertices[single[:, 0]] - fine.vertices[single[:, 1]], axis=1).sum()
-    # Inner edges belong to two triangles; edges of only one triangle form the border.
+    # Inner edges belong to two triangles. Edges of only one triangle form the border.
     assert set(uses) == {1, 2}
     assert length == pytest.approx(border, rel=1e-5)
 
@@ -43,7 +43,7 @@ def test_texture_coordinates_stay_linear():
     assert fine.uv == pytest.approx(fine.vertices[:, :2] + [0.5, 0], abs=1e-6)
 
 
-def test_tables():
+def test_scene_tables_contain_materials_and_textures():
     picture = Texture("tiles", ((0.2, 0.4, 0.6), (0.1, 0.1, 0.1)), (0.5, 0.25))
     mesh = join(
         shapes.slab(1, 1).of(Material((0.5, 0.5, 0.5), gloss=0.1, opacity=0.2)),

@@ -1,4 +1,4 @@
-"""The camera's exposure, motion blur and noise."""
+"""The exposure, motion blur and noise of the camera."""
 
 import numpy as np
 import pytest
@@ -32,20 +32,20 @@ def test_white_balance_removes_part_of_a_cast():
     assert np.ptp(balanced[-1]) < 0.02 * np.ptp(kept[-1])
 
 
-def test_exposure_depends_on_its_seed_alone():
+def test_exposure_is_reproducible_with_a_seed():
     previews = np.random.default_rng(0).uniform(0.01, 0.5, (20, 9, 16, 3))
     sensor = Sensor()
     assert np.array_equal(exposures(previews, sensor, 1), exposures(previews, sensor, 1))
     assert not np.array_equal(exposures(previews, sensor, 1), exposures(previews, sensor, 2))
 
 
-def test_motion_of_a_turn_and_of_a_step_aside():
+def test_motion_of_a_turn_and_a_sideways_step():
     lens, far = Lens(64, 36, 60), np.full((36, 64), 50.0, np.float32)
     focus = 32 / np.tan(np.radians(30))
     # Turning left by a small angle moves the picture to the right.
     flow = motion(Pose(0, 0, 0, 0), Pose(0, 0, 0, 0.02), lens, far, 1.0)
     assert flow[18, 32] == pytest.approx([0.02 * focus, 0], abs=0.05)
-    # A step to the right (towards -y) moves what is 2 m away to the left.
+    # A step to the right (towards -y) moves objects at a distance of 2 m to the left.
     near = np.full((36, 64), 2.0, np.float32)
     flow = motion(Pose(0, 0, 0, 0), Pose(0, -0.1, 0, 0), lens, near, 0.5)
     assert flow[18, 32] == pytest.approx([-0.05 * focus * 0.5, 0], abs=0.05)

@@ -15,7 +15,7 @@ def corners(mesh):
 
 
 def volume(mesh):
-    """By the divergence theorem; correct only for closed bodies that are wound outwards."""
+    """Compute the volume by the divergence theorem. It is correct only for closed bodies wound outwards."""
     a, b, c = corners(mesh)
     return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
 
@@ -36,7 +36,7 @@ BODIES = {
 def test_bodies_are_closed_and_wound_outwards(name):
     mesh, expected = BODIES[name]
     assert volume(mesh) == pytest.approx(expected, rel=0.01)
-    # A body that is moved keeps this volume only if it is closed.
+    # A body keeps this volume after a move only if it is closed.
     assert volume(mesh.moved(3, -2, 5)) == pytest.approx(expected, rel=0.01)
 
 
@@ -51,16 +51,16 @@ def test_normals_agree_with_the_winding(name):
     assert np.linalg.norm(mesh.normals, axis=1) == pytest.approx(1, abs=1e-4)
 
 
-def test_furniture_frame_of_a_box():
+def test_a_box_is_in_the_furniture_frame():
     mesh = shapes.box(1.0, 0.5, 0.8)
     assert mesh.low == pytest.approx([-0.5, 0, 0], abs=1e-6)
     assert mesh.high == pytest.approx([0.5, 0.5, 0.8], abs=1e-6)
 
 
-def test_a_quad_is_seen_from_the_front_with_its_picture_upright():
+def test_a_quad_faces_forward_with_an_upright_texture():
     mesh = shapes.quad(2.0, 1.0)
     assert mesh.normals == pytest.approx(np.tile([0, 1, 0], (4, 1)))
-    # Seen along -y, the +x direction is on the left: u grows towards -x, v upwards.
+    # Seen along -y, the +x direction is on the left, so u grows towards -x and v grows upwards.
     left_low = mesh.uv[np.argmin(mesh.uv.sum(axis=1))]
     assert left_low == pytest.approx([0, 0])
     assert mesh.vertices[np.argmin(mesh.uv.sum(axis=1))] == pytest.approx([1, 0, 0])
@@ -69,7 +69,7 @@ def test_a_quad_is_seen_from_the_front_with_its_picture_upright():
 @pytest.mark.parametrize(
     "change", [lambda m: m.mirrored(), lambda m: m.turned(40), lambda m: m.turned(25, "x")]
 )
-def test_rigid_changes_keep_the_volume(change):
+def test_rotating_and_mirroring_keep_the_volume(change):
     assert volume(change(shapes.box(1, 0.5, 0.8))) == pytest.approx(volume(shapes.box(1, 0.5, 0.8)), rel=1e-4)
 
 

@@ -1,4 +1,4 @@
-"""The pieces, one per module. The generator ``entries()`` of a module yields the entries to measure."""
+"""The pieces of the benchmark, one per module. The function ``entries`` of each yields what to measure."""
 
 from collections.abc import Callable, Iterator
 
@@ -14,6 +14,6 @@ def names() -> list[str]:
 
 
 def load(name: str) -> Entries:
-    """Return a piece's function ``entries``; raises PlacecatError if the piece does not exist."""
+    """Return the function ``entries`` of a piece. Raises PlacecatError if the piece does not exist."""
     entries: Entries = lookup.module(__name__, name, "the piece", "entries").entries
     return entries

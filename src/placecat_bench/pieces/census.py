@@ -1,10 +1,10 @@
-"""Census histograms against scikit-image's and mahotas's local binary patterns, in the cells of a grid.
+"""Census histograms in a grid of cells, against the local binary patterns of scikit-image and mahotas.
 
-`local_binary_pattern` with 8 points at radius 1 sets a bit if a neighbour is at least the centre; the census
-transform sets it if the centre is at least the neighbour. Hence they agree if one of them gets the inverted
-image. `local_binary_pattern` interpolates the diagonal neighbours between pixels, at distance 1, so only the
-codes of the four straight neighbours are compared. It also computes codes for border pixels; these are cut
-off.
+`local_binary_pattern` with 8 points at radius 1 sets a bit if a neighbour is at least as bright as the
+centre. The census transform sets it if the centre is at least as bright as the neighbour. They agree if one
+of them receives the inverted image. `local_binary_pattern` interpolates diagonal neighbours at distance 1
+between pixels, so only the codes of the four nearest neighbours are compared. It also computes codes for
+border pixels, which are cut off.
 """
 
 from collections.abc import Iterator, Sequence
@@ -28,10 +28,10 @@ THEIR_STRAIGHT = (1, 4, 16, 64)
 
 
 def entries(*, images: Sequence[Image] | None = None, cells: int = 4) -> Iterator[Comparison | Limit]:
-    """Yield comparisons of the times, and of the histograms, with `cells` cells along each axis.
+    """Yield comparisons of the times and of the histograms, with `cells` cells along each axis.
 
-    `images` are (h, w) uint8 and have the same size; by default, they are a frame of each rendered home,
-    reduced to 320x180. A repeat is a pair of calls, each with all images.
+    `images` are (h, w) uint8 of one size. By default, they are a frame from each rendered home, reduced to
+    320x180. A repeat is a pair of calls, each with all images.
     """
     given = reduced_frames() if images is None else images
     text = f"{size(given[0])}, {cells}x{cells} cells"
@@ -61,7 +61,7 @@ def entries(*, images: Sequence[Image] | None = None, cells: int = 4) -> Iterato
     yield Limit(
         PIECE,
         text,
-        "largest difference of a share of the straight neighbours",
+        "largest difference between histogram bins (four nearest neighbours)",
         lambda: max(largest_difference(image, cells) for image in given),
         at_most=1e-6,
         peer=PEER,
@@ -69,18 +69,18 @@ def entries(*, images: Sequence[Image] | None = None, cells: int = 4) -> Iterato
 
 
 def reduced_frames() -> list[Image]:
-    """Return a frame of each rendered home as a grey image, (180, 320) uint8."""
+    """Return a frame from each rendered home as a grey image, (180, 320) uint8."""
     greys = [cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) for frame in prepared()[1]]
     return [np.asarray(cv2.resize(grey, (320, 180), interpolation=cv2.INTER_AREA)) for grey in greys]
 
 
 def ours(image: Image, cells: int) -> NDArray[np.float32]:
-    """Compute the cells' census histograms, (cells**2, 256)."""
+    """Compute the census histograms of the cells, (cells**2, 256)."""
     return cell_histograms(census(image), cells)
 
 
 def theirs(image: Image, cells: int) -> NDArray[np.float64]:
-    """Compute the cells' histograms of scikit-image's codes, (cells**2, 256)."""
+    """Compute the histograms of the cells from the codes of scikit-image, (cells**2, 256)."""
     from skimage.feature import local_binary_pattern
 
     codes = local_binary_pattern(image, P=8, R=1)[1:-1, 1:-1]
@@ -89,14 +89,14 @@ def theirs(image: Image, cells: int) -> NDArray[np.float64]:
 
 
 def by_mahotas(image: Image, cells: int) -> NDArray[np.float64]:
-    """Compute the cells' histograms with mahotas, which counts rotated patterns as one, (cells**2, 36)."""
+    """Compute the histograms with mahotas, which counts rotated patterns as one, (cells**2, 36)."""
     from mahotas.features import lbp
 
     return np.array([lbp(block, radius=1, points=8) for block in _blocks(image, cells)])
 
 
 def _blocks(image: NDArray[Any], cells: int) -> Iterator[NDArray[Any]]:
-    """Yield an image's cells, row by row."""
+    """Yield the cells of an image, row by row."""
     rows, columns = (np.arange(cells + 1) * length // cells for length in image.shape)
     for top, bottom in pairwise(rows):
         for left, right in pairwise(columns):
@@ -104,14 +104,14 @@ def _blocks(image: NDArray[Any], cells: int) -> Iterator[NDArray[Any]]:
 
 
 def largest_difference(image: Image, cells: int) -> float:
-    """Return the largest difference between our and their shares of the 16 codes of straight neighbours."""
+    """Return the largest difference between our shares and theirs for codes of the nearest neighbours."""
     found = of_straight(ours(255 - image, cells), OUR_STRAIGHT)
     expected = of_straight(theirs(image, cells), THEIR_STRAIGHT)
     return float(np.abs(found - expected).max())
 
 
 def of_straight(histograms: NDArray[np.floating], bits: tuple[int, ...]) -> NDArray[np.float64]:
-    """Add up the bins whose codes agree in these four bits: (n, 256) becomes (n, 16)."""
+    """Sum the bins whose codes agree in these four bits: (n, 256) becomes (n, 16)."""
     codes = np.arange(CODES)
     straight = sum(((codes & bit) > 0).astype(np.intp) << place for place, bit in enumerate(bits))
     return np.stack([np.bincount(straight, row, 16) for row in histograms])

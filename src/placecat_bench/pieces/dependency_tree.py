@@ -1,14 +1,14 @@
-"""Dependency tree against three peers: one class's tree and its conditional probabilities.
+"""Dependency tree against three peers: the tree of one class and its conditional probabilities.
 
 pgmpy needs two steps. ``TreeSearch`` computes the mutual information of all pairs (with scikit-learn's
 ``mutual_info_score``) and the maximum spanning tree from the same root (with NetworkX). Then
-``DiscreteBayesianEstimator`` estimates the probabilities with the prior K2, which adds 1 to every count, as
-our code does. Both steps run in one process. Our code also checks the codes and splits them by class, while
-pgmpy receives a finished table. The log-likelihoods of all samples are equal, so both learn the same model.
+``DiscreteBayesianEstimator`` estimates the probabilities with the K2 prior. Like our code, this adds 1 to
+every count. Both steps run in one process. Our code also checks the codes and splits them by class, while
+pgmpy receives a finished table. The log-likelihoods of all samples agree, so both learn the same model.
 
 deeprob-kit learns only trees of binary variables, in float32, and computes all tables with one matrix
-product. pyAgrum's Chow-Liu classifier uses the first variable, the root of the same tree, as the class; it
-also detects the columns' types.
+product. pyAgrum's Chow-Liu classifier uses the first variable, the root of the same tree, as the class. It
+also detects the types of the columns.
 """
 
 import warnings
@@ -35,8 +35,8 @@ def entries(
 ) -> Iterator[Entry]:
     """Yield comparisons for the tree of codewords in a grid of cells, and for trees of activations.
 
-    `samples` is the number of the class's samples, `clusters` the number of codewords. An activation has two
-    values; pgmpy would take too long for many activations.
+    `samples` is the number of samples, and `clusters` the number of codewords. An activation has two values;
+    pgmpy would take too long for many activations.
     """
     codes = chained_codes(samples, grid, clusters)
     text = f"{grid} variables x {clusters} values x {samples}"
@@ -44,7 +44,7 @@ def entries(
     yield Limit(
         PIECE,
         text,
-        "largest difference of a log-likelihood from pgmpy's",
+        "largest difference between log-likelihoods",
         lambda: largest_difference(codes, clusters),
         at_most=1e-9,
         peer=PEER,
@@ -66,7 +66,7 @@ def entries(
     yield Limit(
         PIECE,
         many_text,
-        "largest difference of a log-likelihood from deeprob-kit's",
+        "largest difference between log-likelihoods",
         lambda: deeprob_difference(many_codes),
         at_most=1e-2,
         peer=DEEPROB,
@@ -113,7 +113,7 @@ def _comparison(
 def chained_codes(samples: int, variables: int, n_values: int) -> NDArray[np.int32]:
     """Draw codes whose dependencies form a tree: (samples, variables) int32 in [0, n_values).
 
-    About half of each variable's samples repeat the value of one earlier variable.
+    In about half of the samples, a variable repeats the value of one earlier variable.
     """
     rng = np.random.default_rng(0)
     codes = rng.integers(n_values, size=(samples, variables), dtype=np.int32)
@@ -129,9 +129,9 @@ def ours(codes: NDArray[np.int32], n_values: int) -> DependencyTree:
 
 
 def theirs(table: pd.DataFrame, n_values: int) -> Any:
-    """Learn the same with pgmpy, as a ``pgmpy.models.DiscreteBayesianNetwork``."""
+    """Learn the same tree with pgmpy, as a ``pgmpy.models.DiscreteBayesianNetwork``."""
     with warnings.catch_warnings():
-        # pgmpy's import warns about its deprecated parts.
+        # Importing pgmpy warns about its deprecated parts.
         warnings.simplefilter("ignore")
         from pgmpy.estimators import TreeSearch
         from pgmpy.models import DiscreteBayesianNetwork
@@ -144,11 +144,11 @@ def theirs(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def largest_difference(codes: NDArray[np.int32], n_values: int) -> float:
-    """Return the largest difference between our log-likelihoods of the samples and pgmpy's."""
+    """Return the largest difference between the log-likelihoods from our code and pgmpy."""
     found = ours(codes, n_values).predict_joint_log_likelihood(codes)[:, 0]
     expected = np.zeros(len(codes))
     for cpd in theirs(pd.DataFrame(codes), n_values).get_cpds():
-        # One row per value, and one column per value of the parent; the root has a single column.
+        # One row per value and one column per value of the parent. The root has a single column.
         columns = codes[:, cpd.variables[1]] if len(cpd.variables) > 1 else 0
         expected += np.log(cpd.get_values()[codes[:, cpd.variables[0]], columns])
     return float(np.abs(found - expected).max())
@@ -165,13 +165,13 @@ def by_deeprob(table: pd.DataFrame, n_values: int = 2) -> Any:
 
 
 def deeprob_difference(codes: NDArray[np.int32]) -> float:
-    """Return the largest difference between deeprob-kit's and our log-likelihoods of the samples."""
+    """Return the largest difference between the log-likelihoods from deeprob-kit and our code."""
     expected = by_deeprob(pd.DataFrame(codes)).log_likelihood(codes.astype(np.float32))
     return float(np.abs(ours(codes, 2).predict_joint_log_likelihood(codes)[:, 0] - np.ravel(expected)).max())
 
 
 def by_pyagrum(table: pd.DataFrame, n_values: int) -> Any:
-    """Learn with pyAgrum, as a ``BNClassifier`` whose class is the first variable."""
+    """Learn the tree with pyAgrum, as a ``BNClassifier`` whose class is the first variable."""
     from pyagrum.lib.discreteTypeProcessor import DiscreteTypeProcessor
     from pyagrum.skbn import BNClassifier
 
@@ -184,12 +184,12 @@ def by_pyagrum(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def pyagrum_edges(codes: NDArray[np.int32]) -> set[tuple[int, int]]:
-    """Return the edges of pyAgrum's tree, each as the variables' indices (parent, child)."""
+    """Return the edges of pyAgrum's tree, each as indices (parent, child) of variables."""
     network = by_pyagrum(pd.DataFrame(codes), int(codes.max()) + 1).bn_
     places = {"y": 0} | {f"x{number}": number + 1 for number in range(codes.shape[1] - 1)}
     return {tuple(places[network.variable(end).name()] for end in arc) for arc in network.arcs()}  # type: ignore[misc]
 
 
 def edges(model: DependencyTree) -> set[tuple[int, int]]:
-    """Return the edges of our only class's tree, each as (parent, child)."""
+    """Return the edges of our tree, each as (parent, child)."""
     return {(int(parent), child) for child, parent in enumerate(model.parents_[0]) if parent >= 0}

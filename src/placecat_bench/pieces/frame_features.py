@@ -1,8 +1,8 @@
 """All features of a frame against the decoding of its JPEG.
 
-The first measurement covers the features of the thesis's cues: 25 salient regions with five descriptors,
-Gist, Centrist and the information measure. The second covers all features that the `features` stage computes.
-These also include the features for the trials: more regions (Table 22) and variants of descriptors.
+The first measurement covers the features for the cues of the thesis: 25 salient regions with five
+descriptors, Gist, Centrist and the information measure. The second covers everything that the `features`
+stage computes, including more regions (Table 22) and descriptor variants for the trials.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -24,9 +24,9 @@ Options = Mapping[str, Any]
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | Limit]:
-    """Yield comparisons of the time with decoding, and the frames per second including decoding.
+    """Yield comparisons with decoding, and the frames per second including decoding.
 
-    `frames` have one size; by default, there is one from each rendered home.
+    `frames` have the same size; by default, there is one from each rendered home.
     """
     files, pictures = prepared(frames)
     every = options()
@@ -64,7 +64,7 @@ def _of(
 
 
 def for_cues(every: Options) -> dict[str, Any]:
-    """Leave out the descriptors' variants, and use the cues' number of regions."""
+    """Leave out descriptor variants, and use the number of regions for the cues."""
     kept = {**every, "regions": {**every["regions"], "max_regions": REGIONS}}
     for kind in ("local", "holistic"):
         kept[kind] = {name: own for name, own in every[kind].items() if "descriptor" not in (own or {})}
@@ -72,13 +72,13 @@ def for_cues(every: Options) -> dict[str, Any]:
 
 
 def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part of the work on all frames: maps, regions and each descriptor.
+    """Make a function for each part of the work on the frames: maps, regions and each descriptor.
 
     `frames` are (H, W, 3) uint8 BGR. Shared work counts towards every descriptor that needs it.
     """
     maps = [compute_maps(frame, **own["attention"]) for frame in frames]
     regions = [find_regions(one, **own["regions"]) for one in maps]
-    # Copies made by `replace` have no cached results of earlier calls.
+    # Copies made by `replace` have no cached results from earlier calls.
     found: dict[str, Callable[[], Any]] = {
         "maps": lambda: [compute_maps(frame, **own["attention"]) for frame in frames],
         "regions": lambda: [find_regions(replace(one), **own["regions"]) for one in maps],

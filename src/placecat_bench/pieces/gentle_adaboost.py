@@ -1,10 +1,10 @@
 """Gentle AdaBoost against three peers: one place against the rest, 50 stumps.
 
 OpenCV boosts in the same way, and also leaves out samples with small weights. It may split a feature between
-any two values, our code only at 255 quantiles. If a feature has more values, the stumps differ but are
-equally good, so the shares of correctly decided training frames are compared, too. LightGBM and XGBoost boost
-another loss, with the same number of trees (of depth 1) and of bins; they use all samples in every round, and
-full steps.
+any two values, whereas our code splits only at 255 quantiles. If a feature has more values, the stumps differ
+but are equally good. The accuracies on the training frames are therefore compared, too. LightGBM and XGBoost
+minimise a different loss, with the same number of trees (of depth 1) and bins. They use all samples in every
+round, and take full steps.
 """
 
 from collections.abc import Callable, Iterator
@@ -27,12 +27,12 @@ OTHERS = {
     "xgboost": Peer("XGBoost: XGBClassifier", "xgboost"),
 }
 HOMES = range(5)
-# OpenCV's flag that asks for the sum of the stumps.
+# Flag that makes OpenCV return the sum of the stumps.
 _SUM = 256
 
 
 def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Iterator[Entry]:
-    """Yield comparisons of the times, and of the accuracy on the training frames after all stumps."""
+    """Yield comparisons of the times and of the final accuracies on the training frames."""
     drawn = draw_frames(frames, features, HOMES)
     given = drawn.descriptors, drawn.place == 0, rounds
     yield from _beside(PEER, theirs, given, faster=4, repeats=LEAST_REPEATS)
@@ -59,7 +59,7 @@ def _beside(
         decided = model.predict(X, flags=_SUM)[1][:, 0] > 0 if peer is PEER else model.predict(X)
         return points_behind(our.result().predict(X), decided, positive)
 
-    quantity = f"points of training accuracy behind {peer.name.partition(':')[0]}'s"
+    quantity = f"{peer.name.partition(':')[0]}'s training accuracy minus ours, in percentage points"
     yield Limit(PIECE, text, quantity, behind, at_most=1, peer=peer)
 
 

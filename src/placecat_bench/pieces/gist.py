@@ -1,8 +1,8 @@
-"""Gist against torchgist: a frame's descriptor, including the maps that our code reads.
+"""Gist against torchgist: the descriptor of a frame, including the maps that our code needs.
 
-Our code averages the maps of visual attention in the cells of a grid (thesis section 3.2); torchgist filters
-a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The descriptors differ but
-serve the same purpose.
+Our code averages the maps of visual attention in the cells of a grid (thesis section 3.2), while torchgist
+filters a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The descriptors are
+different, but serve the same purpose.
 """
 
 from collections.abc import Iterator, Sequence
@@ -43,12 +43,12 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison]:
 
 
 def ours(frame: Image, attention: dict[str, Any]) -> NDArray[np.float32]:
-    """Compute a frame's maps and Gist; return the Gist, (D,)."""
+    """Compute the maps and the Gist of a frame; return the Gist, (D,)."""
     return np.asarray(gist.describe(frame, compute_maps(frame, gist.MAPS, **attention)))
 
 
 def theirs(squares: Sequence[NDArray[np.uint8]]) -> list[NDArray[np.float32]]:
-    """Compute torchgist's descriptors, each (512,), of (256, 256, 3) pictures, on one thread."""
+    """Compute the torchgist descriptors (512,) of (256, 256, 3) pictures, on one thread."""
     import torch
     from torchgist.models.models import GIST
 

@@ -1,16 +1,16 @@
 """Hierarchical k-means against three peers: the centres of a codebook of SIFT descriptors.
 
-FLANN and our code split into 16 clusters from k-means++ seeds, with at most 11 Lloyd iterations, and cut the
-tree where the variance falls most. FLANN grows the tree down to cells of fewer than 16 points before it cuts.
-Our code grows it only as far as the cut needs, which gives the same result. Since the seeds are drawn in
-different ways, the inertia is compared, too: the sum of all points' squared distances to their nearest
-centres.
+FLANN and our code split each cluster into 16, from k-means++ seeds and with at most 11 Lloyd iterations. They
+cut the tree where the variance falls most. FLANN grows the tree down to cells of fewer than 16 points before
+it cuts. Our code grows it only as far as the cut needs, with the same result. The seeds are drawn in
+different ways, so the inertia is compared, too. This is the sum of the squared distances from all points to
+their nearest centres.
 
-Two more peers find as many centres without such a tree: superkmeans's hierarchical mode with its default
-iterations (3 coarse, 5 fine), and faiss's flat k-means with our iterations on all points. Their times are
-comparable if their inertia equals ours.
+Two more peers find the same number of centres without such a tree: the hierarchical mode of superkmeans with
+its default iterations (3 coarse, 5 fine), and the flat k-means of faiss with our number of iterations on all
+points. Their times are comparable if their inertia equals ours.
 
-The points are the project's SIFT descriptors at random places and scales in frames of rendered homes.
+The points are SIFT descriptors at random positions and scales in frames of rendered homes.
 """
 
 from collections.abc import Callable, Iterator
@@ -38,7 +38,7 @@ BRANCHING = 16
 ITERATIONS = 11
 _FRAME_STEP = 13
 _REGIONS = 4096
-# Number of points whose differences from their centres are in memory at once.
+# Number of points processed at once.
 _BLOCK = 1 << 14
 
 
@@ -73,15 +73,15 @@ def _cut(
     def relative_inertia() -> float:
         return inertia(points, our.result()) / inertia(points, their.result())
 
-    quantity = f"inertia by {peer.name.partition(':')[0]}'s"
+    quantity = f"inertia relative to {peer.name.partition(':')[0]}'s"
     yield Limit(PIECE, text, quantity, relative_inertia, at_most=1.02, peer=peer)
 
 
 def draw_descriptors(points: int, homes: Path) -> NDArray[np.float32]:
-    """Describe random positions and scales in every 13th frame, using as many videos as necessary.
+    """Describe random positions and scales in every 13th frame of as many videos as necessary.
 
-    Returns (points, 128) float32, whole numbers from 0 to 255. Raises PlacecatError if the videos have too
-    few frames.
+    Returns (points, 128) float32 with whole numbers from 0 to 255. Raises PlacecatError if the videos have
+    too few frames.
     """
     rng = np.random.default_rng(0)
     parts: list[NDArray[np.float32]] = []
@@ -123,7 +123,7 @@ def theirs(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
 
 
 def by_superkmeans(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Return superkmeans's centres, (n_clusters, D) float32."""
+    """Return the centres of superkmeans, (n_clusters, D) float32."""
     from superkmeans import SuperKMeans
 
     model = SuperKMeans(n_clusters, points.shape[1], hierarchical=True, n_threads=1)
@@ -131,7 +131,7 @@ def by_superkmeans(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.f
 
 
 def by_faiss(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Return faiss's centres, (n_clusters, D) float32."""
+    """Return the centres of faiss, (n_clusters, D) float32."""
     import faiss
 
     faiss.omp_set_num_threads(1)
@@ -143,7 +143,7 @@ def by_faiss(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32
 
 
 def inertia(points: NDArray[np.float32], centers: NDArray[np.float32]) -> float:
-    """Return the sum of all points' squared distances to their nearest centres, computed in float64."""
+    """Return the sum of the squared distances from all points to their nearest centres, in float64."""
     nearest = nearest_centers(points, centers)[:, 0]
     total = 0.0
     for start in range(0, len(points), _BLOCK):

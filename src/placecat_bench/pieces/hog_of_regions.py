@@ -1,7 +1,7 @@
 """HOG of salient regions against OpenCV's HOG, called region by region.
 
-Our code and OpenCV receive the frames' maps and regions. For OpenCV, our function cuts out the patches, which
-are then resized and described one at a time. The descriptors are identical.
+Our code and OpenCV receive the maps and regions of the frames. For OpenCV, our function cuts out the patches.
+They are then resized and described one by one. The descriptors are identical.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,14 +19,14 @@ from placecat_bench.frames import REGIONS, REPEATS, Described, Image, prepared, 
 PIECE = "HOG of regions"
 PEER = Peer("OpenCV: HOGDescriptor.compute for each region", "opencv-python-headless")
 DLIB = Absent(
-    PIECE, "", "dlib 20.0.1: fhog", "no wheel, and from Python only the detectors that use it can be called"
+    PIECE, "", "dlib 20.0.1: fhog", "no wheel, and only the detectors that use it are available in Python"
 )
 
 
 def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> Iterator[Entry]:
-    """Yield comparisons of the times, and of the descriptors, for `count` regions per frame.
+    """Yield comparisons of the times and of the descriptors, for `count` regions per frame.
 
-    `frames` have one size; by default, there is one from each rendered home.
+    `frames` have the same size; by default, there is one from each rendered home.
     """
     _, pictures = prepared(frames)
     text = f"{count} regions of {size(pictures[0])}"
@@ -49,7 +49,7 @@ def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> I
     yield Limit(
         PIECE,
         text,
-        "largest difference of a value",
+        "largest difference between values",
         lambda: float(np.abs(np.concatenate(ours(given)) - np.concatenate(theirs(given))).max()),
         at_most=0,
         peer=PEER,
@@ -58,12 +58,12 @@ def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> I
 
 
 def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:
-    """Compute the HOG of each frame's regions, (n, 128)."""
+    """Compute the HOG of the regions of each frame, (n, 128)."""
     return [hog.describe(maps, regions) for maps, regions in given]
 
 
 def theirs(given: Sequence[Described]) -> list[NDArray[np.float32]]:
-    """Compute the same with OpenCV, one region at a time."""
+    """Compute the same descriptors with OpenCV, region by region."""
     window = (hog.WINDOW, hog.WINDOW)
     descriptor = cv2.HOGDescriptor(window, (64, 64), (32, 32), (16, 16), 8)
     return [
@@ -73,10 +73,10 @@ def theirs(given: Sequence[Described]) -> list[NDArray[np.float32]]:
 
 
 def patches_of(maps: FrameMaps, regions: NDArray[np.float32]) -> Image:
-    """Cut out the regions' patches, (n, side, side)."""
+    """Cut out the patches of the regions, (n, side, side)."""
     return to_bytes(cut(maps.grey, regions, region_side(maps.width)))
 
 
 def resized(patch: Image) -> Image:
-    """Resize a patch to the descriptor's window."""
+    """Resize a patch to the window of the descriptor."""
     return np.asarray(cv2.resize(patch, (hog.WINDOW, hog.WINDOW)))

@@ -1,6 +1,7 @@
-"""Prediction with the model of the `model` stage: frames arrive one by one and are named on one core.
+"""Prediction with the model of the `model` stage: frames arrive one by one and are categorized on one core.
 
-A decision includes the frame's features, its tracked regions, all cues, their integration and the smoothing.
+A decision includes the features of the frame, its tracked regions, all cues, their integration and the
+smoothing.
 """
 
 import subprocess
@@ -23,7 +24,7 @@ from placecat_bench.timing import median_seconds
 
 PIECE = "Prediction"
 PEER = Peer("OpenCV: imdecode", "opencv-python-headless")
-# A camera's frames per second.
+# Frame rate of a camera in frames per second.
 CAMERA = 30
 PERCENTILES = (50, 95, 99)
 REPEATS = 5
@@ -37,9 +38,9 @@ categorizer.update(numpy.zeros((height, width, 3), numpy.uint8))
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | Limit]:
-    """Yield the ratio to decoding, the frames per second, the latencies, and the time to a first decision.
+    """Yield the ratio to decoding, the frames per second, the latencies, and the time to the first decision.
 
-    `frames` are consecutive; by default, 100 of a rendered home. Frames per second and latencies include the
+    `frames` are consecutive; by default, 100 from a rendered home. Frames per second and latencies include
     decoding. Raises PlacecatError if there is no model.
     """
     if not paths.MODEL.is_file():
@@ -61,7 +62,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | L
     def decode() -> list[Any]:
         return [decoded(file) for file in files]
 
-    # Our choice of a limit; the frames per second below decide whether a camera can be followed.
+    # This limit is our choice. The frames per second below show whether we can keep up with a camera.
     yield Comparison(PIECE, text, PEER, decide, decode, at_most=12, parts={"decisions": decide})
     yield Limit(
         PIECE,
@@ -89,7 +90,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | L
 
 
 def _latencies(categorizer: Categorizer, files: Sequence[Image]) -> NDArray[np.float64]:
-    """Decode and name frames; return each frame's seconds."""
+    """Decode and categorize frames; return the seconds for each frame."""
     categorizer.reset()
     times = [time.perf_counter()]
     for file in files:
@@ -99,5 +100,5 @@ def _latencies(categorizer: Categorizer, files: Sequence[Image]) -> NDArray[np.f
 
 
 def first_decision() -> None:
-    """Load the model and name a frame, in a new process."""
+    """Load the model and categorize a frame, in a new process."""
     subprocess.run([sys.executable, "-c", _FIRST_DECISION, str(paths.MODEL)], check=True)

@@ -2,10 +2,10 @@
 
 fastrvm and our code maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and
 Faul 2003). Both use the same kernel and a bias, and both compute the Gram matrix. fastrvm updates its
-statistics after every change, our code only after many changes. fastrvm needs thousands of changes, for two
-of the five places more than 3000, so the place that needs the fewest is used. The evidences cannot be
-compared, since fastrvm has no prior for the bias; the shares of correctly decided training frames are
-compared instead. Only our code is timed on 8000 frames.
+statistics after every change, our code only after many changes. fastrvm needs thousands of changes, and more
+than 3000 for two of the five places. We therefore use the place that needs the fewest. The evidences cannot
+be compared, since fastrvm has no prior for the bias. The accuracies on the training frames are compared
+instead. Only our code is timed on 8000 frames.
 
 sklearn-rvm starts with all basis functions and prunes them (Tipping 2001). Its time grows with the third
 power of the number of frames, so it receives fewer frames.
@@ -36,10 +36,10 @@ PLACE = 1
 def entries(
     *, fewest: int = 400, few: int = 1600, many: int = 8000, features: int = 1024
 ) -> Iterator[Comparison | Limit]:
-    """Yield comparisons of times and accuracies on few frames, and the time of our slowest class on many.
+    """Yield comparisons of times and accuracies on few frames, and our time for the slowest class on many.
 
-    `fewest` is the number of frames for sklearn-rvm, `few` that for fastrvm, and `many` that for our code
-    alone. `features` is a descriptor's length.
+    `fewest` is the number of frames for sklearn-rvm, `few` for fastrvm, and `many` for our code alone.
+    `features` is the length of a descriptor.
     """
     for peer, call, number, faster in ((PRUNING, by_pruning, fewest, 10), (PEER, theirs, few, 1)):
         yield from _beside(peer, call, *scaled_frames(number, features), faster)
@@ -47,7 +47,7 @@ def entries(
     yield Limit(
         PIECE,
         f"{many} x {features}",
-        f"seconds, the slowest of {CLASSES} classes",
+        f"seconds for the slowest of {CLASSES} classes",
         lambda: max(seconds(partial(ours, X, place == number)) for number in range(CLASSES)),
         at_most=60,
         parts={"Gram matrix": lambda: rbf_gram(X, GAMMA)},
@@ -66,7 +66,7 @@ def _beside(
     parts = {"Gram matrix": lambda: rbf_gram(X, GAMMA)}
     # The peer takes a minute.
     yield Comparison(PIECE, text, peer, our, their, faster=faster, warm_up=False, parts=parts)
-    quantity = f"points of training accuracy behind {peer.package}'s"
+    quantity = f"{peer.package}'s training accuracy minus ours, in percentage points"
 
     def behind() -> float:
         return points_behind(our.result().predict(X), their.result().predict(X), positive)

@@ -1,8 +1,8 @@
-"""A frame's saliency map against the decoding of its JPEG, and against OpenCV's two saliency maps.
+"""The saliency map of a frame against the decoding of its JPEG, and against two saliency maps of OpenCV.
 
-OpenCV's maps are in its contributed modules. These come in another build of the same package, so a separate
-process computes the maps. Both maps use only the intensity, and the spectral residual has 64x64 pixels. Our
-map fuses intensity, two opponent colours and four orientations at several scales, and a residual.
+The maps of OpenCV are in its contributed modules. These come in another build of the same package, so a
+separate process computes the maps. Both maps use only the intensity, and the spectral residual has 64x64
+pixels. Our map fuses intensity, two opponent colours and four orientations at several scales, and a residual.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -23,15 +23,15 @@ CONTRIBUTED = {
     "StaticSaliencyFineGrained": Peer("OpenCV contributed: fine-grained saliency", PACKAGE, FOLDER),
     "StaticSaliencySpectralResidual": Peer("OpenCV contributed: spectral residual", PACKAGE, FOLDER),
 }
-VOCUS2 = Absent(PIECE, "", "VOCUS2", "no package: C++ sources, whose build was not tried")
+VOCUS2 = Absent(PIECE, "", "VOCUS2", "no package, only C++ sources, which we did not try to build")
 # The maps that saliency needs. The colours themselves are used only by descriptors.
 READ = tuple(name for name in FIELDS if name != "color")
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Entry]:
-    """Yield comparisons of the time with decoding, and with OpenCV's saliency.
+    """Yield comparisons with decoding and with OpenCV's saliency.
 
-    `frames` have one size; by default, there is one from each rendered home.
+    `frames` have the same size; by default, there is one from each rendered home.
     """
     files, pictures = prepared(frames)
     own = options()
@@ -51,7 +51,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Entry]:
 
 
 def saliency_of(frame: Image, own: Mapping[str, Any]) -> Saliency:
-    """Compute a frame's saliency map, as the `features` stage does to find regions."""
+    """Compute the saliency map of a frame, as the `features` stage does to find regions."""
     return saliency(compute_maps(frame, READ, **own["attention"]), **_fusion(own))
 
 
@@ -68,7 +68,7 @@ def parts(frames: Sequence[Image], own: Mapping[str, Any]) -> dict[str, Callable
         "grey and colour pyramids and colour": only("color_contrast"),
         "grey pyramid and orientation": only("orientation"),
         "grey pyramid and residual": only("residual"),
-        # Copies made by `replace` have no cached results of earlier calls.
+        # Copies made by `replace` have no cached results from earlier calls.
         "fusion": lambda: [saliency(replace(one), **_fusion(own)) for one in maps],
     }
 

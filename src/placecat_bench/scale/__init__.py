@@ -1,6 +1,6 @@
-"""Measure the stages' time, its growth, and their memory at the size of the thesis's home database.
+"""Benchmarks of the stages at the size of the thesis's home database: time, its growth, and memory.
 
-`python -m placecat_bench.scale` draws features of that size from the outputs of `make repro`, runs the stages
-at several sizes for the test homes of conf/scale.yaml, and writes reports/scale.csv, scale_growth.csv and
-scale.json.
+`python -m placecat_bench.scale` draws features for that size from the outputs of `make repro`. It runs the
+stages at several sizes for the test homes in conf/scale.yaml, and writes reports/scale.csv, scale_growth.csv
+and scale.json.
 """

@@ -8,27 +8,27 @@ from placecat.errors import exiting
 
 
 def main() -> None:
-    """Build, run, measure and report; exit with a message and status 1 on a user error."""
+    """Run the command. After a user's mistake, print a message and exit with status 1."""
     from placecat import paths
 
     parser = argparse.ArgumentParser(
         prog="python -m placecat_bench.scale",
         description="Run the stages on as many frames as the thesis's home database has, with features drawn "
-        "from the outputs of `make repro`. Write each stage's time and memory, and how the time grows.",
+        "from the outputs of `make repro`. Write the time, its growth, and the memory of each stage.",
     )
     parser.add_argument(
         "--sizes",
         nargs="+",
         type=float,
         metavar="PART",
-        help="shares of the frames; default: conf/scale.yaml",
+        help="shares of the number of frames; default: conf/scale.yaml",
     )
     parser.add_argument("--stages", nargs="+", metavar="STAGE", help="default: conf/scale.yaml")
     parser.add_argument(
         "--folder", type=Path, default=paths.SCALE, help=f"working folder, {paths.SCALE} by default"
     )
     parser.add_argument(
-        "--add", action="store_true", help="keep the rows of other sizes in scale.csv and fit them too"
+        "--add", action="store_true", help="keep the rows of other sizes in scale.csv, and fit them too"
     )
     parser.add_argument("--keep", action="store_true", help="keep the folders of all sizes")
     parser.add_argument("--output", type=Path, default=paths.REPORTS, help=f"{paths.REPORTS} by default")

@@ -23,7 +23,7 @@ _NAMES = ["sizes", "test_homes", "stages", "regions", "jitter", "most_gib", "hom
 
 
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/scale.yaml; raises the errors of :func:`placecat.config.conf_file.read`."""
+    """Read conf/scale.yaml. Raises the same errors as :func:`placecat.config.conf_file.read`."""
     return conf_file.read(path, _NAMES)
 
 
@@ -38,10 +38,10 @@ def run(
 ) -> None:
     """Measure one size after another, and write scale.csv, scale_growth.csv and scale.json to `output`.
 
-    The files are written after each size, so that a stopped run leaves results. `sizes` and `stages` override
-    conf/scale.yaml. Each size has its own folder in `folder`, which is removed afterwards unless `keep` is
-    set. `add` keeps the rows of other sizes in `output`/scale.csv; they should come from the same machine and
-    code. Raises PlacecatError for invalid settings, missing features, or a stage that fails.
+    The files are written after each size, so that an interrupted run leaves results. `sizes` and `stages`
+    override conf/scale.yaml. Each size has its own folder in `folder`, which is removed afterwards unless
+    `keep` is set. `add` keeps the rows of other sizes in `output`/scale.csv. They should come from the same
+    machine and code. Raises PlacecatError for invalid settings, missing features, or a stage that fails.
     """
     options = read_settings()
     homes = read_homes(options["homes"])
@@ -102,5 +102,5 @@ def _text(facts: Mapping[str, Any]) -> str:
         f"{largest['frames']} frames, tested on {', '.join(facts['test_homes'])}: "
         f"{largest['seconds'] / 60:.1f} min; at most {largest['peak_gib']:.1f} GiB "
         f"({largest['peak_stage']}; the target is {largest['most_gib']:g} GiB).\n"
-        f"A complete run on as many frames, with all homes tested, would take about {full['hours']:.1f} h."
+        f"A complete run on this many frames, with all homes tested, would take about {full['hours']:.1f} h."
     )

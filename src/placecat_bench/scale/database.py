@@ -1,4 +1,4 @@
-"""The numbers of frames per label in a home database, and a possible order of labels in a walk."""
+"""The number of frames per label in a home database, and possible walks with these numbers."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -15,7 +15,10 @@ TRANSITION = "transition"
 
 @dataclass(frozen=True)
 class Stretch:
-    """One or more consecutive frames with one label, on one floor (numbered from 1, filmed without a cut)."""
+    """One or more consecutive frames with one label, on one floor.
+
+    Floors are numbered from 1. The footage of a floor is continuous.
+    """
 
     floor: int
     label: str
@@ -24,7 +27,7 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Home:
-    """Counts from a home's label file: floors, and each label's frames and stretches. All are at least 1."""
+    """Counts from a label file: the floors, and the frames and stretches per label. All are at least 1."""
 
     name: str
     floors: int
@@ -32,7 +35,7 @@ class Home:
 
     @property
     def frames(self) -> int:
-        """The home's number of frames."""
+        """The number of frames in the home."""
         return sum(frames for frames, _ in self.labels.values())
 
     def scaled(self, size: float) -> "Home":
@@ -47,7 +50,7 @@ class Home:
         return replace(self, labels=labels)
 
     def walk(self) -> list[Stretch]:
-        """Shuffle stretches of random lengths, with transitions between them; the home's name is the seed."""
+        """Shuffle stretches of random lengths, with transitions between them. The seed is the home's name."""
         rng = np.random.default_rng(seeds.derive("scale", "walk", self.name))
         places: list[tuple[str, int]] = []
         transitions: list[tuple[str, int]] = []
@@ -65,7 +68,7 @@ class Home:
 
 
 def read_homes(content: Mapping[str, Any]) -> list[Home]:
-    """Read the ``floors`` and ``labels`` of the homes in conf/scale.yaml; raises PlacecatError if invalid."""
+    """Read ``floors`` and ``labels`` of the homes in conf/scale.yaml. Invalid ones raise PlacecatError."""
     homes = []
     for name, own in content.items():
         try:
@@ -88,7 +91,7 @@ def read_homes(content: Mapping[str, Any]) -> list[Home]:
 
 
 def classes_of(stretches: Sequence[Stretch], classes: Sequence[str], ignored: Sequence[str]) -> list[int]:
-    """Return each stretch's class index, -1 for labels in `ignored`; unknown labels raise PlacecatError."""
+    """Return the class of each stretch, or -1 for labels in `ignored`. Unknown labels raise PlacecatError."""
     for stretch in stretches:
         if stretch.label not in classes and stretch.label not in ignored:
             raise PlacecatError(

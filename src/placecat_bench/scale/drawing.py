@@ -1,4 +1,4 @@
-"""Draw many features from few: repeat a home's frames of the same place, with new jitter each time."""
+"""Many features drawn from a few: frames of the same place are repeated with different jitter."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 from placecat import files, paths, seeds
 from placecat_bench.scale.database import Stretch
 
-# The second axis of an array is regions if it is named REGIONS or its name starts with LOCAL.
+# The second axis of an array lists regions if the array is named REGIONS or its name starts with LOCAL.
 REGIONS = "regions"
 LOCAL = "local_"
 COUNT = "count"
-# Number of values processed at a time.
+# Number of values processed at once.
 CHUNK = 8_000_000
 
 
@@ -28,9 +28,9 @@ def draw_frames(
 
     A stretch starts at a random source frame with its label and runs through the following ones, wrapping
     around at the end. Frames are repeated, as in a video with a higher frame rate. If no source frame has the
-    label, frames of the class are used; if there are none of these either, any frames are used. `labels` and
-    `classes` give each source frame's label and class index (-1 if it has no class), both (sources,). `own`
-    has each stretch's class index. The home's name is the seed.
+    label, frames of the same class are used. If there are none of these either, any frames are used. `labels`
+    and `classes` are the label and the class index (-1 if it has no class) of each source frame, both
+    (sources,). `own` is the class index of each stretch. The name of the home is the seed.
     """
     rng = np.random.default_rng(seeds.derive("scale", "frames", home))
     names = np.asarray(labels, dtype=str)
@@ -50,11 +50,11 @@ def draw_frames(
 def draw_regions(
     chosen: NDArray[np.int64], counts: NDArray[np.int64], classes: NDArray[np.int64], wanted: int, home: str
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Choose source regions for every frame: first those of its source frame, then others of its class.
+    """Choose source regions for every frame: those of its source frame, then others of the same class.
 
-    `chosen`, (frames,), comes from :func:`draw_frames`. `counts` and `classes` give each source frame's
-    number of regions and class index, both (sources,). Returns each region's source frame and its index in
-    that frame, both (frames, wanted).
+    `chosen`, (frames,), comes from :func:`draw_frames`. `counts` and `classes` are the number of regions and
+    the class index of each source frame, both (sources,). Returns the source frame of each region and its
+    index in that frame, both (frames, wanted).
     """
     rng = np.random.default_rng(seeds.derive("scale", "regions", home))
     frame = np.repeat(chosen[:, None], wanted, axis=1)
@@ -81,7 +81,7 @@ def write_jittered(
 ) -> None:
     """Write an array of drawn rows, with each value multiplied by a random factor around 1.
 
-    Zeros stay zeros, values stay in the source's range, and the dtype does not change. Both files are
+    Zeros stay zeros, values stay in the range of the source, and the dtype does not change. Both files are
     ``.npy``. `frame` and `place` are indices into the source: (frames,) and None, or both (frames, regions).
     `jitter` is the standard deviation of the factors, which depend on the names of the home and the target.
     """
@@ -105,11 +105,11 @@ def write_jittered(
 
 
 def arrays_in(folder: Path) -> list[str]:
-    """List a folder's arrays of features or tracks by name, except the counts of regions and the frames."""
+    """List the arrays of features or tracks in a folder by name, except region counts and frame numbers."""
     others = (f"{COUNT}.npy", paths.VARIANT_FRAMES)
     return sorted(path.stem for path in folder.glob("*.npy") if path.name not in others)
 
 
 def has_regions(name: str) -> bool:
-    """Whether the array of this name has an axis of regions."""
+    """Return whether the array of this name has an axis of regions."""
     return name == REGIONS or name.startswith(LOCAL)

@@ -1,4 +1,4 @@
-"""Run stages in a folder, measure their time and memory, and fit power laws to their growth."""
+"""The time and memory of stages, and power laws for the growth of the time."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -8,13 +8,13 @@ import pandas as pd
 
 from placecat_bench.scale.watching import watch
 
-# `item` is always "": stages once ran per home or cue, and the files in git still have the column.
+# `item` is always "". Stages once ran per home or cue, and the files in git still have the column.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
-    """Run stages in a folder, and return a row of `COLUMNS` for each; raise PlacecatError if one fails."""
+    """Run stages in a folder; return a row of `COLUMNS` for each. Raises PlacecatError if one fails."""
     rows = []
     for stage, command in steps.items():
         watched = watch(command, folder, folder / "logs" / f"{stage}.log")
@@ -56,8 +56,8 @@ def fit(frames: Sequence[float], values: Sequence[float]) -> tuple[float, float,
 
     `frames` and `values` are positive, (n,), n >= 2, with at least two different numbers of frames. Returns
     three numbers. The first is the exponent, which is 1 if the values are proportional to the number of
-    frames. The second is the share of the logarithms' variance that the fit explains, at most 1. The third
-    is the exponent between the two largest sizes, where constant costs, such as imports, matter little.
+    frames. The second, at most 1, is the share of the variance in the logarithms that the fit explains. The
+    third is the exponent between the two largest sizes, where constant costs such as imports matter little.
 
     >>> fit([100, 200, 400], [3.0, 12.0, 48.0])[0]
     2.0

@@ -1,4 +1,4 @@
-"""Build a project folder of a chosen size: params.yaml, data/sequences, data/features and data/tracks."""
+"""A project folder of a chosen size: params.yaml, data/sequences, data/features and data/tracks."""
 
 import shutil
 from collections.abc import Mapping, Sequence
@@ -18,7 +18,7 @@ from placecat.sequences import listing
 from placecat_bench.scale import drawing
 from placecat_bench.scale.database import Home, Stretch, classes_of
 
-# Other inputs of the stages, which the folder links to.
+# Other inputs of the stages. The folder contains links to them.
 LINKED = (
     paths.CONF,
     paths.SITE_SEQUENCES,
@@ -32,7 +32,7 @@ LINKED = (
 def build(
     folder: Path, homes: Sequence[Home], *, test_homes: Sequence[str], regions: int, jitter: float
 ) -> dict[str, Any]:
-    """Replace a folder with a project that has these homes; return the project's settings.
+    """Replace a folder with a project that has these homes; return the settings of the project.
 
     `test_homes` are names of homes, `regions` is the number of regions in every frame, and `jitter` is as for
     :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this project has not run, or
@@ -42,7 +42,7 @@ def build(
     sources = list(settings.get(params, "dataset.homes"))
     for path in [*LINKED, *(made / home for home in sources for made in (paths.FEATURES, paths.TRACKS))]:
         if not path.exists():
-            raise PlacecatError(f"{path} is missing: run `make repro` first, to make the source features")
+            raise PlacecatError(f"{path} is missing: run `make repro` first, to create the source features")
     if folder.exists():
         shutil.rmtree(folder)
     (folder / paths.DATA).mkdir(parents=True)
@@ -62,7 +62,7 @@ def build(
 
 
 def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:
-    """Write this project's settings with other homes, whose results are not comparable; return them."""
+    """Write the settings of this project with other homes and without thesis data; return them."""
     overrides = [
         f"dataset.homes=[{','.join(home.name for home in homes)}]",
         "dataset.name=scale",
@@ -84,7 +84,7 @@ def _plan(
     regions: int,
     jitter: float,
 ) -> list[tuple[Any, ...]]:
-    """Write a home's small files; return the tasks that write its large arrays."""
+    """Write the small files of a home; return the tasks that write its large arrays."""
     dataset, frames = params["dataset"], params["region_variants"]["frames"]
     index = classes_of(walk, dataset["classes"], dataset["ignored"])
     _write_sequences(folder / paths.SEQUENCES / home, walk, index, paths.SEQUENCES / source)
@@ -99,7 +99,7 @@ def _plan(
         there = files.read_array(variant / paths.VARIANT_FRAMES, memory_map=False)
         rows = np.arange(frames["offset"], len(chosen), frames["step"])
         files.write_array(target / paths.VARIANT_FRAMES, rows)
-        # Use the last source frame that has the variant and does not follow the drawn frame.
+        # Use the last source frame that has the variant and is not after the drawn frame.
         own = np.maximum(np.searchsorted(there, chosen[rows], side="right") - 1, 0)
         most = files.read_array(variant / f"{drawing.REGIONS}.npy").shape[1]
         tasks += _plan_arrays(variant, target, own, classes[there], most, jitter, home)
@@ -115,9 +115,9 @@ def _plan_arrays(
     jitter: float,
     home: str,
 ) -> list[tuple[Any, ...]]:
-    """Write a folder's small files; return the tasks that write its arrays.
+    """Write the small files of a folder; return the tasks that write its arrays.
 
-    `chosen` are indices of source rows; `classes` has each source row's class index.
+    `chosen` are indices of source rows, and `classes` are the class indices of all source rows.
     """
     counts = files.read_array(source / f"{drawing.COUNT}.npy", memory_map=False)
     frame, place = drawing.draw_regions(chosen, counts.astype(np.int64), classes, regions, home)

@@ -1,4 +1,4 @@
-"""Run a command, and watch the time and memory of all its processes."""
+"""The time and memory of a command and all its processes, measured while it runs."""
 
 import os
 import subprocess
@@ -18,10 +18,10 @@ INTERVAL = 0.25
 
 @dataclass(frozen=True)
 class Watched:
-    """A command's wall time in seconds, and the CPU seconds and peak memory (GiB) of all its processes.
+    """The wall time of a command in seconds, and the CPU seconds and peak memory (GiB) of all its processes.
 
-    CPU seconds depend less on the machine's load. On Linux, which reports the proportional set size, memory
-    that processes share counts only once.
+    CPU seconds depend less on the load of the machine. On Linux, which reports the proportional set size,
+    memory that processes share counts only once.
     """
 
     seconds: float
@@ -30,7 +30,7 @@ class Watched:
 
 
 def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
-    """Run a command in a folder, writing its output to `log`; raises PlacecatError if the command fails.
+    """Run a command in a folder, and write its output to `log`. Raises PlacecatError if the command fails.
 
     The message shows the last line of the output.
     """
@@ -64,7 +64,7 @@ def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
 
 
 def _look(pid: int, cpu: dict[int, float]) -> int:
-    """Return the memory in bytes of a process and its descendants; write their CPU seconds to `cpu`."""
+    """Return the memory of a process and its descendants in bytes; write their CPU seconds to `cpu`."""
     try:
         parent = psutil.Process(pid)
         family = [parent, *parent.children(recursive=True)]

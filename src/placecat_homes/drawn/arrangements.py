@@ -1,4 +1,4 @@
-"""Arrangements of rooms: their positions and connections. The plans are mirrored and turned later."""
+"""Arrangements of rooms: their positions and connections. The plans are mirrored and rotated later."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -24,8 +24,7 @@ class Sketch:
     rooms
         Maps names to x0, y0, x1, y1 in metres.
     joined
-        Pairs of rooms and how they are joined: by a "door" or "open". A door leaf swings into the second
-        room.
+        Pairs of rooms, and "door" or "open" for how they are joined. A door leaf swings into the second room.
     entrance
         Corridor with the entrance door of the home.
     """
@@ -35,7 +34,7 @@ class Sketch:
     entrance: str = ""
 
     def add(self, kind: str, x0: float, y0: float, x1: float, y1: float) -> str:
-        """Add a room, named by its kind and a number from 1."""
+        """Add a room. Its name is its kind and a number from 1."""
         number = 1 + sum(name.rpartition("_")[0] == kind for name in self.rooms)
         self.rooms[f"{kind}_{number}"] = (x0, y0, x1, y1)
         return f"{kind}_{number}"
@@ -46,7 +45,7 @@ class Sketch:
 
 
 def two_rows(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
-    """Draw two rows of rooms on both sides of a corridor."""
+    """Draw a corridor with a row of rooms on either side."""
     sketch = Sketch()
     south, north = _two_lists(rng, ranges)
     deep = [rng.uniform(*ranges.depth) for _ in range(2)]
@@ -74,7 +73,7 @@ def two_rows(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
 
 
 def _two_lists(rng: np.random.Generator, ranges: PlanRanges) -> tuple[list[str], list[str]]:
-    """Kinds of the rooms in both rows, in order; a corridor among them is the entrance."""
+    """Draw the kinds of rooms in both rows, in order. A corridor among them is the entrance."""
     bedrooms, bathrooms = chosen(rng, ranges.bedrooms), chosen(rng, ranges.bathrooms)
     south = ["living_room", "dining_room"]
     north: list[str] = []
@@ -157,7 +156,7 @@ def _to(way: tuple[str, str, str], room: str) -> bool:
 
 
 def _adjacent(a: Rect, b: Rect) -> bool:
-    """Tell whether two rooms are neighbours in a row."""
+    """Return whether two rooms are neighbours in a row."""
     beside = min(abs(a[0] - b[2]), abs(b[0] - a[2])) < WALL + 0.01
     return beside and min(a[3], b[3]) - max(a[1], b[1]) > _DOOR
 
@@ -228,7 +227,7 @@ def angled(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
     turn = sketch.rooms[dining][0] - rng.uniform(0.1, 0.5)
     low, high = deep + WALL, deep + WALL + wide
     bend = rng.uniform(*ranges.corridor)
-    # East of the second part are the kitchen and a bathroom, the kitchen behind the dining room.
+    # East of the second part are the kitchen, behind the dining room, and a bathroom.
     east = turn + bend + WALL
     width = float(np.clip(sketch.rooms[dining][2] - east, *ranges.sides["kitchen"]))
     top = low + float(np.clip(rng.uniform(*ranges.areas["kitchen"]) / width, 2.9, 4.4))

@@ -13,13 +13,13 @@ from placecat_homes.plan_parts import RoomPlan
 from placecat_homes.walking.walk import Walk
 
 LARGEST = {"bedroom": 1.2, "living_room": 0.9, "dining_room": 0.6, "kitchen": 0.3, "bathroom": 0.3}
-"""Least floor area of a room's largest object (a bed, a sofa, a table), in square metres."""
+"""Minimum floor area of the largest object in a room, such as a bed or a sofa, in square metres."""
 STANDING = {"bedroom": 2, "living_room": 3, "dining_room": 1, "kitchen": 3, "bathroom": 3}
-"""Least number of objects on the floor of a room."""
+"""Minimum number of objects on the floor of a room."""
 COVERED = 0.08
-"""Least share of the floor that furniture covers."""
+"""Minimum share of the floor that is covered by furniture."""
 LEAST_FRAMES = 5
-"""Least number of frames in which the camera is in a room and looks at one of its two largest objects."""
+"""Minimum number of frames taken in a room that show one of its two largest objects."""
 
 _BEYOND = 0.06
 _AIM = np.radians(30)
@@ -34,7 +34,7 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
     building
         The furnished home.
     walk
-        A walk through all of its rooms.
+        A walk through all its rooms.
 
     Yields
     ------
@@ -60,7 +60,7 @@ def of_rooms(building: Building) -> Iterator[str]:
 
 
 def _looks(walk: Walk, plan: RoomPlan, room: Room) -> NDArray[np.bool_]:
-    """Tell for each frame whether the camera looks at one of the two largest objects of a room."""
+    """Return, for each frame, whether the camera looks at one of the two largest objects of a room."""
     largest = sorted(room.blocking, key=_area, reverse=True)[:2]
     looks = np.zeros(len(walk.yaw), bool)
     for thing in largest:
@@ -74,10 +74,10 @@ def _of_room(building: Building, plan: RoomPlan, room: Room) -> Iterator[str]:
     width, depth = plan.size
     boxes = [thing.box() for thing in room.blocking]
     if any(max(-box[0], -box[1], box[2] - width, box[3] - depth) > _BEYOND for box in boxes):
-        yield f"an object of {plan.name} stands in a wall"
+        yield f"an object in {plan.name} overlaps a wall"
     for other in building.plan.rooms:
         if other is not plan and any(_reaches(thing, plan, other) for thing in room.placed):
-            yield f"an object of {plan.name} reaches into {other.name}"
+            yield f"an object in {plan.name} reaches into {other.name}"
     if not room.walkable():
         yield f"furniture blocks a door of {plan.name}"
     if plan.kind not in KINDS:
@@ -86,7 +86,7 @@ def _of_room(building: Building, plan: RoomPlan, room: Room) -> Iterator[str]:
     if len(areas) < STANDING[plan.kind] or sum(areas) < COVERED * width * depth:
         yield f"{plan.name} is nearly empty"
     elif max(areas) < LARGEST[plan.kind]:
-        yield f"{plan.name} lacks the large piece of furniture that its kind needs"
+        yield f"the largest piece of furniture in {plan.name} is too small"
 
 
 def _reaches(thing: Placed, plan: RoomPlan, other: RoomPlan) -> bool:

@@ -83,7 +83,7 @@ class Source:
 
     @classmethod
     def read(cls, path: Path = SETTINGS / "drawn.yaml", /, **video: int) -> "Source":
-        """Read the settings; `video` overrides those of the videos. Invalid settings raise SettingError."""
+        """Read the settings. `video` overrides the video settings. Invalid settings raise SettingError."""
         content = settings.read_yaml(path)
         settings.check(cls, content, str(path))
         where = f"{path} video"
@@ -105,7 +105,8 @@ class Home:
     Attributes
     ----------
     content
-        `plan` as in conf/plan, and `shot`: the other settings of a video as in conf/videos.yaml.
+        `plan` is structured like the files in conf/plan. `shot` contains the other settings of a video, as in
+        conf/videos.yaml.
     building
         The furnished home.
     walk
@@ -133,7 +134,7 @@ def _flow(value: Mapping[str, Any]) -> str:
 
 
 def name_of(number: int, seed: int) -> str:
-    """Name a home, such as "home 7 of seed 1"; everything in it is seeded by this name alone."""
+    """Name a home, such as "home 7 of seed 1". This name alone seeds everything in the home."""
     return f"home {number} of seed {seed}"
 
 
@@ -157,7 +158,7 @@ def draw(number: int, seed: int, source: Source) -> Home:
     Raises
     ------
     PlacecatError
-        If every draw has a fault, for example because the frames are too few to show every room.
+        If every draw has a fault, for example because there are too few frames to show every room.
     """
     name = name_of(number, seed)
     reason = ""
@@ -213,6 +214,6 @@ def _light(name: str, ranges: Mapping[str, LightRanges]) -> dict[str, Any]:
 
 
 def _stays(name: str, attempt: int, rooms: Mapping[str, Mapping[str, Any]]) -> list[str]:
-    """List the rooms in which the walk stays: all rooms, but only some corridors."""
+    """List the rooms in which the walk stays: all rooms except some corridors."""
     rng = np.random.default_rng(derive("stays", name, attempt))
     return [room for room, of_one in rooms.items() if of_one["kind"] in KINDS or rng.random() < _CORRIDOR]

@@ -1,4 +1,4 @@
-"""A floor plan drawn from the name of a home: rooms are arranged, mirrored and turned, and receive doors."""
+"""A floor plan drawn from the name of a home: rooms are arranged, mirrored, rotated and joined by doors."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -16,7 +16,7 @@ from placecat_homes.plan_parts import SIDES, Rect
 _TALL = 2.65
 _PLACES = ((0.08, 0.25), (0.75, 0.92), (0.35, 0.65))
 _TRIES = 30
-# Largest share of the floor that corridors may take: that of the long corridor in conf/plan/home_2.yaml.
+# Maximum share of corridors in the floor area: that of the long corridor in conf/plan/home_2.yaml.
 _CORRIDORS = 0.22
 
 
@@ -26,17 +26,17 @@ def draw(name: str, number: int, ranges: PlanRanges) -> dict[str, Any]:
     Parameters
     ----------
     name
-        Name of the home, such as "home 7 of seed 1". With the same ranges, only name and number decide what
-        is drawn.
+        Name of the home, such as "home 7 of seed 1". With the same ranges, the plan depends only on the name
+        and the number.
     number
-        Number of the plan, from 1; each number gives a different plan.
+        Number of the plan, from 1. Different numbers make different plans.
     ranges
         Ranges of sizes, and odds of arrangements and numbers of rooms.
 
     Returns
     -------
     dict
-        The plan, laid out like a file of conf/plan.
+        The plan, structured like the files in conf/plan.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def draw(name: str, number: int, ranges: PlanRanges) -> dict[str, Any]:
 
 
 def read(plan: Mapping[str, Any]) -> FloorPlan:
-    """Read a plan of :func:`draw` and check it; an invalid plan raises PlacecatError."""
+    """Read and check a plan made by :func:`draw`. An invalid plan raises PlacecatError."""
     name = str(plan["name"])
     return FloorPlan.from_dict(name, plan)
 
@@ -97,7 +97,7 @@ def _attempt(
 
 
 def _fits(kind: str, rect: Rect, ranges: PlanRanges) -> bool:
-    """Tell whether the size of a room is allowed for its kind."""
+    """Return whether the size of a room is allowed for its kind."""
     if kind not in KINDS:
         return True
     x0, y0, x1, y1 = rect
@@ -107,13 +107,13 @@ def _fits(kind: str, rect: Rect, ranges: PlanRanges) -> bool:
 
 
 def _corridors(rooms: Mapping[str, Rect]) -> float:
-    """Return the corridors' share of the floor."""
+    """Return the share of corridors in the floor area."""
     areas = {name: (x1 - x0) * (y1 - y0) for name, (x0, y0, x1, y1) in rooms.items()}
     return sum(area for name, area in areas.items() if name.startswith("corridor")) / sum(areas.values())
 
 
 def _possible(content: Mapping[str, Any]) -> bool:
-    """Tell whether a plan is valid, its entrance leads outside, and all rooms but corridors have windows."""
+    """Return whether a plan is valid, the entrance leads outside, and only corridors lack windows."""
     try:
         plan = read(content)
     except PlacecatError:
@@ -134,7 +134,7 @@ def _possible(content: Mapping[str, Any]) -> bool:
 
 
 def _placed(rng: np.random.Generator, rooms: Mapping[str, Rect]) -> dict[str, Rect]:
-    """Perhaps mirror the rooms, perhaps exchange x and y; move them to x, y >= 0 and round to centimetres."""
+    """Randomly mirror the rooms and swap x and y. Move them to x, y >= 0 and round to centimetres."""
     east, north, turned = rng.random(3) < 0.5
     corners = {}
     for name, (x0, y0, x1, y1) in rooms.items():

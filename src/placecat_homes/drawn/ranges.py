@@ -18,18 +18,18 @@ Range = tuple[float, float]
 
 @dataclass(frozen=True)
 class PlanRanges:
-    """Ranges (least, most) of floor plans, in metres and square metres.
+    """Ranges (minimum, maximum) for floor plans, in metres and square metres.
 
     Attributes
     ----------
     arrangements
-        Maps names of functions of :mod:`placecat_homes.drawn.arrangements` to odds.
+        Maps names of functions in :mod:`placecat_homes.drawn.arrangements` to odds.
     bedrooms, bathrooms
-        Maps numbers of rooms to odds; 1 to 3 bedrooms, 1 or 2 bathrooms.
+        Map numbers of rooms to odds, for 1 to 3 bedrooms and 1 or 2 bathrooms.
     height
         Height of ceilings, 2.3 to 4 m.
     glazing
-        Share of windows, see `FloorPlan`; 0.1 to 0.9.
+        Share of windows in the outer walls (see `FloorPlan`), 0.1 to 0.9.
     depth
         Depth of a row of rooms, 2.8 to 8 m.
     corridor
@@ -54,9 +54,9 @@ class PlanRanges:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str, arrangements: Collection[str]) -> "PlanRanges":
-        """Make the ranges from settings; a missing, unknown or invalid one raises SettingError.
+        """Make the ranges from settings. A missing, unknown or invalid setting raises SettingError.
 
-        Messages call the settings `where`; `arrangements` are the valid names.
+        `where` is the name of the settings in messages. `arrangements` are the valid names of arrangements.
         """
         pairs: dict[str, Any] = {
             name: _range(values, name, where, least, most)
@@ -87,7 +87,7 @@ class PlanRanges:
 
 @dataclass(frozen=True)
 class LightRanges:
-    """Ranges of the light in one kind of weather.
+    """Ranges for the light in one kind of weather.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ class LightRanges:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str) -> dict[str, "LightRanges"]:
-        """Make the ranges of every weather; a missing, unknown or invalid setting raises SettingError."""
+        """Make the ranges for each weather. A missing, unknown or invalid setting raises SettingError."""
         settings.refuse_unknown(values, list(WEATHERS), where)
         _check_odds({name: one.get("odds", -1) for name, one in values.items()}, WEATHERS, f"{where} odds")
         made = {}
@@ -125,10 +125,11 @@ def _range(values: Mapping[Any, Any], name: str, where: str, least: float, most:
     try:
         low, high = (float(value) for value in given)
     except (TypeError, ValueError):
-        raise SettingError(f"{where} {name} must be [least, most], not {given!r}") from None
+        raise SettingError(f"{where} {name} must be [minimum, maximum], not {given!r}") from None
     if not least <= low <= high <= most:
         raise SettingError(
-            f"{where} {name} must be [least, most] within {least:g} to {most:g}, not [{low:g}, {high:g}]"
+            f"{where} {name} must be [minimum, maximum] between {least:g} and {most:g}, "
+            f"not [{low:g}, {high:g}]"
         )
     return low, high
 
@@ -138,12 +139,12 @@ def _check_odds(odds: Mapping[Any, Any], valid: tuple[Any, ...], where: str) -> 
     numbers = [value for value in odds.values() if isinstance(value, (int, float)) and 0 <= value < 1e6]
     if unknown or len(numbers) != len(odds) or not sum(numbers) > 0:
         raise SettingError(
-            f"{where} needs odds for some of {', '.join(map(str, valid))}: numbers from 0, not all 0"
+            f"{where} needs odds for some of {', '.join(map(str, valid))}: numbers of 0 or more, not all 0"
         )
 
 
 def chosen(rng: np.random.Generator, odds: Mapping[Any, float]) -> Any:
-    """Draw one of the names with a probability in proportion to its odds."""
+    """Draw one of the names with probability proportional to its odds."""
     names = list(odds)
     shares = np.array([odds[name] for name in names], dtype=np.float64)
     return names[int(rng.choice(len(names), p=shares / shares.sum()))]

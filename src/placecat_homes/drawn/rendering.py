@@ -1,4 +1,4 @@
-"""Render the homes of a seed into a folder, one by one, so that a killed run continues where it stopped."""
+"""Render the homes of a seed into a folder, one by one. A killed run continues where it stopped."""
 
 import hashlib
 import shutil
@@ -33,7 +33,7 @@ _LIMIT = 1000
 def render_homes(
     count: int, seed: int, folder: Path, *, only_plans: bool = False, **video: int
 ) -> list[Path]:
-    """Draw homes and render those that the folder does not have yet.
+    """Draw homes, and render those that are not yet in the folder.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def render_homes(
     seed
         Seed of the set of homes, 0 to 2**32 - 1.
     folder
-        Receives `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
+        Folder for `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
     only_plans
         Draw the floor plans, but render no videos.
     **video
@@ -56,8 +56,8 @@ def render_homes(
     Raises
     ------
     PlacecatError
-        If a number is out of range, the folder holds other homes or is used by another run, or an extra is
-        missing.
+        If a number is out of range, the folder contains other homes, another run uses the folder, or an extra
+        is missing.
     """
     if not 1 <= count <= _LIMIT:
         raise PlacecatError(f"--homes must be from 1 to {_LIMIT}, not {count}")
@@ -100,16 +100,16 @@ def film(path: Path, source: Source, **changes: Any) -> "render.Film":
     Parameters
     ----------
     path
-        `plans/home_7.yaml` of the folder.
+        `plans/home_7.yaml` in the folder.
     source
-        Settings of the camera, the walk and the size.
-        **changes
+        Settings of the camera, the walk and the frame size.
+    **changes
         Values that override settings in conf/finish.yaml.
 
     Returns
     -------
     Film
-        The film with light, not yet rendered.
+        The film, lit but not yet rendered.
     """
     content = settings.read_yaml(path, "remove the folder and run again")
     settings.refuse_unknown(content, ["shot", "plan"], str(path))
@@ -184,8 +184,8 @@ def _claim(folder: Path, seed: int, source: Source) -> None:
     for name, value in settings.flatten(record).items():
         if written.get(name) != value:
             raise PlacecatError(
-                f"{folder} has homes with another {name} ({written.get(name)}, now {value}): choose another "
-                "folder (--to), or remove this one"
+                f"{folder} has homes with a different {name} ({written.get(name)}, now {value}): choose "
+                "another folder (--to), or remove this one"
             )
 
 
@@ -202,7 +202,7 @@ def _checksum(package: Path) -> str:
 
 
 def dataset(folder: Path) -> Mapping[str, Any]:
-    """Describe a folder of rendered homes as a data set of conf/dataset.
+    """Describe a folder of rendered homes as a data set, like the files in conf/dataset.
 
     Raises PlacecatError if the folder has no homes.
     """

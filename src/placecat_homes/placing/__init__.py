@@ -1,1 +1,1 @@
-"""Where objects can stand, hang and lie in a room so that people can still walk through it."""
+"""Placement of objects in a room, so that people can still walk through it."""

@@ -11,10 +11,10 @@ from placecat_homes.placing.opening import Opening, Span
 from placecat_homes.placing.placed import Floats, Placed
 
 GAP = 0.02
-"""Metres between a wall and an object that stands against it."""
+"""Gap between a wall and an object that stands against it, in metres."""
 
 TRIES = 40
-"""Largest number of places that are tried for an object."""
+"""Maximum number of places to try for an object."""
 
 _FRAME = 0.1
 
@@ -31,7 +31,7 @@ class AtWalls(Occupied):
     def __init__(
         self, size: tuple[float, float, float], openings: Sequence[Opening], rng: np.random.Generator
     ) -> None:
-        """Start empty; `size` is width, depth and height."""
+        """Start without objects. `size` is width, depth and height."""
         super().__init__(size, openings)
         self.rng = rng
 
@@ -45,14 +45,14 @@ class AtWalls(Occupied):
         corner: bool = False,
         z: float = 0.0,
     ) -> Placed | None:
-        """Stand an object with its back to a wall, where it blocks no door, window or other object.
+        """Place an object with its back to a wall, where it blocks no door, window or other object.
 
         Parameters
         ----------
         model
             The object.
         front
-            Metres in front of it that must be free.
+            Depth of the floor in front of it that must stay free, in metres.
         wall
             Number of the wall, 0 to 3; None tries all.
         at
@@ -65,7 +65,7 @@ class AtWalls(Occupied):
         Returns
         -------
         Placed | None
-            The placed object; None if there is no place that leaves all doors within reach.
+            The placed object; None if there is no place at which all doors stay within reach.
         """
         spots: list[tuple[float, Placed, Floats]] = []
         for number in range(4) if wall is None else (wall,):
@@ -82,15 +82,14 @@ class AtWalls(Occupied):
         Parameters
         ----------
         tall
-            Allow no window at all; otherwise windows whose sill is at least about 0.9 m above the floor are
-            ignored.
+            Allow no windows. Otherwise, windows with a sill about 0.9 m or more above the floor are ignored.
         least
             Shortest useful length in metres.
 
         Returns
         -------
         Span | None
-            The stretch; None if none is as long as `least`.
+            The stretch; None if all are shorter than `least`.
         """
         best: Span | None = None
         for wall in (int(k) for k in self.rng.permutation(4)):
@@ -168,8 +167,7 @@ class AtWalls(Occupied):
         Returns
         -------
         Placed | None
-            The placed curtain; None if it does not fit on the wall, or is blocked by a door or something
-            tall.
+            The placed curtain; None if it does not fit on the wall, or a door or a tall object is in the way.
         """
         top = float(model.high[2])
         if bottom is None:
@@ -193,7 +191,7 @@ class AtWalls(Occupied):
         return thing
 
     def _places(self, model: Mesh, wall: int) -> Floats:
-        """Positions along a wall at which the middle of a model fits between the corners."""
+        """Positions for the middle of a model along a wall, where it fits between the corners."""
         length, width = self.length(wall), float(model.size[0])
         margin = min(GAP, (length - width) / 2)
         if margin < -0.005:
@@ -204,7 +202,7 @@ class AtWalls(Occupied):
     def _stands(
         self, model: Mesh, wall: int, at: float | None, front: float, corner: bool, z: float
     ) -> list[tuple[float, Placed, Floats]]:
-        """Free places at a wall, each with a rating (small is better) and the floor in front of it."""
+        """Free places at a wall, each with a rating (lower is better) and the floor in front of it."""
         width, depth = float(model.size[0]), float(model.size[1])
         length = self.length(wall)
         if at is None:
@@ -223,7 +221,7 @@ class AtWalls(Occupied):
         good &= self._clear(bodies, z0, z1, self._fronts)
         if front > 0:
             good &= self._clear(aheads, FLAT, HEAD, self._boxes)
-        # Where the caller gives the exact place, a tap or kettle may stand in front of the window.
+        # If the caller chooses the exact place, a tap or kettle may stand in front of a window.
         slack = 0.05 if at is None else 0.4
         good &= ~np.array(
             [self.covers_opening(wall, ends, z0, z1 - slack, 0.02) for ends in zip(left, right, strict=True)]

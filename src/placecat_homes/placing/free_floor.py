@@ -32,16 +32,16 @@ class FreeFloor:
         self._solid |= self._drawn(thing)
 
     def is_connected(self) -> bool:
-        """Tell whether all doors are connected by free floor."""
+        """Return whether all doors are connected by free floor."""
         return self._reached(self._solid)[0]
 
     def distances(self) -> Floats:
-        """Return the distance in cells from each cell between the walls to the nearest that is not free."""
+        """Return the distance from each cell between the walls to the nearest blocked cell, in cells."""
         distances = ndimage.distance_transform_edt(~self._solid)
         return np.asarray(distances[_PAD:-_PAD, _PAD:-_PAD])
 
     def allows(self, thing: Placed) -> bool:
-        """Tell whether an object in the way leaves all doors connected and enough floor within reach."""
+        """Return whether all doors stay connected and enough floor stays reachable if an object is added."""
         if not self._sills:
             return True
         before, _ = self._reached(self._solid)
@@ -57,7 +57,7 @@ class FreeFloor:
         return bool(lost.sum() * CELL**2 < _POCKET)
 
     def _reached(self, solid: Bools) -> tuple[bool, Bools]:
-        """Tell whether all doors are connected, and which cells can be reached from the first door."""
+        """Return whether all doors are connected, and which cells can be reached from the first door."""
         labels, _ = ndimage.label(room_for_person(solid, _WIDE))
         numbers = {int(labels[cell]) for cell in self._sills}
         if not numbers:
@@ -83,7 +83,7 @@ class FreeFloor:
         return solid
 
     def _swing(self, door: Opening) -> Floats:
-        """Corners of the floor area where the leaf of an open door may stand, counter-clockwise."""
+        """Return the corners of the floor area that the leaf of an open door takes up, counter-clockwise."""
         inwards = 1.0 if door.hinge == "left" else -1.0
         hinge = door.start if door.hinge == "left" else door.end
         tips = [(hinge + inwards * side, door.width) for side in (0.1, -0.1)]

@@ -1,4 +1,4 @@
-"""The floor as a lattice of cells: drawing footprints on it, and finding where a person fits."""
+"""The floor as a lattice of cells: footprints of objects, and free space for a person."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,26 +16,26 @@ Bools = NDArray[np.bool_]
 
 
 def room_for_person(solid: Bools, radius: float = PERSON) -> Bools:
-    """Tell in which cells (of edge length `CELL`) the middle of a person of this radius fits."""
+    """Return the cells (of edge length `CELL`) where a person of this radius can stand."""
     return np.asarray(ndimage.distance_transform_edt(~solid) >= radius / CELL)
 
 
 def drawn(corners: Floats, origin: tuple[float, float], shape: tuple[int, int]) -> Bools:
-    """Draw a convex polygon on a lattice of cells of edge length `CELL`.
+    """Draw a convex polygon on a lattice with cells of edge length `CELL`.
 
     Parameters
     ----------
     corners
         (n, 2) metres, counter-clockwise.
     origin
-        Position of the lattice's first corner.
+        Position of the first corner of the lattice.
     shape
         Shape of the lattice.
 
     Returns
     -------
     NDArray[bool]
-        Cells whose middles are inside.
+        Cells whose centres are inside the polygon.
     """
     mask = np.zeros(shape, bool)
     low = np.floor((corners.min(axis=0) - origin) / CELL).astype(int).clip(0, shape)

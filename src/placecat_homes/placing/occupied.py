@@ -11,7 +11,7 @@ from placecat_homes.placing.opening import Opening
 from placecat_homes.placing.placed import Floats, Placed
 from placecat_homes.placing.walls import Walls
 
-# Heights in metres: objects entirely above or below them are in nobody's way.
+# Heights in metres. Objects entirely above HEAD or below FLAT are not in the way.
 HEAD = 1.9
 FLAT = 0.08
 
@@ -26,11 +26,11 @@ class Occupied(Walls):
     placed
         All objects put into the room so far.
     blocking
-        Those objects that people must walk around.
+        The objects that people must walk around.
     """
 
     def __init__(self, size: tuple[float, float, float], openings: Sequence[Opening]) -> None:
-        """Start empty; `size` is width, depth and height."""
+        """Start without objects. `size` is width, depth and height."""
         super().__init__(size, openings)
         self.placed: list[Placed] = []
         self.blocking: list[Placed] = []
@@ -44,7 +44,7 @@ class Occupied(Walls):
         return join(thing.mesh() for thing in self.placed)
 
     def walkable(self) -> bool:
-        """Tell whether all doors are connected by free floor."""
+        """Return whether all doors are connected by free floor."""
         return self._floor.is_connected()
 
     def _keep(self, thing: Placed, blocks: bool | None = None) -> Placed:
@@ -60,7 +60,7 @@ class Occupied(Walls):
 
     @staticmethod
     def _clear(rects: Floats, z0: float, z1: float, boxes: Sequence[Floats]) -> Bools:
-        """Tell which of (n, 4) rectangles, from height z0 to z1, touch none of the boxes."""
+        """Return which of the (n, 4) rectangles, from height z0 to z1, touch no box."""
         if len(boxes) == 0:
             return np.ones(len(rects), bool)
         b = np.array(boxes)
@@ -75,7 +75,7 @@ class Occupied(Walls):
         return np.asarray(~meets.any(axis=1))
 
     def _bulk(self, thing: Placed) -> Floats:
-        """Box of an object; what hangs on a wall counts as at least 0.12 m deep, so that nothing hides it."""
+        """Box of an object. Objects on walls count as at least 0.12 m deep, so that nothing hides them."""
         box = thing.box()
         if thing.wall is not None and thing.z > 0.3:
             near = min(max(self.back(thing, thing.wall), 0.0), 0.12)
@@ -100,7 +100,7 @@ class Occupied(Walls):
 
     @staticmethod
     def _blocks(thing: Placed) -> bool:
-        """Tell whether a person must walk around an object."""
+        """Return whether a person must walk around an object."""
         z0, z1 = thing.z + float(thing.model.low[2]), thing.z + float(thing.model.high[2])
         shallow = thing.wall is not None and float(thing.model.size[1]) < _SHALLOW
         return z0 < HEAD and z1 > FLAT and not shallow

@@ -20,9 +20,9 @@ class Opening:
     leaf
         Whether a door leaf swings into this room.
     hinge
-        Side of the hinge of a door leaf, as seen from inside this room: "left" or "right".
+        Hinge side of a door leaf, as seen from inside this room: "left" or "right".
     passage
-        Whether people walk through it (false for windows and for doors that stay closed).
+        Whether people can walk through it; false for windows and for doors that stay closed.
     """
 
     wall: int

@@ -1,4 +1,4 @@
-"""An object at its place in a room."""
+"""An object placed in a room."""
 
 import math
 from dataclasses import dataclass
@@ -45,14 +45,14 @@ class Placed:
         return local @ rotation(self.turn).T + (self.x, self.y)
 
     def box(self) -> Floats:
-        """Return x0, y0, x1, y1, z0, z1 of the box around it in the frame of the room."""
+        """Return x0, y0, x1, y1, z0, z1 of its bounding box in the frame of the room."""
         corners = self.corners()
         z0, z1 = float(self.model.low[2]) + self.z, float(self.model.high[2]) + self.z
         return np.array([*corners.min(axis=0), *corners.max(axis=0), z0, z1])
 
 
 def rotation(degrees: float) -> Floats:
-    """Return the (2, 2) matrix that turns counter-clockwise."""
+    """Return the (2, 2) matrix of a counter-clockwise rotation."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     if degrees % 90 == 0:
         c, s = round(c), round(s)

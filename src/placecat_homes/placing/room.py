@@ -22,7 +22,7 @@ class Room(AtWalls):
     kind, name
         Kind and name of the room, such as "bedroom" and "bedroom_1".
     style
-        Style of the whole building.
+        Style of the building.
     """
 
     def __init__(
@@ -34,21 +34,21 @@ class Room(AtWalls):
         style: Style,
         rng: np.random.Generator,
     ) -> None:
-        """Make an empty room; `size` is width, depth and height."""
+        """Make an empty room. `size` is width, depth and height."""
         super().__init__(size, openings, rng)
         self.kind, self.name, self.style = kind, name, style
 
     def middle(self, model: Mesh, *, clearance: float = 0.6, turn: float | None = None) -> Placed | None:
-        """Stand an object free, rather centrally, at least `clearance` metres from walls and other objects.
+        """Place a free-standing object near the middle of the room.
 
         Parameters
         ----------
         model
             The object; the middle of its footprint is moved to the place.
         clearance
-            Metres.
+            Minimum distance from walls and other objects in metres.
         turn
-            Degrees; one of the four right angles is drawn if None.
+            Degrees; a random multiple of 90 if None.
 
         Returns
         -------
@@ -73,7 +73,7 @@ class Room(AtWalls):
             good &= self._clear(around, FLAT, HEAD, self._boxes)
             distance = np.linalg.norm(centres - aim, axis=1)
             spots += [(distance[k], degrees, centres[k] - offset) for k in np.flatnonzero(good)]
-        # Right angles for which the place is equally central are tried in random order.
+        # Angles with equally central places are tried in random order.
         for _, degrees, origin in sorted(spots, key=lambda spot: round(float(spot[0]), 1))[:TRIES]:
             thing = Placed(model, float(origin[0]), float(origin[1]), 0.0, degrees)
             if self._walkable_with(thing):
@@ -81,12 +81,12 @@ class Room(AtWalls):
         return None
 
     def beside(self, other: Placed, model: Mesh, *, side: str = "left", gap: float = 0.05) -> Placed | None:
-        """Put an object beside another, facing the same way, with their backs in line.
+        """Put an object beside another, facing the same way and with their backs in line.
 
         Parameters
         ----------
         other
-            The other object, which already stands or hangs.
+            The other object, which is already in place.
         model
             The object.
         side
@@ -116,8 +116,8 @@ class Room(AtWalls):
         model
             The object.
         distance
-            Metres between their fronts. From 1 m on, an object that would end near or behind the wall is put
-            against the wall.
+            Metres between their fronts. At 1 m or more, an object that would end up near or behind the wall
+            is put against the wall.
 
         Returns
         -------
@@ -169,7 +169,7 @@ class Room(AtWalls):
         model
             A rug or mat.
         under
-            Lay its middle under that of this object; if None, lay it where much floor is free.
+            Centre it under this object. If None, lay it where much of the floor is free.
 
         Returns
         -------
@@ -211,11 +211,11 @@ class Room(AtWalls):
         Parameters
         ----------
         model
-            The object, whose z = 0 is the ceiling.
+            The object. The ceiling is at its z = 0.
         above
             Hang it over the middle of this object.
         x, y
-            Position without `above`; None is the middle of the room.
+            Position if `above` is None; by default, the middle of the room.
 
         Returns
         -------
@@ -251,7 +251,7 @@ class Room(AtWalls):
 
     @staticmethod
     def _extent(model: Mesh, turn: float) -> tuple[Floats, Floats]:
-        """Size of the turned footprint, and its middle relative to the model's origin."""
+        """Size of the rotated footprint, and its middle relative to the origin of the model."""
         corners = Placed(model, 0.0, 0.0, 0.0, turn).corners()
         low, high = corners.min(axis=0), corners.max(axis=0)
         return high - low, (low + high) / 2

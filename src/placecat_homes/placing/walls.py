@@ -1,8 +1,8 @@
 """The walls of a room with their openings, and positions along them.
 
-Walls are numbered 0 to 3 so that an object with its back to wall k is turned by 90 k degrees: wall 0 is
-y = 0, wall 1 is x = width, wall 2 is y = depth, wall 3 is x = 0. Positions along a wall are metres from its
-left end as seen from inside.
+Walls are numbered from 0 to 3. An object with its back to wall k is turned by 90 k degrees. Wall 0 is y = 0,
+wall 1 is x = width, wall 2 is y = depth, and wall 3 is x = 0. Positions along a wall are measured in metres
+from its left end, as seen from inside.
 """
 
 from collections.abc import Sequence
@@ -26,7 +26,7 @@ class Walls:
     """
 
     def __init__(self, size: tuple[float, float, float], openings: Sequence[Opening]) -> None:
-        """Build the walls; `size` is width, depth and height."""
+        """Build the walls. `size` is width, depth and height."""
         self.width, self.depth, self.height = (float(value) for value in size)
         self.openings = tuple(openings)
 
@@ -45,7 +45,7 @@ class Walls:
         return self.width if wall % 2 == 0 else self.depth
 
     def point(self, wall: int, along: float, inwards: float) -> tuple[float, float]:
-        """Return x and y of a point `along` metres from a wall's left end, `inwards` metres from the wall."""
+        """Return the point (x, y) at a position along a wall, `inwards` metres away from the wall."""
         w, d = self.width, self.depth
         return (
             (w - along, inwards),
@@ -55,16 +55,16 @@ class Walls:
         )[wall]
 
     def along(self, wall: int, x: float, y: float) -> float:
-        """Return how far along a wall the point nearest to x, y is."""
+        """Return the position along a wall that is nearest to x, y."""
         return float((self.width - x, self.depth - y, x, y)[wall])
 
     def back(self, thing: Placed, wall: int) -> float:
-        """Distance of an object's back from a wall; negative beyond the wall."""
+        """Distance of the back of an object from a wall; negative beyond the wall."""
         box = thing.box()
         return float((box[1], self.width - box[2], self.depth - box[3], box[0])[wall])
 
     def ends(self, thing: Placed, wall: int) -> tuple[float, float]:
-        """Return where along a wall an object starts and ends."""
+        """Return the start and end of an object along a wall."""
         box = thing.box()
         a, b = self.along(wall, box[0], box[1]), self.along(wall, box[2], box[3])
         return min(a, b), max(a, b)
@@ -82,7 +82,7 @@ class Walls:
         return np.stack(columns, axis=1)
 
     def at_wall(self, model: Mesh, wall: int, place: float, z: float, gap: float) -> Placed:
-        """Place an object with its middle at a position along a wall, its back `gap` metres from the wall."""
+        """Place an object with its middle at a position along a wall, leaving a gap to the wall in metres."""
         along = place + float(model.low[0] + model.high[0]) / 2
         x, y = self.point(wall, along, gap - float(model.low[1]))
         return Placed(model, x, y, z, 90.0 * wall, wall)
@@ -94,7 +94,7 @@ class Walls:
     def covers_opening(
         self, wall: int, ends: tuple[float, float], z0: float, z1: float, margin: float
     ) -> bool:
-        """Tell whether a stretch of wall, from height z0 to z1, comes within `margin` of an opening."""
+        """Return whether a stretch of wall, from height z0 to z1, comes within `margin` of an opening."""
         return any(
             opening.start - margin < ends[1]
             and ends[0] < opening.end + margin

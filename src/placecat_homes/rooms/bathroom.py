@@ -27,7 +27,7 @@ from placecat_homes.rooms.windows import dress_windows
 
 
 def furnish(room: Room) -> None:
-    """Put the furniture of a bathroom into a room."""
+    """Furnish a room as a bathroom."""
     rng, style = room.rng, room.style
     area = room.width * room.depth
     ceramic, tiles = palette.ceramic(rng), palette.tiles(rng)
@@ -47,7 +47,7 @@ def furnish(room: Room) -> None:
 
 
 def _tile(room: Room, tiles: Material) -> None:
-    """Tile all walls to half height, higher, or up to the ceiling."""
+    """Tile all walls to half height, to a greater height, or up to the ceiling."""
     rng = room.rng
     border = palette.paint(rng) if rng.random() < 0.35 else None
     low, high = ((1.1, 1.5), (1.8, 2.2), (2.2, 3.0))[int(rng.choice(3, p=[0.25, 0.4, 0.35]))]
@@ -55,7 +55,7 @@ def _tile(room: Room, tiles: Material) -> None:
 
 
 def _bath(room: Room, ceramic: Material, tiles: Material, area: float) -> Placed | None:
-    """Stand a tub or a shower in a corner."""
+    """Place a bathtub or a shower in a corner."""
     rng, style = room.rng, room.style
     if rng.random() < 0.6:
         kind = None if area > 5.0 else "built-in"
@@ -83,7 +83,7 @@ def _bath(room: Room, ceramic: Material, tiles: Material, area: float) -> Placed
 
 
 def _toilet(room: Room, ceramic: Material) -> Placed | None:
-    """Stand the toilet with its paper on the wall beside it, as far as there is space."""
+    """Place the toilet, with its paper on the wall beside it if there is space."""
     rng, style = room.rng, room.style
     for kind, front in ((None, 0.5), (None, 0.45), ("close-coupled", 0.4), ("close-coupled", 0.3)):
         model = toilet(rng, style, ceramic=ceramic, kind=kind)
@@ -105,7 +105,7 @@ def _toilet(room: Room, ceramic: Material) -> Placed | None:
 
 
 def _basin(room: Room, ceramic: Material) -> Placed | None:
-    """Stand the wash basin with a mirror above it; leave out the mirror only if both do not fit."""
+    """Place the washbasin with a mirror above it. Leave out the mirror only if there is no space for both."""
     rng, style = room.rng, room.style
     choices: tuple[tuple[str | None, float | None, float], ...] = (
         (None, None, 0.55),
@@ -159,7 +159,7 @@ def _storage(room: Room, area: float) -> None:
 
 
 def _small(room: Room, tub: Placed | None, seat: Placed | None, basin: Placed | None) -> None:
-    """Put in mats, baskets, scales, spare rolls, a plant and a picture."""
+    """Add mats, baskets, scales, spare rolls, a plant and a picture."""
     rng, style = room.rng, room.style
     if tub is not None and rng.random() < 0.65:
         mat = bath_mat(rng, style)

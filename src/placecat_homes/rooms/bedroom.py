@@ -24,7 +24,7 @@ from placecat_homes.rooms.windows import dress_windows
 
 
 def furnish(room: Room) -> None:
-    """Put the furniture of a bedroom into a room."""
+    """Furnish a room as a bedroom."""
     rng, style = room.rng, room.style
     area = room.width * room.depth
     single = bool(rng.random() < (0.5 if area < 10 else 0.2))
@@ -50,7 +50,7 @@ def furnish(room: Room) -> None:
 
 
 def _bed(room: Room, single: bool) -> Placed | None:
-    """Stand the bed: a double bed preferably at the middle of a wall, a single bed in a corner."""
+    """Place the bed: a double bed usually at the middle of a wall, a single bed usually in a corner."""
     rng, style = room.rng, room.style
     widths = (0.9, 1.0, 1.2) if single else (1.4, 1.6, 1.8)
     width = float(rng.choice(widths))

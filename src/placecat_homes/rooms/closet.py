@@ -15,7 +15,7 @@ from placecat_homes.rooms.windows import dress_windows
 
 
 def furnish(room: Room) -> None:
-    """Put the furniture of a walk-in closet into a room."""
+    """Furnish a room as a walk-in closet."""
     rng, style = room.rng, room.style
     dress_windows(room, cloth=0.3)
     height = min(between(rng, 1.95, 2.3), room.height - 0.15)

@@ -22,7 +22,7 @@ from placecat_homes.shapes import box
 
 
 def furnish(room: Room) -> None:
-    """Put the furniture of a hall into a room."""
+    """Furnish a room as a corridor of a home."""
     rng, style = room.rng, room.style
     longer, shorter = max(room.width, room.depth), min(room.width, room.depth)
     dress_windows(room, bare=0.4, cloth=0.5)
@@ -58,14 +58,14 @@ def furnish(room: Room) -> None:
 
 
 def _coats(room: Room) -> None:
-    """Hang coats on a wall, or put up a stand or unit for them."""
+    """Hang coats on a wall, or add a coat stand or a hall wardrobe."""
     rng, style = room.rng, room.style
     kinds = ["hooks", "hooks", "unit", "stand"]
     for kind in rng.permutation(kinds):
         if kind == "hooks":
             rack = coat_rack(rng, style)
             top = between(rng, 1.68, 1.85)
-            # The board is near the upper end of the rack, no matter what hangs from it.
+            # The board is near the upper end of the rack, whatever hangs from it.
             if room.hang(rack, bottom=max(0.3, top - float(rack.high[2]))) is not None:
                 return
         elif kind == "unit":

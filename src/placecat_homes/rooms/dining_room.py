@@ -18,7 +18,7 @@ from placecat_homes.placing.room import Room
 
 
 def furnish(room: Room) -> None:
-    """Put the furniture of a dining room into a room.
+    """Furnish a room as a dining room.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def furnish(room: Room) -> None:
 
 
 def _table(room: Room) -> Placed | None:
-    """Stand the largest set that fits in the middle of the room."""
+    """Place the largest dining set that fits in the middle of the room."""
     rng, style = room.rng, room.style
     area = room.width * room.depth
     largest = 8 if area > 16 else (6 if area > 10.5 else 4)
@@ -57,7 +57,7 @@ def _table(room: Room) -> Placed | None:
 
 
 def _cabinets(room: Room) -> None:
-    """Stand a sideboard and a china cabinet against the walls, at least one of them where possible."""
+    """Place a sideboard and a china cabinet against the walls, or at least one of them if possible."""
     rng, style = room.rng, room.style
     order = ["china", "board"]
     if chance(rng, 0.5):

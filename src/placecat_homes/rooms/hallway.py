@@ -21,7 +21,7 @@ from placecat_homes.rooms.windows import dress_windows
 
 
 def furnish(room: Room) -> None:
-    """Put doors, signs, notices and seats into a hallway."""
+    """Furnish a hallway with doors, signs, notices and seats."""
     rng, style = room.rng, room.style
     longer = max(room.width, room.depth)
     dress_windows(room, bare=0.8, cloth=0.1)
@@ -56,7 +56,7 @@ def furnish(room: Room) -> None:
 
 
 def _sign(room: Room, opening: Opening) -> None:
-    """Hang a sign beside a door, on the side where its handle is."""
+    """Hang a sign beside a door, on the handle side."""
     right = opening.hinge == "left"
     sign = door_sign(room.rng, room.style)
     half = float(sign.size[0]) / 2 + 0.14
@@ -65,7 +65,7 @@ def _sign(room: Room, opening: Opening) -> None:
 
 
 def _shut_doors(room: Room) -> None:
-    """Line walls that have few doors with doors that stay shut."""
+    """Add doors that stay closed to walls with few doors."""
     rng, style = room.rng, room.style
     apart = between(rng, 2.6, 4.2)
     seed = int(rng.integers(1 << 30))

@@ -1,4 +1,4 @@
-"""The strip lights and notices that all rooms of an office building have."""
+"""Strip lights and notices for all rooms of an office building."""
 
 from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.ceiling_strip import ceiling_strip
@@ -15,7 +15,7 @@ def strip_lights(room: Room, *, apart: float = 2.6) -> None:
     room
         The room.
     apart
-        Distance from light to light along the room in metres.
+        Distance between lights along the room in metres.
     """
     rng, style = room.rng, room.style
     along = room.width >= room.depth
@@ -42,7 +42,7 @@ def notices(room: Room, count: int, *, boards: bool = True) -> None:
     count
         Number of objects.
     boards
-        Whether there may be pin boards.
+        Whether notice boards are allowed.
     """
     rng, style = room.rng, room.style
     for _ in range(count):

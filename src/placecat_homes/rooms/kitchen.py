@@ -1,4 +1,4 @@
-"""Kitchens: one row of fitted cabinets or two rows in a corner, a fridge, perhaps a small table."""
+"""Kitchens: one row of fitted cabinets or two rows in a corner, a fridge, and perhaps a small table."""
 
 from collections.abc import Sequence
 
@@ -38,7 +38,7 @@ SMALL = 1.2
 
 
 def furnish(room: Room) -> None:
-    """Put the furniture of a kitchen into a room.
+    """Furnish a room as a kitchen.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def _best_span(room: Room) -> Span | None:
 def _fridge_at_end(
     room: Room, chill: Mesh, wall: int, start: float, end: float
 ) -> tuple[Placed | None, float, float]:
-    """Stand the fridge at one end of a stretch of wall if that leaves enough; return what is left."""
+    """Place the fridge at one end of a stretch of wall if enough remains. Return it and the rest."""
     width = float(chill.size[0])
     if end - start < width + 1.65:
         return None, start, end
@@ -136,7 +136,7 @@ def _rows(room: Room, design: Design, wall: int, start: float, end: float, cold:
 
 
 def _shorter(room: Room, design: Design, wall: int, start: float, end: float) -> None:
-    """Build a row of the longest length that fits into a stretch of wall, or otherwise anywhere."""
+    """Build the longest row that fits into a stretch of wall, or else one at another wall."""
     stretches = [(wall, start, end)]
     span = room.span(least=0.9)
     if span is not None:
@@ -156,12 +156,12 @@ def _stove_anywhere(room: Room) -> None:
 
 
 def _corner(room: Room, wall: int, at_start: bool, at_end: bool) -> tuple[str, int, float] | None:
-    """Find a wall for a second row: the end of the first wall it adjoins, its number and its free length."""
+    """Find a wall for a second row. Return the end where it adjoins, its number and its free length."""
     found = []
     for side, touching in (("start", at_start), ("end", at_end)):
         if not touching:
             continue
-        # A wall's left end meets the right end of the following wall.
+        # The left end of a wall meets the right end of the next wall.
         neighbour = (wall + 1) % 4 if side == "start" else (wall - 1) % 4
         total = room.length(neighbour)
         free = total - DEEP
@@ -184,7 +184,7 @@ def _row(
     fixed: Sequence[tuple[str, float]],
     corner: str | None,
 ) -> Placed | None:
-    """Build one row and what hangs above it."""
+    """Build one row and everything that hangs above it."""
     rng, style = room.rng, room.style
     length, middle = end - start, (start + end) / 2
     windows: list[Window] = []
@@ -211,7 +211,7 @@ def _row(
 
 
 def _opposite(room: Room, design: Design) -> None:
-    """Build another row of cabinets at a free wall if people can still walk past it."""
+    """Build another row of cabinets at a free wall if people can still walk past."""
     rng = room.rng
     span = room.span(least=0.8)
     if span is None:

@@ -20,7 +20,7 @@ from placecat_homes.rooms.windows import dress_windows
 
 
 def furnish(room: Room) -> None:
-    """Put the furniture of a kitchenette into a room."""
+    """Furnish a room as a kitchenette."""
     rng, style = room.rng, room.style
     area = room.width * room.depth
     dress_windows(room, bare=0.5, cloth=0.2)
@@ -91,7 +91,7 @@ def _with(model: Mesh, thing: Mesh, x: float) -> Mesh:
 
 
 def _free(model: Mesh, thing: Mesh, length: float) -> float | None:
-    """Find where on a worktop an object would touch nothing that stands there."""
+    """Find a free place for an object on a worktop."""
     corners = model.vertices[model.triangles]
     low, high = corners.min(axis=1), corners.max(axis=1)
     above = (high[:, 2] > 0.93) & (low[:, 2] < 0.9 + float(thing.high[2])) & (high[:, 1] > 0.05)
@@ -105,7 +105,7 @@ def _free(model: Mesh, thing: Mesh, length: float) -> float | None:
 
 
 def _table(room: Room) -> None:
-    """Stand a small table with chairs in the room, free or at a wall."""
+    """Place a small table with chairs, in the middle of the room or at a wall."""
     rng, style = room.rng, room.style
     model = small_table(rng, style)
     seat = chair(rng, style)

@@ -26,7 +26,7 @@ from placecat_homes.rooms.windows import dress_windows
 
 
 def furnish(room: Room) -> None:
-    """Put the furniture of a living room into a room."""
+    """Furnish a room as a living room."""
     rng, style = room.rng, room.style
     area = room.width * room.depth
     dress_windows(room, bare=0.1, cloth=0.75)
@@ -99,7 +99,7 @@ def _sofa(room: Room, television: Placed | None, area: float) -> Placed | None:
 
 
 def _opposite(room: Room, television: Placed, model: Mesh) -> Placed | None:
-    """Put a sofa against the far wall, or free in a large room, facing the television."""
+    """Place a sofa that faces the television, against the far wall or, in a large room, away from it."""
     across = room.depth if television.wall in (0, 2) else room.width
     gap = across - float(television.model.high[1]) - float(model.size[1]) - 0.04
     distances = [gap] if gap < 4.2 else []
@@ -113,7 +113,7 @@ def _opposite(room: Room, television: Placed, model: Mesh) -> Placed | None:
 
 
 def _before(room: Room, seat: Placed) -> None:
-    """Lay a rug and stand a coffee table in front of a sofa."""
+    """Place a rug and a coffee table in front of a sofa."""
     rng, style = room.rng, room.style
     far = seat.model.vertices[seat.model.vertices[:, 1] > 1.25]
     table: Placed | None = None
@@ -135,7 +135,7 @@ def _before(room: Room, seat: Placed) -> None:
 
 
 def _cases(room: Room, area: float) -> None:
-    """Stand shelves and one or two large objects against the walls."""
+    """Place shelves and one or two large objects against the walls."""
     rng, style = room.rng, room.style
     if area > 13 and chance(rng, 0.25):
         placed = room.against(fireplace(rng, style), front=0.8)

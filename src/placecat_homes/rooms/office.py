@@ -1,4 +1,4 @@
-"""Offices of a university or at home."""
+"""Offices in a university or at home."""
 
 import numpy as np
 
@@ -29,7 +29,7 @@ from placecat_homes.rooms.windows import dress_windows
 
 
 def furnish(room: Room) -> None:
-    """Put the furniture of an office into a room."""
+    """Furnish a room as an office."""
     rng, style = room.rng, room.style
     area = room.width * room.depth
     campus = chance(rng, 0.55)
@@ -62,7 +62,7 @@ def furnish(room: Room) -> None:
 
 
 def _workplace(room: Room) -> Placed | None:
-    """Stand a desk with everything on it, and a chair in front of it."""
+    """Place a desk with everything on it, and a chair in front of it."""
     rng, style = room.rng, room.style
     for width in (between(rng, 1.4, 1.8), between(rng, 1.2, 1.4), 1.0):
         model = desk(rng, style, width)
@@ -92,7 +92,7 @@ def _workplace(room: Room) -> Placed | None:
 
 
 def _gap_below(rng: np.random.Generator, model: Mesh, case: Mesh) -> float | None:
-    """Find where a computer case fits under a desk without being in the way of knees; None if nowhere."""
+    """Find a place under a desk for a computer case that leaves room for knees; None if there is none."""
     corners = model.vertices[model.triangles]
     low, high = corners.min(axis=1), corners.max(axis=1)
     half = float(case.size[0]) / 2 + 0.01
@@ -107,7 +107,7 @@ def _gap_below(rng: np.random.Generator, model: Mesh, case: Mesh) -> float | Non
 
 
 def _cases(room: Room, area: float) -> None:
-    """Stand shelves and cabinets against the walls, with a printer on a low one."""
+    """Place shelves and cabinets against the walls, and a printer on a low one."""
     rng, style = room.rng, room.style
     width = between(rng, 0.75, 1.2)
     count = int(rng.integers(1, 3)) if area < 11 else int(rng.integers(2, 5))
@@ -136,7 +136,7 @@ def _cases(room: Room, area: float) -> None:
 
 
 def _meeting(room: Room) -> None:
-    """Stand a free table with chairs in the room."""
+    """Place a free-standing table with chairs."""
     rng, style = room.rng, room.style
     placed = room.middle(meeting_table(rng, style), clearance=0.75, turn=0.0)
     if placed is None:

@@ -1,4 +1,4 @@
-"""Printer areas: copiers, printers, paper, and bins for waste paper."""
+"""Printer areas: copiers, printers, paper and waste-paper bins."""
 
 from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.copier import copier
@@ -17,7 +17,7 @@ from placecat_homes.rooms.windows import dress_windows
 
 
 def furnish(room: Room) -> None:
-    """Put the machines and furniture of a printer area into a room."""
+    """Furnish a room as a printer area."""
     rng, style = room.rng, room.style
     area = room.width * room.depth
     dress_windows(room, bare=0.5, cloth=0.1)
@@ -48,7 +48,7 @@ def furnish(room: Room) -> None:
 
 
 def _table(room: Room) -> None:
-    """Stand a table with printers, paper and small objects in the room."""
+    """Place a table with printers, paper and small objects."""
     rng, style = room.rng, room.style
     for width in (between(rng, 1.2, 1.6), 1.0, 0.8):
         depth = between(rng, 0.6, 0.7)

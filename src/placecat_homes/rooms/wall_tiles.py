@@ -25,7 +25,7 @@ def tile_walls(
     walls: tuple[int, ...] = (0, 1, 2, 3),
     border: Material | None = None,
 ) -> None:
-    """Tile walls up to a height, around doors and windows.
+    """Tile walls up to a given height, around doors and windows.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def _panel(
     levels: tuple[float, float],
     height: float,
 ) -> Mesh:
-    """Draw a rectangle of tiles in a frame whose origin is the middle of the wall's lower edge."""
+    """Build a rectangle of tiles in a frame with its origin at the middle of the lower edge of the wall."""
     width = ends[1] - ends[0]
     x = length / 2 - (ends[0] + ends[1]) / 2
     panel = box(width, THICKNESS, levels[1] - levels[0], bevel=0.0)

@@ -1,4 +1,4 @@
-"""Curtains and blinds for a room of any kind."""
+"""Curtains and blinds for any kind of room."""
 
 import numpy as np
 
@@ -14,16 +14,16 @@ _SILL = 0.14
 
 
 def dress_windows(room: Room, bare: float = 0.15, cloth: float = 0.65) -> None:
-    """Hang curtains, blinds or nets of one design in front of the windows of a room.
+    """Hang curtains, blinds or net curtains of one design in front of the windows of a room.
 
     Parameters
     ----------
     room
         The room.
     bare
-        Probability that the windows stay bare.
+        Probability that the windows are left bare.
     cloth
-        Probability of curtains at windows that are not bare; the others have blinds or nets.
+        Probability of curtains at windows that are not bare; the others have blinds or net curtains.
     """
     rng = room.rng
     for window in room.windows:

@@ -1,4 +1,4 @@
-"""Pictures on surfaces. Each kind has a module with a function `draw`, which is found by name."""
+"""Pictures on surfaces. Each kind has a module with its name and a function `draw`."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,4 +1,4 @@
-"""Oblong tiles or bricks in running bond; the joints have the second colour."""
+"""Rectangular tiles or bricks in running bond, with joints in the second colour."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Curved ornament, tone on tone."""
+"""Curved ornaments, tone on tone."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, mix
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw mirrored waves of the second colour on the first."""
+    """Draw mirrored waves in the second colour on the first."""
     x, y = grid(pixels)
     n = int(rng.integers(2, 4))
     u, v = np.abs(x * n % 1 - 0.5) * 2, y * n % 1

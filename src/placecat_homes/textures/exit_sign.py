@@ -1,4 +1,4 @@
-"""The green sign of an emergency exit: a running person, an arrow and a door."""
+"""The green sign at an emergency exit: a running person, an arrow and a door."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colours of the background and of the figures.
     pixels
-        Side length; the picture is stretched over a sign twice as wide as high.
+        Side length; the picture is stretched over a sign twice as wide as it is high.
 
     Returns
     -------

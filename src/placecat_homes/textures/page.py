@@ -1,4 +1,4 @@
-"""A printed sheet: a heading, lines of text, now and then a picture or a table."""
+"""A printed sheet: a heading, lines of text, and sometimes a picture or a table."""
 
 import numpy as np
 from numpy.typing import NDArray

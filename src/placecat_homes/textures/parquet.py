@@ -1,4 +1,4 @@
-"""Parquet in a basket pattern."""
+"""Parquet in a basket-weave pattern."""
 
 import numpy as np
 

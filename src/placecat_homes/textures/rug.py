@@ -1,4 +1,4 @@
-"""An oriental or modern rug as a picture: a border and a field."""
+"""An oriental or modern rug, with a border and a field."""
 
 import numpy as np
 

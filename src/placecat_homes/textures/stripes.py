@@ -1,4 +1,4 @@
-"""Upright stripes in the given colours."""
+"""Vertical stripes in the given colours."""
 
 import numpy as np
 

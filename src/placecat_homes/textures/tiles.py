@@ -1,4 +1,4 @@
-"""Square tiles with joints of the second colour and, if there is a third colour, accents."""
+"""Square tiles with joints in the second colour and, if there is a third colour, accents."""
 
 import numpy as np
 

@@ -1,14 +1,14 @@
-"""Basket work."""
+"""Wickerwork."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 STRANDS = 8
-"""Number of strands over one repetition, in each direction."""
+"""Number of strands per repetition in each direction."""
 
 
 def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: int) -> NDArray[np.float32]:
-    """Draw canes that go over and under upright ones.
+    """Draw canes woven over and under upright canes.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What carries the camera, and how steadily it does so."""
+"""What carries the camera, and how steadily."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,26 +16,26 @@ class Carriage:
     height
         Height of the camera in metres.
     height_spread
-        Standard deviation of the height between walks in metres.
+        Standard deviation of the height across walks, in metres.
     speed, top_speed
-        Usual and highest speed in metres a second.
+        Usual and maximum speed in metres per second.
     turn_rate
-        Highest rate of turning in degrees a second.
+        Maximum turning rate in degrees per second.
     turn_acceleration
-        Highest change of that rate in degrees a second squared.
+        Maximum change of the turning rate in degrees per second squared.
     pitch
         Mean tilt in degrees; negative looks down.
     pitch_spread
-        Standard deviation of the mean tilt between walks in degrees.
+        Standard deviation of the mean tilt across walks, in degrees.
     pitch_wander, roll_wander, yaw_wander
-        Standard deviations of slow wandering in degrees.
+        Standard deviations of slow wandering, in degrees.
     shake
-        Standard deviation of the tremor in degrees, in each angle.
+        Standard deviation of the tremor in each angle, in degrees.
     step
-        Height of the bobbing with each step in metres; 0 on wheels.
+        Height in metres by which the camera bobs with each step; 0 on wheels.
     steers
-        Whether the camera looks where it drives and turns on the spot, as on a robot; otherwise it looks
-        around.
+        Whether the camera looks where it drives and turns on the spot, like that of a robot. Otherwise, it
+        looks around.
     """
 
     height: float

@@ -23,18 +23,18 @@ _SHORTEST = 0.4
 
 @dataclass(frozen=True)
 class Act:
-    """What the camera does for a while; without `turn` and `point`, it looks ahead.
+    """What the camera does for a while. Without `turn` and `point`, it looks ahead.
 
     Attributes
     ----------
     seconds
-        How long it does so.
+        Duration in seconds.
     turn
         Angle to turn by at a constant rate, in radians.
     point
         x, y, z of the point to look at.
     aside
-        Angle by which it looks aside from the way ahead, in radians.
+        Angle between the view and the way ahead, in radians.
     tilt
         Angle added to the usual pitch, in radians.
     """
@@ -79,7 +79,7 @@ class Gaze:
         spans
             The timetable.
         places
-            (n, 2), where the camera is at each tick.
+            (n, 2), position of the camera at each tick.
         ahead
             (n,), direction of the path in radians.
         tick
@@ -206,7 +206,7 @@ class Gaze:
         return [(x, y, 0.8 * height) for index, x, y, height in self.ground.items if index == room]
 
     def _choice(self, items: list[tuple[float, float, float]]) -> tuple[float, float, float]:
-        # The objects put into a room first are those the room is for.
+        # The objects that a room is used for are placed first.
         odds = (1.0 + np.arange(len(items))) ** -1.5
         return items[int(self.rng.choice(len(items), p=odds / odds.sum()))]
 
@@ -214,7 +214,7 @@ class Gaze:
         return [(x, y, 1.4) for index, x, y in self.ground.windows if index == room]
 
     def _tilt(self) -> float:
-        # Sometimes look down at what stands there.
+        # Sometimes look down at the objects.
         return math.radians(-16.0 if self.rng.random() < 0.1 else self.rng.normal(0.0, 3.0))
 
     def _between(self, low: float, high: float) -> float:

@@ -1,4 +1,4 @@
-"""Where a person or a robot can be in a building, on a lattice."""
+"""The floor of a building as a lattice, with the cells where a person or a robot can be."""
 
 from dataclasses import dataclass
 
@@ -18,10 +18,11 @@ class Ground:
     cell
         Width of a lattice cell in metres.
     origin
-        World x, y of the corner of cell (0, 0); cell (i, j) has its middle at
-        origin + (i + 0.5, j + 0.5) * cell.
+        World x, y of the corner of cell (0, 0). The centre of cell (i, j) is origin + (i + 0.5, j + 0.5) *
+        cell.
     free
-        (nx, ny), where the middle of a person of radius 0.25 m can be; the free cells are connected.
+        (nx, ny), cells where a person with a radius of 0.25 m can stand. All free cells are
+        connected.
     room
         (nx, ny), index into `names`; -1 outside and in walls, -2 in door openings.
     names
@@ -50,16 +51,16 @@ class Ground:
     items: tuple[tuple[int, float, float, float], ...] = ()
 
     def cells(self, points: NDArray[np.float64]) -> NDArray[np.int64]:
-        """Return the cells (n, 2) of points (n, 2), moving points beside the lattice onto it."""
+        """Return the cells (n, 2) of points (n, 2). Points outside the lattice are moved to its border."""
         indices = np.floor((np.asarray(points) - self.origin) / self.cell).astype(np.int64)
         return np.clip(indices, 0, np.array(self.free.shape) - 1)
 
     def points(self, cells: NDArray[np.int64]) -> NDArray[np.float64]:
-        """Return the middles (n, 2) of cells (n, 2)."""
+        """Return the centres (n, 2) of cells (n, 2)."""
         return np.asarray(self.origin) + (np.asarray(cells) + 0.5) * self.cell
 
     def is_free(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Tell for points (n, 2) whether a person can be there."""
+        """Return, for points (n, 2), whether a person can be there."""
         i, j = self.cells(points).T
         return self.free[i, j]
 
@@ -69,7 +70,7 @@ class Ground:
         return self.room[i, j]
 
     def nearest_free(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Move the points (n, 2) that are not free to the middle of the nearest free cell."""
+        """Move points (n, 2) that are not free to the centre of the nearest free cell."""
         moved = np.array(points, dtype=np.float64)
         blocked = np.flatnonzero(~self.is_free(moved))
         if len(blocked):

@@ -93,11 +93,11 @@ def draw(
     rng
         Random number generator.
     statistics
-        Statistics of walks: how often rooms follow each other.
+        Statistics of how often rooms follow each other.
     rooms
         Names of the rooms to stay in, each at least once; by default, the walk may stay in any room.
     shorter
-        Factor on the number of stays.
+        Factor for the number of stays.
 
     Raises
     ------
@@ -116,7 +116,7 @@ def draw(
     way = ways(ground)
     count = max(len(must), len(must_kinds), round(statistics.count.draw(rng, 1.2) * shorter))
     for attempt in range(_DRAWS):
-        # With each attempt the walk is more reluctant to return to a room, and grows longer.
+        # Each attempt makes the walk longer and more reluctant to return to a room.
         boost, longer = 1.0 + attempt / 10, count + attempt // 30
         order = _chain(ground, rng, statistics, allowed, way, longer, boost)
         if must_kinds <= {ground.kinds[room] for room in order} and must <= set(order):
@@ -150,7 +150,7 @@ def _chain(
             near = 1.0 if here is None or again else math.exp(-way[here, room].length / _NEAR)
             rooms.append((kind, room, fresh * near))
             weights.append(odds.get(kind, 0.0))
-        # The odds apply to kinds; within a kind, near rooms and rooms not yet seen are preferred.
+        # The odds apply to kinds of rooms. Within a kind, nearby rooms and rooms not yet seen are preferred.
         sums: defaultdict[str, float] = defaultdict(float)
         for kind, _, liking in rooms:
             sums[kind] += liking

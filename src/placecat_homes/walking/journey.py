@@ -1,4 +1,4 @@
-"""The path of a walk, divided into stays, transitions and rooms passed on the way."""
+"""The path of a walk, divided into stays, transitions and rooms passed through on the way."""
 
 import math
 from dataclasses import dataclass, field
@@ -34,7 +34,7 @@ class Piece:
     start, end
         Metres from the start of the path; equal for a pause.
     viewpoint
-        Place at which to pause; None for a part of the path or a pause on the way.
+        Place for looking around during a pause; None for a part of the path or a pause on the way.
     """
 
     start: float
@@ -58,7 +58,7 @@ class Section:
     room
         Index of the room; -1 for a transition.
     weight
-        Length relative to other sections of the same sort; 0 for a room that is only passed.
+        Length relative to other sections of the same type; 0 for a room that is only passed through.
     pieces
         The parts and pauses of the section.
     """
@@ -107,7 +107,7 @@ def lay_out(
     seconds: float,
     transition_share: float,
 ) -> Journey:
-    """Choose places to look around from and connect them.
+    """Choose the places for looking around, and connect them.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ def lay_out(
     rng
         Random number generator.
     statistics
-        Statistics of walks: where transitions begin and end.
+        Statistics of where transitions begin and end.
     carriage
         How fast the camera moves.
     stops
@@ -124,7 +124,7 @@ def lay_out(
     seconds
         Length of the walk.
     transition_share
-        Share of the walk's time that is spent in transitions.
+        Share of the time that is spent in transitions.
     """
     ground = router.ground
     way = ways(ground)
@@ -260,8 +260,8 @@ class _Tour:
         there: int,
         weight: float,
     ) -> list[tuple[float, int]]:
-        # Ends and rooms (-1 for a transition) of the parts; the first part belongs to `here`, the last to
-        # `there`.
+        # End and room of each part of the path; the room of a transition is -1. The first part belongs to
+        # `here`, the last to `there`.
         rooms = self.ground.room_at(path)
         before, after = (value * self.rng.uniform(0.7, 1.3) for value in self.statistics.doorway)
         total = float(along[-1])

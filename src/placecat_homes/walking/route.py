@@ -19,7 +19,7 @@ _ROUNDS = 80
 
 
 def clearance(free: NDArray[np.bool_], most: int) -> NDArray[np.int16]:
-    """Count the cells, up to `most`, from each free cell to the nearest cell that is not free."""
+    """Count the cells (at most `most`) from each free cell to the nearest cell that is not free."""
     distance = np.zeros(free.shape, dtype=np.int16)
     left = free.copy()
     for round_ in range(most):
@@ -33,12 +33,12 @@ def clearance(free: NDArray[np.bool_], most: int) -> NDArray[np.int16]:
 
 
 class Router:
-    """Finds paths on a ground.
+    """Finds paths across the floor of a building.
 
     Parameters
     ----------
     ground
-        The floor, with the places where one can be.
+        The floor of the building.
     """
 
     def __init__(self, ground: Ground) -> None:
@@ -100,7 +100,7 @@ class Router:
                     rest = math.hypot(row - goal_row, column - goal_column)
                     heapq.heappush(queue, (reached + rest, following))
         else:
-            raise PlacecatError("no free path connects two places of the building")
+            raise PlacecatError("no free path connects two places in the building")
         nodes = [last]
         while nodes[-1] != first:
             nodes.append(before[nodes[-1]])
@@ -118,7 +118,7 @@ class Router:
 
 
 def lengths(path: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the length of the path (n,) up to each point of a path (n, 2)."""
+    """Return the length (n,) of a path (n, 2) up to each of its points."""
     return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
 
 

@@ -61,15 +61,15 @@ def allot(
     sections
         Sections of a journey.
     least
-        Least number of frames of each section.
+        Minimum number of frames of each section.
     usual
-        Frames of sections that are only passed, if there is time.
+        Number of frames of a section that only passes through a room, if there is time.
     frames
         Total number of frames.
     transition_share, most_transitions
-        Share of the frames that transitions should have, and the most they may have if they need more.
+        Intended share of transitions among the frames, and the maximum share if they need more.
     floors
-        Least number of frames of each label.
+        Minimum number of frames of each label.
 
     Returns
     -------
@@ -111,7 +111,7 @@ def allot(
 
 
 def fill(weights: NDArray[np.float64], least: NDArray[np.float64], total: float) -> NDArray[np.float64]:
-    """Divide `total` in proportion to weights, with at least `least` for each."""
+    """Divide `total` in proportion to the weights, but into parts of at least `least`."""
     low, high = 0.0, (total + 1.0) / weights.min()
     for _ in range(60):
         middle = 0.5 * (low + high)
@@ -131,7 +131,7 @@ def spans(
     speed: float,
     top_speed: float,
 ) -> list[Span]:
-    """Allot seconds to each piece: walking at the usual speed where possible, the rest for pauses."""
+    """Allot seconds to each piece. Walking uses the usual speed if possible; pauses take the rest."""
     result: list[Span] = []
     frame = 0
     for section, count in zip(sections, counts, strict=True):

@@ -37,7 +37,7 @@ class Viewpoint:
 
 
 def sight(ground: Ground, room: int, places: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Measure the distance from places (n, 2) to the walls of a room in 24 directions: (n, 24)."""
+    """Return the distances (n, 24) from places (n, 2) to the walls of a room in 24 directions."""
     angles = np.arange(_DIRECTIONS) * (2 * math.pi / _DIRECTIONS)
     steps = np.arange(1, round(_FAR / (2 * ground.cell)) + 1) * 2 * ground.cell
     rays = steps[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)[:, None, :]
@@ -67,13 +67,13 @@ def choose(
     room
         Index of the room.
     near
-        Points (2,) to stay near, such as those where the room is entered and left.
+        Points (2,) to stay near, such as those at which the walk enters and leaves the room.
     reach
-        Largest total distance in metres from all of these points, if some place is that near.
+        Maximum sum of the distances to these points in metres, if any place is that near.
     close
         Go close to a piece of furniture or a wall.
     amid
-        Go where there is space all around, instead of where the view to one side is widest.
+        Go where there is space on all sides, rather than where the view to one side is widest.
     """
     cells = np.argwhere(ground.free & (ground.room == room))
     if close:
@@ -99,7 +99,7 @@ def choose(
     if focus is None or amid:
         best = int(np.argmax(liking))
         return Viewpoint(room, _pair(places[best]), _outlook(wide[best]))
-    # Prefer a place from which the furniture is seen as a whole.
+    # Prefer a place with a complete view of the furniture.
     away_ = np.hypot(*(places - focus).T)
     best = int(np.argmax(liking * np.minimum(away_, 3.0)))
     x, y = focus - places[best]
@@ -107,7 +107,7 @@ def choose(
 
 
 def _main(ground: Ground, room: int) -> NDArray[np.float64] | None:
-    # The objects put into a room first are those the room is for.
+    # The objects that a room is used for are placed first.
     items = [(x, y) for index, x, y, _ in ground.items if index == room]
     if not items:
         return None
@@ -157,7 +157,7 @@ def _far(places: NDArray[np.float64], near: list[NDArray[np.float64]]) -> NDArra
 
 
 def _window(depth: NDArray[np.float64]) -> NDArray[np.float64]:
-    # The mean distance over 90 degrees is used, so that the widest view counts and not the longest ray.
+    # Averaging over 90 degrees favours the widest view over the longest ray.
     reach = _DIRECTIONS // 8
     return np.mean([np.roll(depth, shift, axis=1) for shift in range(-reach, reach + 1)], axis=0)
 

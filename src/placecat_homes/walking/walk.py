@@ -1,4 +1,4 @@
-"""A camera on its way through a building."""
+"""The walk of a camera through a building."""
 
 import math
 from collections.abc import Sequence
@@ -28,20 +28,20 @@ _STEPS_A_SECOND = 1.8
 
 @dataclass(frozen=True, eq=False)
 class Walk:
-    """The camera's pose and label in each frame.
+    """The pose of the camera and the label in each frame.
 
     Attributes
     ----------
     position
         (n, 3), metres.
     yaw
-        (n,), radians; 0 looks to +x, counter-clockwise.
+        (n,), radians; 0 along +x, counter-clockwise.
     pitch
         (n,), radians, up is positive.
     roll
         (n,), radians.
     label
-        n kinds of rooms, or `transition`.
+        n labels, each the kind of a room or `transition`.
     """
 
     position: NDArray[np.float64]
@@ -68,7 +68,7 @@ def walk(
     ground
         The building.
     rng
-        Random number generator; a different one gives a different walk through the same rooms.
+        Random number generator. A different one makes a different walk through the same rooms.
     statistics
         Statistics of the order of rooms and the length of stays.
     carriage
@@ -83,7 +83,7 @@ def walk(
     Raises
     ------
     PlacecatError
-        If the frames are too few for a walk that visits all required rooms.
+        If there are too few frames for a walk that visits all required rooms.
     """
     router = Router(ground)
     for attempt in range(_TRIES):
@@ -95,7 +95,7 @@ def walk(
         counts = _frames(tour, statistics, carriage, steering, frames, fps, share, most)
         if counts is not None:
             return _film(ground, rng, carriage, tour, steering, counts, fps)
-    raise PlacecatError(f"no walk of {frames} frames visits every place: set more frames")
+    raise PlacecatError(f"no walk of {frames} frames visits every place: use more frames")
 
 
 def _frames(
@@ -175,7 +175,7 @@ def _along(tour: Journey, way: Floats) -> Floats:
 
 
 def _ahead(tour: Journey, way: Floats, places: Floats) -> Floats:
-    """Return the direction of the path half a metre ahead; it is kept where the camera stands still."""
+    """Return the direction of the path half a metre ahead. It is constant while the camera stands still."""
     offsets = _along(tour, np.minimum(way + _AHEAD, tour.along[-1])) - places
     far = np.hypot(*offsets.T) > 0.15
     if not far.any():
@@ -187,7 +187,7 @@ def _ahead(tour: Journey, way: Floats, places: Floats) -> Floats:
 
 
 def _shaken(rng: np.random.Generator, carriage: Carriage, way: Floats) -> list[Floats]:
-    """Draw what is added to yaw, pitch and roll, and the sway and the rise of steps."""
+    """Draw random additions to yaw, pitch and roll, and the sway and rise caused by steps."""
     count = len(way)
     slow = 2.0 / _TICK
     angles = []

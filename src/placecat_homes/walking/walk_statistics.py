@@ -1,4 +1,4 @@
-"""Statistics of which room follows which in a walk, and of how long a walk stays there."""
+"""Statistics of walks: the order of rooms and the length of stays."""
 
 import math
 from collections.abc import Mapping
@@ -30,16 +30,17 @@ class LogNormal:
 
 @dataclass(frozen=True)
 class Statistics:
-    """Statistics of the order and the lengths of stays.
+    """Statistics of the order and the length of stays.
 
     Attributes
     ----------
     classes
-        Kinds that must occur in a walk, where the building has them, each with `least_share` of the frames.
+        Kinds of rooms that must occur in a walk if the building has them, each in at least `least_share` of
+        the frames.
     starts
-        How often walks start in a kind of room.
+        How often walks start in each kind of room.
     follows
-        How often a stay in the second kind of room follows one in the first.
+        How often a stay in the second kind of room follows a stay in the first kind.
     count
         Number of stays in a walk.
     stays
@@ -53,9 +54,9 @@ class Statistics:
         How the frames between two stays are labelled: `transition` (the whole way) or `rooms` (doorways are
         transitions; rooms on the way have their own labels).
     doorway
-        Distances in metres from a door at which a transition begins before it and ends behind it.
+        Distances in metres from a door: where a transition begins in front of it, and ends behind it.
     least_share
-        Least share of the frames that each class has.
+        Minimum share of the frames for each class.
     """
 
     classes: tuple[str, ...]
@@ -98,6 +99,6 @@ class Statistics:
         )
 
     def draw_transition_share(self, rng: np.random.Generator) -> float:
-        """Draw the share of frames of a walk that are transitions."""
+        """Draw the share of transitions among the frames of a walk."""
         mean, deviation, least, most = self.transition_share
         return float(np.clip(rng.normal(mean, deviation), least, most))

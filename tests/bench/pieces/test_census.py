@@ -3,12 +3,12 @@ import pytest
 
 from placecat_bench.pieces import census
 
-# Few grey levels, so neighbours are often equal.
+# With few grey levels, neighbours are often equal.
 IMAGE = np.random.default_rng(0).integers(0, 6, (23, 31)).astype(np.uint8)
 
 
 def naive(image, cells):
-    """Shares of the codes of the straight neighbours, with a bit for each that is at least the centre."""
+    """Return the shares of nearest-neighbour codes. A bit is set if the neighbour is >= the centre."""
     height, width = (length - 2 for length in image.shape)
     counts = np.zeros((cells, cells, 16))
     for y in range(height):
@@ -22,19 +22,19 @@ def naive(image, cells):
     return (counts / counts.sum(axis=2, keepdims=True)).reshape(-1, 16)
 
 
-def test_straight_neighbours_equal_a_naive_loop():
+def test_codes_of_nearest_neighbours_match_a_naive_loop():
     found = census.of_straight(census.ours(255 - IMAGE, 2), census.OUR_STRAIGHT)
     np.testing.assert_allclose(found, naive(IMAGE, 2), atol=1e-6)
 
 
-def test_the_peer_says_the_same():
+def test_scikit_image_matches_a_naive_loop():
     pytest.importorskip("skimage", reason="the peer is in the extra bench")
     found = census.of_straight(census.theirs(IMAGE, 2), census.THEIR_STRAIGHT)
     np.testing.assert_allclose(found, naive(IMAGE, 2))
     assert census.largest_difference(IMAGE, 2) < 1e-6
 
 
-def test_its_entries_and_targets():
+def test_entries_and_targets():
     timed, other, limit = census.entries(images=[IMAGE], cells=2)
     assert [(entry.input, entry.target) for entry in (timed, other, limit)] == [
         ("31x23, 2x2 cells", "at least 40x faster"),
@@ -46,12 +46,12 @@ def test_its_entries_and_targets():
         part()
 
 
-def test_a_difference_is_seen(monkeypatch):
+def test_a_difference_is_detected(monkeypatch):
     monkeypatch.setattr(census, "theirs", lambda image, cells: np.eye(4, 256))
     assert census.largest_difference(IMAGE, 2) > 0.5
 
 
-def test_grey_images_of_the_homes(monkeypatch):
+def test_reduced_frames_are_small_grey_images(monkeypatch):
     color = np.random.default_rng(1).integers(0, 256, (36, 64, 3)).astype(np.uint8)
     monkeypatch.setattr(census, "prepared", lambda: (None, [color]))
     (image,) = census.reduced_frames()
@@ -59,6 +59,6 @@ def test_grey_images_of_the_homes(monkeypatch):
     assert image.dtype == np.uint8
 
 
-def test_mahotas_counts_turned_patterns_in_the_same_cells():
+def test_mahotas_counts_rotated_patterns_in_the_same_cells():
     pytest.importorskip("mahotas", reason="the peer is in the extra bench")
     assert census.by_mahotas(IMAGE, 2).shape == (4, 36)

@@ -8,7 +8,7 @@ SMALL = {"samples": 300, "grid": 4, "clusters": 7, "few": 5, "many": 9}
 
 
 @pytest.mark.slow
-def test_its_entries_and_targets():
+def test_entries_and_targets():
     entries = list(dependency_tree.entries(**SMALL))
     assert [(entry.input, entry.target) for entry in entries] == [
         ("4 variables x 7 values x 300", "at least 25x faster"),
@@ -28,19 +28,19 @@ def test_its_entries_and_targets():
         part()
 
 
-def test_codes_have_a_tree():
+def test_chained_codes_form_a_tree():
     codes = dependency_tree.chained_codes(2000, 4, 7)
     assert codes.dtype == np.int32
     assert codes.min() == 0
     assert codes.max() == 6
     np.testing.assert_array_equal(codes, dependency_tree.chained_codes(2000, 4, 7))
     agreement = [(codes[:, [variable]] == codes[:, :variable]).mean(axis=0).max() for variable in (1, 2, 3)]
-    # Half, and by chance every seventh of the others.
+    # Half of the samples agree, and one in seven of the others by chance.
     assert np.allclose(agreement, 0.5 + 0.5 / 7, atol=0.05)
 
 
 @pytest.mark.filterwarnings("ignore::FutureWarning")
-def test_pgmpy_learns_the_same():
+def test_pgmpy_learns_the_same_trees():
     pytest.importorskip("pgmpy", reason="without the extra bench")
     entries = list(dependency_tree.entries(**SMALL))
     wide, same, few = entries[0], entries[1], entries[4]
@@ -58,7 +58,7 @@ def test_pyagrum_learns_the_same_tree():
     assert other_edges.measure() == 0
 
 
-def test_deeprob_kit_learns_the_same():
+def test_deeprob_kit_learns_the_same_tree():
     pytest.importorskip("deeprob", reason="without the extra bench-torch")
     difference = list(dependency_tree.entries(**SMALL))[7]
     assert difference.measure() < 1e-3

@@ -8,7 +8,7 @@ from placecat_bench.pieces import frame_features
 
 
 @pytest.mark.slow
-def test_its_entries_and_targets():
+def test_entries_and_targets():
     entries = list(frame_features.entries(frames=[frame()]))
     assert [(entry.input, entry.target) for entry in entries] == [
         ("320x240 JPEG, for the cues", "at most 7x its time"),
@@ -23,12 +23,12 @@ def test_its_entries_and_targets():
     assert "holistic_centrist_full" in every
     assert [picture.shape for picture in entries[0].theirs()] == [(240, 320, 3)]
     assert entries[1].measure() > 0
-    # A missed target shows where the time goes.
+    # If a target is missed, the row shows where the time goes.
     assert all("maps" in entry.parts for entry in entries)
     assert all("decoding" in entry.parts for entry in entries[1::2])
 
 
-def test_every_descriptor_is_a_part():
+def test_every_descriptor_is_timed_as_a_part():
     own = frames.options()
     parts = frame_features.parts([frame()], own)
     assert set(parts) == {"maps", "regions", *own["local"], *(f"holistic {name}" for name in own["holistic"])}
@@ -37,7 +37,7 @@ def test_every_descriptor_is_a_part():
 
 
 @pytest.mark.slow
-def test_a_frame_of_each_home_as_jpeg():
+def test_jpegs_has_a_frame_of_each_home():
     found = frames.jpegs()
     assert len(found) == 6
     picture = frames.decoded(found[0])
@@ -46,6 +46,6 @@ def test_a_frame_of_each_home_as_jpeg():
     assert len({file.tobytes() for file in found}) == 6
 
 
-def test_no_homes(tmp_path):
+def test_a_folder_without_videos_raises_an_error(tmp_path):
     with pytest.raises(PlacecatError, match="has no videos: restore the rendered homes"):
         frames.jpegs(tmp_path)

@@ -10,14 +10,14 @@ def entry():
     return entry
 
 
-def test_its_entry_and_target(entry):
+def test_entry_and_target(entry):
     assert (entry.input, entry.target) == ("320x240", "at least 5x faster")
     assert entry.ours()[0].shape == (1024,)
     for part in entry.parts.values():
         part()
 
 
-def test_the_peer_describes_the_frame(entry):
+def test_torchgist_describes_the_frame(entry):
     pytest.importorskip("torchgist", reason="without the extra bench-torch")
     (found,) = entry.theirs()
     assert found.shape == (512,)

@@ -14,7 +14,7 @@ def entries():
 
 
 @pytest.mark.slow
-def test_its_entries_and_targets(entries):
+def test_entries_and_targets(entries):
     assert [(entry.input, entry.target) for entry in entries] == [
         ("2000 x 128, 16 clusters", "at least 2.5x faster"),
         ("2000 x 128, 16 clusters", "at most 1.02"),
@@ -27,7 +27,7 @@ def test_its_entries_and_targets(entries):
         part()
 
 
-def test_inertia_is_of_the_timed_result(monkeypatch):
+def test_inertia_is_computed_from_the_timed_result(monkeypatch):
     points = hierarchical_kmeans.draw_descriptors(2000, SMALL["homes"])
     calls = []
 
@@ -47,7 +47,7 @@ def test_inertia_is_of_the_timed_result(monkeypatch):
     assert calls == [16]
 
 
-def test_inertia_against_all_distances():
+def test_inertia_matches_a_full_distance_matrix():
     rng = np.random.default_rng(0)
     points, centers = (rng.random((n, 5), np.float32) for n in (40, 6))
     distances = np.square(points[:, None] - centers).sum(axis=2).min(axis=1)
@@ -65,7 +65,7 @@ def test_descriptors_are_drawn_from_the_frames(tmp_path):
 
 
 @pytest.mark.parametrize(("package", "place"), [("pyflann_ibeis", 1), ("superkmeans", 3), ("faiss", 5)])
-def test_peers_cluster_as_well(entries, package, place):
+def test_peers_reach_a_similar_inertia(entries, package, place):
     pytest.importorskip(package, reason="without the extra bench")
     for limit in entries[place::6]:
         assert 0.85 < limit.measure() < 1.2

@@ -10,7 +10,7 @@ def entries():
     return list(hog_of_regions.entries(frames=[frame(), frame(seed=3)], count=7))
 
 
-def test_its_entries_and_targets(entries):
+def test_entries_and_targets(entries):
     assert [(entry.input, entry.target) for entry in entries[:2]] == [
         ("7 regions of 320x240", "at least 2x faster"),
         ("7 regions of 320x240", "at most 0"),

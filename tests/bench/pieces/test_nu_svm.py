@@ -11,7 +11,7 @@ def entries():
     return list(nu_svm.entries(**SMALL))
 
 
-def test_its_entries_and_targets(entries):
+def test_entries_and_targets(entries):
     assert [(entry.input, entry.target) for entry in entries[:3]] == [
         ("fit 320 x 32, 3 homes", "at least 16x faster"),
         ("predict 50 x 32 from 320", "at least 25x faster"),
@@ -40,15 +40,15 @@ def test_scikit_learn_gives_the_same_probabilities(entries):
 
 
 @pytest.mark.parametrize(("package", "place"), [("sklearn", 3), ("sklearnex", 6)])
-def test_the_other_peers_give_nearly_the_same(entries, package, place):
+def test_the_other_peers_give_nearly_the_same_probabilities(entries, package, place):
     pytest.importorskip(package, reason="without the extra bench")
     fit, _, limit = entries[place : place + 3]
     fit.theirs()
     assert limit.measure() < 0.02
 
 
-def test_the_models_that_were_timed_predict(monkeypatch):
-    """Their fit takes minutes, so it is not repeated."""
+def test_prediction_uses_the_timed_models(monkeypatch):
+    """Fitting takes minutes, so it is not repeated."""
     fits = []
     theirs = nu_svm.theirs
     monkeypatch.setattr(nu_svm, "theirs", lambda *given: fits.append(1) or theirs(*given))

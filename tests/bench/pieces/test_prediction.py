@@ -8,11 +8,11 @@ from placecat_bench.frames import consecutive, size
 from placecat_bench.pieces import prediction
 
 
-def test_its_entries_and_targets(tmp_path, monkeypatch):
+def test_entries_and_targets(tmp_path, monkeypatch):
     model = tmp_path / "model.placecat"
     model_file.write(model, make_system(tracked=True))
     monkeypatch.setattr(paths, "MODEL", model)
-    # Comparisons require five pairs; the rest is measured once.
+    # Comparisons require five pairs. Everything else is measured once.
     monkeypatch.setattr(prediction, "REPEATS", 1)
     given = frames(8)
     whole, rate, *latencies, start = prediction.entries(frames=given)
@@ -31,14 +31,14 @@ def test_its_entries_and_targets(tmp_path, monkeypatch):
     ]
 
 
-def test_no_model(tmp_path, monkeypatch):
+def test_a_missing_model_raises_an_error(tmp_path, monkeypatch):
     monkeypatch.setattr(paths, "MODEL", tmp_path / "model.placecat")
     with pytest.raises(PlacecatError, match="does not exist: run `make repro`"):
         next(prediction.entries())
 
 
 @pytest.mark.slow
-def test_consecutive_frames_of_a_home():
+def test_consecutive_frames_differ():
     first, second = consecutive(2)
     assert size(first) == size(second) == "1280x720"
     assert (first != second).any()

@@ -9,7 +9,7 @@ def entries():
 
 
 @pytest.mark.slow
-def test_its_entries_and_targets(entries):
+def test_entries_and_targets(entries):
     assert [(entry.input, entry.target) for entry in entries] == [
         ("60 x 16", "at least 10x faster"),
         ("60 x 16", "at most 1"),
@@ -24,7 +24,7 @@ def test_its_entries_and_targets(entries):
 
 
 @pytest.mark.parametrize(("package", "place"), [("sklearn_rvm", 0), ("fastrvm", 2)])
-def test_peers_learn_as_well(entries, package, place):
+def test_peers_are_about_as_accurate(entries, package, place):
     pytest.importorskip(package, reason="without the extra bench")
     time, accuracy = entries[place : place + 2]
     time.ours()

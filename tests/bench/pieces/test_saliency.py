@@ -6,7 +6,7 @@ from placecat_bench import frames
 from placecat_bench.pieces import saliency
 
 
-def test_its_entry_and_target():
+def test_entry_and_target():
     entry, *others, absent = saliency.entries(frames=[frame()])
     assert [other.target for other in others] == ["at least 2x faster"] * 2
     assert absent.peer == "VOCUS2"
@@ -16,7 +16,7 @@ def test_its_entry_and_target():
         part()
 
 
-def test_it_is_the_map_that_the_regions_come_from():
+def test_the_timed_map_is_the_one_used_to_find_regions():
     own = frames.options()
     found = saliency.saliency_of(frame(), own)
     regions = find_regions(compute_maps(frame(), **own["attention"]), **own["regions"])

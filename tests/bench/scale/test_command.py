@@ -1,4 +1,4 @@
-"""The whole command at a tiny size, on made features, with one cheap real stage."""
+"""The complete command at a tiny size, with made-up features and one cheap real stage."""
 
 import copy
 import importlib
@@ -37,7 +37,7 @@ SCALE = {
 
 
 def run_here(words, folder, log):
-    """Like `watch`, without the import time of a new process."""
+    """Like `watch`, but without the import time of a new process."""
     python, option, module = words
     assert (python, option) == (sys.executable, "-m")
     with pytest.MonkeyPatch.context() as patch:
@@ -47,7 +47,7 @@ def run_here(words, folder, log):
 
 
 def make_variant(features):
-    """A variant with the regions of every third frame and other descriptors."""
+    """Make a variant with the regions of every third frame and other descriptors."""
     folder = features / "variant_other"
     folder.mkdir()
     shutil.copy(features / "descriptors.json", folder)
@@ -80,7 +80,7 @@ def ran(tmp_path_factory):
     (folder / "data/toy.csv").touch()
     (folder / "reports/times.csv").write_text("stage,runs,seconds\nfeatures,4,36.0\nfigures,1,5.0\n")
     (folder / "conf/scale.yaml").write_text(yaml.safe_dump(SCALE))
-    # Composing this project's settings would take most of the time.
+    # Composing the settings of this project would take most of the time.
     made = copy.deepcopy(params)
     made["dataset"]["homes"], made["protocol"]["test_homes"] = list("abcd"), ["a"]
     asked = []
@@ -93,13 +93,13 @@ def ran(tmp_path_factory):
     return folder, asked
 
 
-def test_settings_are_the_project_s_with_other_homes(ran):
+def test_project_settings_are_composed_with_other_homes(ran):
     _, asked = ran
     assert "dataset.homes=[a,b,c,d]" in asked[0] and "protocol.test_homes=[a]" in asked[0]
     assert "dataset.thesis_data=null" in asked[0]
 
 
-def test_homes_have_the_size_and_the_walk_that_was_asked_for(ran):
+def test_homes_have_the_requested_size_and_walk(ran):
     folder, _ = ran
     made = folder / "data/scale/720/data"
     labels = pd.read_csv(made / "sequences/a/labels.csv")
@@ -114,7 +114,7 @@ def test_homes_have_the_size_and_the_walk_that_was_asked_for(ran):
         hog = np.load(made / kind / "a/local_hog.npy")
         assert hog.shape == (180, 6, 6) and hog.dtype == np.float32
         assert len(np.unique(hog, axis=0)) == 180
-    # Made descriptors reveal the place: drawn ones come from the same place of the home in its position.
+    # The made-up descriptors reveal the place. Drawn descriptors come from the same place in the source home.
     source = np.load(folder / f"data/features/{HOMES[1]}/holistic_gist.npy")
     own = pd.read_csv(folder / f"data/sequences/{HOMES[1]}/labels.csv")["class"].to_numpy()
     drawn = np.load(made / "features/b/holistic_gist.npy")
@@ -124,7 +124,7 @@ def test_homes_have_the_size_and_the_walk_that_was_asked_for(ran):
         assert (own[nearest] == place).mean() > 0.95
 
 
-def test_a_variant_of_the_regions_is_drawn_for_its_frames_alone(ran):
+def test_a_variant_of_the_regions_is_drawn_only_for_its_own_frames(ran):
     folder, _ = ran
     drawn = folder / "data/scale/720/data/features/a/variant_other"
     assert np.load(drawn / "frames.npy").tolist() == list(range(0, 180, 3))
@@ -134,7 +134,7 @@ def test_a_variant_of_the_regions_is_drawn_for_its_frames_alone(ran):
     assert (drawn / "descriptors.json").is_file()
 
 
-def test_the_stage_ran_for_the_test_home_alone(ran):
+def test_the_stage_ran_only_for_the_test_home(ran):
     folder, _ = ran
     made = {path.name for path in (folder / "data/scale/720/data/codebooks/gist_cells").glob("*.npz")}
     assert made == {f"without-{rest}.seed-{seed}.npz" for rest in ("a", "a-b") for seed in (0, 1)}
@@ -154,15 +154,16 @@ def test_times_and_growth_are_written(ran):
     ]
     facts = json.loads((folder / "reports/scale.json").read_text())
     assert facts["largest"]["frames"] == 720 and facts["largest"]["met"] is True
-    # Four homes instead of one, 720 frames instead of 360; stages that do not depend on homes are unchanged.
+    # Four homes instead of one, and 720 frames instead of 360. Stages that do not depend on homes are
+    # unchanged.
     assert facts["full_run"]["seconds"] == {"codebooks": 160.0, "features": 72.0, "figures": 5.0}
 
 
-def test_trials_are_repeated_as_often_as_tables_ask_for_homes(ran, monkeypatch):
+def test_trials_are_repeated_for_the_homes_that_tables_need(ran, monkeypatch):
     monkeypatch.chdir(ran[0])
     params = copy.deepcopy(PARAMS)
     params["protocol"]["test_homes"] = ["H1"]
-    # Three trials in homes 1 and 3, one in all four.
+    # Three trials test homes 1 and 3, and one tests all four.
     assert full_run.times_as_often("trials", params) == (3 * 2 + 4) / (3 + 1)
     assert full_run.times_as_often("scores", params) == 1.0
 
@@ -184,7 +185,7 @@ def test_a_size_can_be_added_later(ran, tmp_path, monkeypatch):
     assert growth["exponent"].tolist() == pytest.approx([1.0] * 2, abs=0.03)
 
 
-def test_missing_features_and_wrong_settings_are_refused(ran, monkeypatch):
+def test_missing_features_and_invalid_settings_raise_errors(ran, monkeypatch):
     folder, _ = ran
     monkeypatch.chdir(folder)
     (folder / "data/tracks").rename(folder / "data/away")

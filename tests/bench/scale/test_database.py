@@ -10,7 +10,7 @@ from project import ROOT
 HOME = Home("a", 2, {"kitchen": (90, 3), "bedroom": (7, 1), "transition": (50, 5)})
 
 
-def test_the_database_is_as_large_as_the_thesis_s():
+def test_the_database_has_as_many_frames_as_in_the_thesis():
     homes = read_homes(read_settings(ROOT / "conf/scale.yaml")["homes"])
     assert [home.frames for home in homes] == [9993, 9998, 6839, 9344, 5012, 10151]
     assert sum(home.frames for home in homes) == 51337
@@ -26,7 +26,7 @@ def test_a_walk_has_the_frames_and_stretches_of_each_label():
     assert min(one.frames for one in walk) >= 1
 
 
-def test_a_walk_goes_from_place_to_place_by_transitions_and_from_floor_to_floor():
+def test_a_walk_has_transitions_between_places_and_visits_all_floors_in_order():
     walk = HOME.walk()
     kinds = [one.label == "transition" for one in walk]
     assert kinds == [False, True] * 4 + [True]
@@ -34,12 +34,12 @@ def test_a_walk_goes_from_place_to_place_by_transitions_and_from_floor_to_floor(
     assert floors == sorted(floors) and set(floors) == {1, 2}
 
 
-def test_a_walk_is_the_same_again_and_another_in_another_home():
+def test_walks_are_reproducible_and_differ_between_homes():
     other = Home("b", HOME.floors, HOME.labels)
     assert HOME.walk() == HOME.walk() != other.walk()
 
 
-def test_a_part_of_a_home_keeps_every_label():
+def test_a_scaled_home_keeps_every_label():
     small = HOME.scaled(0.1)
     assert small.labels == {"kitchen": (9, 3), "bedroom": (1, 1), "transition": (5, 5)}
     assert HOME.scaled(1.0) == HOME
@@ -63,6 +63,6 @@ def test_labels_become_classes():
         None,
     ],
 )
-def test_wrong_homes_are_refused(own):
+def test_invalid_homes_raise_an_error(own):
     with pytest.raises(PlacecatError, match=r"homes\.a needs"):
         read_homes({"a": own})

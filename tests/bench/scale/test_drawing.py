@@ -15,17 +15,17 @@ WALK = [
 OWN = [0, -1, 1, 2]
 
 
-def test_frames_have_the_same_label_or_class_and_a_stretch_is_continuous():
+def test_source_frames_match_the_label_or_class_and_stretches_are_continuous():
     chosen = drawing.draw_frames(WALK, LABELS, CLASSES, OWN, "a")
     assert len(chosen) == 37
     assert set(chosen[:20]) == {9, 10, 11, 12}
-    # No closet: another frame without a class. No bathroom at all: any frame.
+    # Without a closet, another frame without a class is used. Without a bathroom, any frame is used.
     assert set(chosen[20:29]) <= {6, 7, 8}
     assert set(chosen[29:34]) <= set(range(6))
     assert set(np.diff(chosen[:20])) <= {0, 1, -3}
 
 
-def test_frames_have_the_wanted_number_of_regions_of_their_class():
+def test_frames_get_the_requested_number_of_regions_of_their_class():
     counts = np.array([3, 0, 2, 3, 1, 2, 1, 1, 1, 2, 3, 3, 0])
     chosen = np.array([0, 1, 9, 12, 6])
     frame, place = drawing.draw_regions(chosen, counts, CLASSES, 5, "a")

@@ -6,24 +6,24 @@ from placecat_bench.scale.measurements import COLUMNS, GROWTH_COLUMNS, fit, grow
 
 
 @pytest.mark.parametrize("exponent", [0.0, 1.0, 2.5])
-def test_a_power_law_is_found(exponent):
+def test_fit_recovers_a_power_law(exponent):
     frames = np.array([400, 100, 200, 800])
     assert fit(frames, 3.0 * frames**exponent) == (exponent, pytest.approx(1.0), exponent)
 
 
-def test_a_constant_part_lowers_the_exponent_but_less_the_last():
+def test_a_constant_cost_lowers_the_last_exponent_less():
     frames = np.array([100, 200, 400, 800])
     exponent, r2, last = fit(frames, 10.0 + 1e-3 * frames**2)
     assert exponent < last < 2.0
     assert r2 < 1.0
 
 
-def test_one_size_has_no_exponent():
+def test_a_single_size_raises_an_error():
     with pytest.raises(ValueError, match="two different"):
         fit([100, 100], [1.0, 2.0])
 
 
-def test_all_is_the_sum_of_the_stages_and_their_highest_peak():
+def test_the_row_all_has_the_total_time_and_the_highest_peak():
     rows = [
         (size, frames, stage, "", 2.0 * cpu, cpu, peak)
         for size, frames in ((0.5, 100), (1.0, 200))

@@ -5,7 +5,7 @@ import pytest
 from placecat.errors import PlacecatError
 from placecat_bench.scale.watching import watch
 
-# A process with 60 MiB, and a child process with 60 MiB more, together for a while.
+# A process with 60 MiB and a child process with another 60 MiB run at the same time for a while.
 FAMILY = """
 import subprocess, sys, time
 own = bytearray(60 * 2**20)

@@ -1,4 +1,4 @@
-"""Whole homes drawn from a seed are furnished, walked through and free of faults, and faults are found."""
+"""Homes drawn from a seed are furnished, can be walked through and have no faults. Faults are detected."""
 
 from dataclasses import replace
 from functools import cache
@@ -22,7 +22,7 @@ from placecat_homes.walking import walk
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("drawn")]
 
 SOURCE = Source.read()
-# Its first plan and first walk have no fault.
+# The first plan and the first walk of this home have no faults.
 NUMBER, SEED = 1, 1
 
 
@@ -36,10 +36,10 @@ def home():
     return drawn(NUMBER, SEED)
 
 
-# Hypothesis begins with the smallest numbers, those of the fixture's home, and draws a second home at random.
+# Hypothesis starts with the smallest numbers, which are those of the fixture. The second home is random.
 @settings(max_examples=2, deadline=None, suppress_health_check=list(HealthCheck))
 @given(number=st.integers(NUMBER, 1000), seed=st.integers(SEED, 2**32 - 1))
-def test_the_walk_meets_nothing_and_sees_every_room(number, seed):
+def test_the_walk_hits_nothing_and_visits_every_room(number, seed):
     made = drawn(number, seed)
     ground = made.building.ground()
     path = made.walk.position[:, :2]
@@ -53,7 +53,7 @@ def test_the_walk_meets_nothing_and_sees_every_room(number, seed):
             assert (inside & (np.array(made.walk.label) == plan.kind)).any(), plan.name
 
 
-def test_its_file_holds_all_of_it(home):
+def test_the_file_describes_the_complete_home(home):
     """The YAML alone is enough to build the home and its walk again."""
     content = yaml.safe_load(home.text())
     assert content == home.content
@@ -63,7 +63,7 @@ def test_its_file_holds_all_of_it(home):
     assert np.array_equal(again.mesh.vertices, home.building.mesh.vertices)
 
 
-def test_a_home_that_is_drawn_has_no_fault(home):
+def test_a_drawn_home_has_no_faults(home):
     assert list(faults(home.building, home.walk)) == []
 
 
@@ -85,7 +85,7 @@ def test_a_walk_through_a_wall_or_past_a_room_is_a_fault(home):
     assert "the walk hardly shows kitchen_1" in found
 
 
-def test_the_view_from_above_shows_rooms_and_the_way(home):
+def test_the_view_from_above_shows_the_rooms_and_the_path(home):
     without, picture = top_view(home.building), top_view(home.building, home.walk)
     assert picture.shape == without.shape and picture.dtype == np.uint8
     changed = (picture != without).any(axis=2)
@@ -93,9 +93,9 @@ def test_the_view_from_above_shows_rooms_and_the_way(home):
     assert len(np.unique(without.reshape(-1, 3), axis=0)) > 8
 
 
-def test_too_few_frames_are_refused_with_the_reason(home, monkeypatch):
+def test_too_few_frames_raise_an_error_with_the_reason(home, monkeypatch):
     monkeypatch.setattr(homes, "_DRAWS", 1)
-    # Build the home of that name, which takes seconds, but try only a few of the many walks.
+    # Building takes seconds, so the home of the fixture is used. Only a few of the many walks are tried.
     monkeypatch.setattr(homes, "build", lambda plan, attempt: home.building)
     monkeypatch.setattr(walk, "_TRIES", 5)
     message = "home 1 of seed 1: all 1 plans drawn have faults; the last fault: no walk of 200"

@@ -1,4 +1,4 @@
-"""Floor plans of many seeds are valid, and invalid settings are refused."""
+"""Floor plans from many seeds are valid, and invalid settings are rejected."""
 
 from itertools import combinations
 
@@ -25,7 +25,7 @@ def only(arrangement):
 
 @pytest.mark.parametrize("arrangement", arrangements.ALL)
 @given(name=HOMES, number=NUMBERS)
-def test_rooms_have_their_sizes_and_do_not_overlap(arrangement, name, number):
+def test_room_sizes_are_in_range_and_rooms_do_not_overlap(arrangement, name, number):
     content = plans.draw(name, number, only(arrangement))
     rooms = plans.read(content).rooms
     assert {room.kind for room in rooms} == {*KINDS, "corridor"}
@@ -62,22 +62,22 @@ def test_doors_connect_all_rooms_and_the_entrance_leads_outside(name, number):
 
 
 @given(name=HOMES, number=NUMBERS, seed=st.integers(1, 40))
-def test_every_room_has_a_window_but_corridors_need_none(name, number, seed):
+def test_every_room_except_corridors_has_a_window(name, number, seed):
     plan = plans.read(plans.draw(name, number, RANGES)).windowed(seed)
     lit = {window.room for window in plan.windows}
     assert {room.name for room in plan.rooms if room.kind in KINDS} <= lit
 
 
 @given(name=HOMES, number=NUMBERS)
-def test_name_and_number_alone_decide_the_plan(name, number):
+def test_the_plan_depends_only_on_name_and_number(name, number):
     plan = plans.draw(name, number, RANGES)
     plans.draw(name, number + 1, RANGES)
     assert plans.draw(name, number, RANGES) == plan
     assert plans.draw(name, number + 1, RANGES) != plan
 
 
-def test_the_odds_of_arrangements_are_those_of_the_settings():
-    """Odds of 0 leave out an arrangement; the others are drawn equally often, though some fail more often."""
+def test_arrangements_are_drawn_with_the_odds_in_the_settings():
+    """Odds of 0 exclude an arrangement. The others are drawn equally often, although some fail more often."""
     ranges = PlanRanges.of(
         CONTENT["plan"] | {"arrangements": {"two_rows": 1, "around_living_room": 1}}, "plan", arrangements.ALL
     )
@@ -92,23 +92,23 @@ def test_the_odds_of_arrangements_are_those_of_the_settings():
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"depth": [4.5, 3.3]}, r"plan depth must be \[least, most\] within 2.8 to 8, not \[4.5, 3.3\]"),
+        ({"depth": [4.5, 3.3]}, r"plan depth must be \[minimum, maximum\] between 2.8 and 8, not"),
         ({"height": [2.0, 2.5]}, "plan height"),
-        ({"height": 2.5}, r"plan height must be \[least, most\], not 2.5"),
+        ({"height": 2.5}, r"plan height must be \[minimum, maximum\], not 2.5"),
         ({"dpeth": [3, 4]}, "no setting 'dpeth'; did you mean 'depth'"),
-        ({"bedrooms": {4: 1}}, "plan bedrooms needs odds for some of 1, 2, 3: numbers from 0, not all 0"),
+        ({"bedrooms": {4: 1}}, "plan bedrooms needs odds for some of 1, 2, 3: numbers of 0 or more"),
         ({"bedrooms": {2: 0}}, "plan bedrooms"),
         ({"arrangements": {"tower": 1}}, "plan arrangements"),
-        ({"areas": {"kitchen": [8, 14]}}, r"plan areas bedroom must be \[least, most\], not None"),
+        ({"areas": {"kitchen": [8, 14]}}, r"plan areas bedroom must be \[minimum, maximum\], not None"),
         ({"areas": CONTENT["plan"]["areas"] | {"cellar": [1, 2]}}, "no setting 'cellar'"),
     ],
 )
-def test_impossible_ranges_are_refused(changes, message):
+def test_invalid_ranges_raise_an_error(changes, message):
     with pytest.raises(SettingError, match=message):
         PlanRanges.of(CONTENT["plan"] | changes, "plan", arrangements.ALL)
 
 
-def test_impossible_light_is_refused():
+def test_invalid_light_raises_an_error():
     with pytest.raises(SettingError, match="light sunny lamps"):
         LightRanges.of(CONTENT["light"] | {"sunny": CONTENT["light"]["sunny"] | {"lamps": [0, 2]}}, "light")
     with pytest.raises(SettingError, match="no setting 'rain'"):
@@ -124,14 +124,14 @@ def test_impossible_light_is_refused():
         ({"fps": 0}, "fps must be"),
     ],
 )
-def test_an_impossible_video_is_refused(changes, message):
+def test_an_invalid_video_raises_an_error(changes, message):
     with pytest.raises(SettingError, match=message):
         Video(**CONTENT["video"] | changes)
     with pytest.raises(SettingError, match=message):
         Source.read(**changes)
 
 
-def test_sizes_that_leave_no_room_are_named():
+def test_ranges_that_fit_no_plan_raise_an_error():
     narrow = PlanRanges.of(
         CONTENT["plan"] | {"areas": CONTENT["plan"]["areas"] | {"kitchen": [50, 60]}},
         "plan",

@@ -1,4 +1,4 @@
-"""Rendering into a folder gives the same bytes even if it is killed anywhere and started again."""
+"""Rendering into a folder always creates the same bytes, even if it is killed at any point and restarted."""
 
 import os
 import signal
@@ -28,7 +28,7 @@ class Died(BaseException):
 
 @pytest.fixture
 def small(monkeypatch):
-    """Replace plans and films by fast ones; a dictionary says at which home and frame to call a function."""
+    """Replace plans and films with fast ones. The dictionary maps (home, frame) to functions to call."""
     at = {}
 
     def draw(number, seed, source):
@@ -71,7 +71,7 @@ def killed():
 
 
 @pytest.mark.parametrize("where", [(2, "plan"), (1, 0), (2, 1), (3, 2)])
-def test_a_killed_run_ends_in_the_same_bytes(tmp_path, small, where):
+def test_a_killed_run_resumes_with_the_same_bytes(tmp_path, small, where):
     make(tmp_path / "whole")
     child = os.fork()
     if child == 0:
@@ -86,7 +86,7 @@ def test_a_killed_run_ends_in_the_same_bytes(tmp_path, small, where):
     assert all(path.stat().st_mtime_ns == made for path, made in kept.items())
 
 
-def test_an_error_leaves_no_half_home(tmp_path, small):
+def test_an_error_leaves_no_partial_home(tmp_path, small):
     def fail():
         raise Died
 
@@ -97,7 +97,7 @@ def test_an_error_leaves_no_half_home(tmp_path, small):
     assert not list(tmp_path.glob(".rendering-*"))
 
 
-def test_more_homes_leave_those_there_are(tmp_path, small):
+def test_adding_homes_keeps_the_existing_ones(tmp_path, small):
     make(tmp_path, count=2)
     before = content(tmp_path)
     made = make(tmp_path, count=4)
@@ -118,12 +118,12 @@ def test_only_plans(tmp_path, small):
     assert all(path.with_suffix(".png").is_file() for path in made)
 
 
-def test_a_folder_of_other_homes_is_refused(tmp_path, small):
+def test_a_folder_with_other_homes_raises_an_error(tmp_path, small):
     make(tmp_path, count=1)
     before = content(tmp_path)
-    with pytest.raises(PlacecatError, match=r"has homes with another seed \(1, now 2\): choose another"):
+    with pytest.raises(PlacecatError, match=r"has homes with a different seed \(1, now 2\): choose another"):
         make(tmp_path, count=1, seed=2)
-    with pytest.raises(PlacecatError, match=r"another video.fps \(5, now 10\)"):
+    with pytest.raises(PlacecatError, match=r"different video.fps \(5, now 10\)"):
         make(tmp_path, count=1, fps=10)
     assert content(tmp_path) == before
     (tmp_path / "homes.yaml").unlink()
@@ -131,7 +131,7 @@ def test_a_folder_of_other_homes_is_refused(tmp_path, small):
         make(tmp_path, count=1)
 
 
-def test_another_run_in_the_folder_is_refused(tmp_path, small):
+def test_a_concurrent_run_in_the_folder_raises_an_error(tmp_path, small):
     with FileLock(tmp_path / ".lock"), pytest.raises(PlacecatError, match="another process renders into"):
         make(tmp_path)
 
@@ -147,10 +147,10 @@ def test_another_run_in_the_folder_is_refused(tmp_path, small):
         (["--homes", "2", "--seed", "1", "--frames", "3"], "frames must be a whole number from 200"),
         (["--seed", "1"], "--seed needs --homes"),
         (["--plans"], "--plans needs --homes"),
-        (["homes/home_1", "--homes", "2", "--seed", "1"], "give either names of videos or --homes, not both"),
+        (["homes/home_1", "--homes", "2", "--seed", "1"], "use either video names or --homes, not both"),
     ],
 )
-def test_the_command_refuses_what_makes_no_sense(tmp_path, monkeypatch, options, message):
+def test_the_command_rejects_invalid_options(tmp_path, monkeypatch, options, message):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit) as ended:
         command.main(options)
@@ -158,7 +158,7 @@ def test_the_command_refuses_what_makes_no_sense(tmp_path, monkeypatch, options,
     assert not list(tmp_path.iterdir())
 
 
-def test_the_command_names_the_folder_it_made(tmp_path, small, monkeypatch, capsys):
+def test_the_command_prints_the_folder_it_created(tmp_path, small, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     command.main(["--homes", "2", "--seed", "7", "--size", "160x90"])
     assert capsys.readouterr().out == "2 homes are in homes_of_seed_7\n"

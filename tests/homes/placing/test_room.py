@@ -54,7 +54,7 @@ def plain(*openings: Opening) -> Room:
 
 
 @pytest.mark.parametrize("wall", range(4))
-def test_a_thing_on_a_wall_looks_into_the_room(wall: int) -> None:
+def test_an_object_at_a_wall_faces_into_the_room(wall: int) -> None:
     room = plain()
     thing = room.against(box(0.6, 0.4, 1.0), wall=wall, at=0.5)
     assert thing is not None
@@ -64,18 +64,18 @@ def test_a_thing_on_a_wall_looks_into_the_room(wall: int) -> None:
     assert ((x0 + x1) / 2, (y0 + y1) / 2) == pytest.approx(middle, abs=1e-6)
 
 
-def test_windows_stay_free_of_tall_things_only() -> None:
+def test_only_low_objects_stand_in_front_of_windows() -> None:
     room = plain(Opening(0, 1.0, 3.0, 0.9, 2.1))
     assert room.against(box(1.0, 0.4, 2.0), wall=0, at=2.0) is None
     assert room.hang(box(3.0, 0.03, 0.5), bottom=1.4) is not None
     assert room.against(box(1.0, 0.4, 0.8), wall=0, at=2.0) is not None
 
 
-def test_a_place_that_cuts_off_a_door_is_refused() -> None:
+def test_an_object_cannot_cut_off_a_door() -> None:
     door = {"sill": 0.0, "top": 2.05, "kind": "door", "passage": True}
     room = plain(Opening(1, 0.3, 1.15, **door), Opening(3, 0.3, 1.15, **door))
     assert room.against(box(2.7, 0.4, 0.8), wall=0, at=2.0) is not None
-    # The gap between this object and the first would be too narrow.
+    # The gap between this object and the first one would be too narrow.
     assert room.against(box(1.0, 2.3, 0.8), wall=2, at=2.0, front=0.0) is None
 
 
@@ -86,7 +86,7 @@ def test_span_ends_at_doors_and_windows() -> None:
     assert room.span(least=4.1) is None
 
 
-def test_things_on_a_table_follow_it() -> None:
+def test_objects_on_a_table_are_placed_in_its_frame() -> None:
     room = plain()
     table = room.against(box(1.0, 0.6, 0.7), wall=1, at=1.0)
     assert table is not None

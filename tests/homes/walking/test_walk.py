@@ -21,7 +21,7 @@ BODY = 0.25
 
 
 def floor(rooms, doors, items=(), windows=(), cell=0.1):
-    """Make a ground of rooms {name: (x0, y0, x1, y1)}, doors (room, room, x, y) and items
+    """Make a ground from rooms {name: (x0, y0, x1, y1)}, doors (room, room, x, y) and items
     (room, x, y, width, depth, height)."""
     rects = np.array(list(rooms.values()))
     low, high = rects[:, :2].min(axis=0) - 0.2, rects[:, 2:].max(axis=0) + 0.2
@@ -139,7 +139,7 @@ def homes():
     return ground, [make(ground, "home", "tripod", seed) for seed in range(6)]
 
 
-def test_walk_has_the_frames_asked_for_and_never_leaves_the_free_floor(homes):
+def test_a_walk_has_the_requested_frames_and_stays_on_free_floor(homes):
     ground, walks = homes
     for one in walks:
         assert len(one.label) == len(one.yaw) == len(one.pitch) == len(one.roll) == 640
@@ -149,7 +149,7 @@ def test_walk_has_the_frames_asked_for_and_never_leaves_the_free_floor(homes):
         assert steps.max() < 1.6 / 5
 
 
-def test_camera_turns_slowly_enough_for_frames_to_overlap(homes):
+def test_the_camera_turns_slowly_enough_for_frames_to_overlap(homes):
     for one in homes[1]:
         assert np.degrees(np.abs(np.diff(one.yaw))).max() < 14.0
         assert np.degrees(one.pitch).min() > -42 and np.degrees(one.pitch).max() < 15
@@ -157,14 +157,14 @@ def test_camera_turns_slowly_enough_for_frames_to_overlap(homes):
         assert np.degrees(np.abs(one.roll)).max() < 8
 
 
-def test_every_class_is_seen(homes):
+def test_every_class_has_its_share_of_frames(homes):
     for one in homes[1]:
         counts = Counter(one.label)
         for kind in statistics("home").classes:
             assert counts[kind] >= 0.04 * 640
 
 
-def test_stays_are_in_their_room(homes):
+def test_labels_match_the_rooms(homes):
     ground, walks = homes
     for one in walks:
         rooms = ground.room_at(one.position[:, :2])
@@ -183,7 +183,7 @@ def test_walks_have_the_measured_statistics(homes):
     assert all(5 <= count <= 21 for count in stays)
 
 
-def test_order_of_rooms_follows_the_counts():
+def test_the_order_of_rooms_follows_the_statistics():
     ground, settings = home(), statistics("home")
     rng = np.random.default_rng(0)
     seen = Counter()
@@ -198,7 +198,7 @@ def test_order_of_rooms_follows_the_counts():
             assert shares[after] == pytest.approx(odd / sum(odds.values()), abs=0.16)
 
 
-def test_same_seed_same_walk_other_seed_other_walk(homes):
+def test_a_walk_depends_on_the_seed(homes):
     ground, walks = homes
     again = make(ground, "home", "tripod", 0)
     np.testing.assert_array_equal(again.position, walks[0].position)
@@ -207,7 +207,7 @@ def test_same_seed_same_walk_other_seed_other_walk(homes):
     assert walks[1].label != walks[0].label
 
 
-def test_robot_visits_every_room_and_frames_are_labelled_by_room():
+def test_a_robot_visits_every_room_and_labels_are_rooms():
     ground = university()
     for seed in range(2):
         one = make(ground, "university", "robot", seed, rooms=ground.names)
@@ -221,7 +221,7 @@ def test_robot_visits_every_room_and_frames_are_labelled_by_room():
         assert np.degrees(np.abs(np.diff(one.yaw))).max() < 14.0
 
 
-def test_robot_looks_where_it_drives():
+def test_a_robot_looks_where_it_drives():
     one = make(university(), "university", "robot", 3)
     moves = np.diff(one.position[:, :2], axis=0)
     fast = np.hypot(*moves.T) > 0.04
@@ -236,18 +236,18 @@ def test_rooms_can_be_chosen():
     assert set(one.label) == {"corridor", "office", "kitchen"}
 
 
-def test_doorways_of_an_apartment_are_transitions_and_rooms_on_the_way_have_labels():
+def test_only_the_doorways_of_an_apartment_are_transitions():
     one = make(home(), "apartment", "flip", 1, frames=900)
     assert 0.08 < one.label.count("transition") / 900 < 0.36
     assert "corridor" in one.label
 
 
-def test_too_few_frames_are_refused():
+def test_too_few_frames_raise_an_error():
     with pytest.raises(PlacecatError, match="more frames"):
         make(home(), "home", "tripod", 0, frames=60)
 
 
-def test_path_is_free_smooth_and_hardly_longer_than_need_be():
+def test_a_path_is_free_smooth_and_nearly_shortest():
     ground = home(cell=0.05)
     start, goal = ground.nearest_free(np.array([[1.0, 3.0], [11.0, 3.0]]))
     path = Router(ground).path(start, goal)
@@ -268,13 +268,13 @@ def test_ways_lead_from_door_to_door():
     assert far.length == pytest.approx(4.2 + math.hypot(2.65, 1.15))
 
 
-def test_unknown_setting_is_refused():
+def test_an_unknown_setting_raises_an_error():
     values = yaml.safe_load((SETTINGS / "walk" / "home.yaml").read_text(encoding="utf-8"))
     with pytest.raises(PlacecatError, match="'stay'"):
         Statistics.of({**values, "stay": 1})
 
 
-def test_two_parts_of_a_corridor_have_no_doorway_between_them():
+def test_parts_of_a_corridor_have_no_doorway_between_them():
     rooms = {
         "corridor_1": (0.0, 0.0, 4.0, 2.0),
         "corridor_2": (4.0, 0.0, 8.0, 2.0),
