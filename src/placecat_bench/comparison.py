@@ -53,7 +53,7 @@ class Comparison:
         return f"at most {self.at_most:g}x its time"
 
     def ratio(self, ours: float, theirs: float) -> float:
-        """Return the ratio of two times in seconds to which the target applies."""
+        """Return the ratio to compare with the target, from two times in seconds."""
         return theirs / ours if self.faster is not None else ours / theirs
 
     def is_met(self, ratio: float) -> bool:

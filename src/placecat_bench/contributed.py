@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 PACKAGE = "opencv-contrib-python-headless"
-# `make bench` installs the package here, apart from the packages of the environment.
+# `make bench` installs the package here, outside the environment.
 FOLDER = Path(sys.prefix) / "contributed"
 
 

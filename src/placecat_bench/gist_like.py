@@ -57,7 +57,7 @@ def draw_frames(n: int, features: int, homes: Sequence[int]) -> Frames:
 def points_behind(
     ours: NDArray[np.generic], theirs: NDArray[np.generic], positive: NDArray[np.bool_]
 ) -> float:
-    """Return the accuracy of their (n,) decisions minus that of ours, in percentage points."""
+    """Return the accuracy of their (n,) decisions minus the accuracy of ours, in percentage points."""
     return 100.0 * float(np.mean(theirs == positive) - np.mean(ours == positive))
 
 

@@ -51,5 +51,5 @@ class Latest:
         return self._result
 
     def result(self) -> Any:
-        """Return the result of the last call. Make the call first if it was never made."""
+        """Return the result of the last call. If there was none, make the call first."""
         return self._result if hasattr(self, "_result") else self()

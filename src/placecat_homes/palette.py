@@ -130,7 +130,7 @@ def plain_fabric(rng: Rng) -> Material:
 
 
 def leather(rng: Rng) -> Material:
-    """Draw leather: black, brown, tan, cream, or a colour."""
+    """Draw leather: black, brown, tan, cream, or another colour."""
     choices: list[Colour] = [(0.08, 0.08, 0.08), (0.3, 0.18, 0.11), (0.5, 0.31, 0.17), (0.82, 0.77, 0.68)]
     base = choices[int(rng.integers(4))] if rng.uniform() < 0.8 else colour(rng, 0.7, 0.2, 0.7)
     return Material(texture=Texture("plaster", (base,), (0.4, 0.4), _seed(rng)), gloss=0.04, roughness=0.6)

@@ -18,7 +18,7 @@ class Sensor:
     Attributes
     ----------
     key
-        Linear grey level, 0 to 1, to which automatic exposure moves the logarithmic mean of a frame.
+        Target of the automatic exposure for the logarithmic mean of a frame: a linear grey level, 0 to 1.
     lag
         Share of the exposure error that is corrected from frame to frame; below 1, exposure lags behind.
     drift

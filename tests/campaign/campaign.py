@@ -78,7 +78,7 @@ def _in_a_process(part, options):
 
 def _try(part, options):
     sys.path[:0] = [str(ROOT / "tests" / name) for name in (".", "categorizer", "runs")]
-    # These imports are here because they load everything that is tried.
+    # Imported only in this process, because these modules load everything that is tried.
     import damaged_inputs
     import disturbed_runs
 

@@ -1,4 +1,4 @@
-"""Every piece of furniture and texture is found by name, complete, in its frame, seeded and not too fine."""
+"""Every piece of furniture and every texture is valid and reproducible."""
 
 import importlib
 import inspect

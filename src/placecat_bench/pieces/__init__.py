@@ -1,4 +1,4 @@
-"""The pieces of the benchmark, one per module. The function ``entries`` of each yields what to measure."""
+"""The pieces of the benchmark. Each module has a function ``entries`` that yields what to measure."""
 
 from collections.abc import Callable, Iterator
 

@@ -5,7 +5,7 @@ with a keypoint for each region. The cells of the keypoints have the same size a
 of `SIFT.compute` per level, and each call blurs the full level several times before it describes a point. The
 time for preparing images and keypoints does not count.
 
-kornia describes patches, so our code cuts out patches of the size of the regions.
+kornia describes patches, so our code cuts out patches as large as the regions.
 """
 
 from collections.abc import Callable, Iterator, Sequence

@@ -68,7 +68,7 @@ class Home:
 
 
 def read_homes(content: Mapping[str, Any]) -> list[Home]:
-    """Read ``floors`` and ``labels`` of the homes in conf/scale.yaml. Invalid ones raise PlacecatError."""
+    """Read ``floors`` and ``labels`` of the homes in conf/scale.yaml. Invalid values raise PlacecatError."""
     homes = []
     for name, own in content.items():
         try:

@@ -36,7 +36,7 @@ def build(
 
     `test_homes` are names of homes, `regions` is the number of regions in every frame, and `jitter` is as for
     :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this project has not run, or
-    if a home has a label that the data set lacks.
+    if a home has a label that is not in the data set.
     """
     params = settings.load()
     sources = list(settings.get(params, "dataset.homes"))

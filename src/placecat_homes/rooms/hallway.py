@@ -65,7 +65,7 @@ def _sign(room: Room, opening: Opening) -> None:
 
 
 def _shut_doors(room: Room) -> None:
-    """Add doors that stay closed to walls with few doors."""
+    """Add closed doors with signs along long walls, away from the other doors."""
     rng, style = room.rng, room.style
     apart = between(rng, 2.6, 4.2)
     seed = int(rng.integers(1 << 30))

@@ -131,7 +131,7 @@ def spans(
     speed: float,
     top_speed: float,
 ) -> list[Span]:
-    """Allot seconds to each piece. Walking uses the usual speed if possible; pauses take the rest."""
+    """Allot seconds to each piece. If possible, keep the usual speed and leave the rest to pauses."""
     result: list[Span] = []
     frame = 0
     for section, count in zip(sections, counts, strict=True):
