@@ -4,6 +4,7 @@ import difflib
 import errno
 import os
 import sys
+import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -50,23 +51,32 @@ _REFUSED = {
 def exiting() -> Iterator[None]:
     """End the program without a traceback.
 
-    After a user's mistake, a full disk or a missing permission, print one message and exit with status 1.
+    On a user error, a full disk or a missing permission, print one message and exit with status 1.
     After Ctrl-C, exit with status 130; if the output pipe is closed, exit silently with status 1.
     """
     try:
         yield
-    except PlacecatError as error:
-        sys.exit(f"placecat: {error}")
-    except BrokenPipeError:
+    except (PlacecatError, OSError, KeyboardInterrupt) as error:
+        status = _status(error)
+        # Variables of these frames may be parallel loops. Python would end them only when it shuts down, when
+        # joblib can no longer start the next tasks and prints a traceback.
+        traceback.clear_frames(error.__traceback__)
+        sys.exit(status)
+
+
+def _status(error: BaseException) -> str | int:
+    """Return the message or the exit status for an error; raise it if it needs a traceback."""
+    if isinstance(error, KeyboardInterrupt):
+        return 130
+    if isinstance(error, PlacecatError):
+        return f"placecat: {error}"
+    if isinstance(error, BrokenPipeError):
         # Without this, Python reports the closed pipe at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(1)
-    except OSError as error:
-        if not is_refusal(error):
-            raise
-        sys.exit(f"placecat: {refusal(error)}")
-    except KeyboardInterrupt:
-        sys.exit(130)
+        return 1
+    if isinstance(error, OSError) and is_refusal(error):
+        return f"placecat: {refusal(error)}"
+    raise error
 
 
 def printable(text: str) -> str:

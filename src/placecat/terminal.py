@@ -19,5 +19,6 @@ class Terminal(io.TextIOBase):
         return len(text)
 
     def flush(self) -> None:
-        """Flush the stream."""
-        self._stream.flush()
+        """Flush the stream, if it is open: Python also flushes when it frees this object."""
+        if not self._stream.closed:
+            self._stream.flush()

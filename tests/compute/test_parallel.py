@@ -4,13 +4,15 @@ import os
 import signal
 import subprocess
 import sys
+import time
+import traceback
 
 import psutil
 import pytest
 from made_pipeline import wait_for
 
 from placecat.compute import parallel
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, exiting
 
 
 def _die(number):
@@ -41,6 +43,22 @@ def _unheard():
 def test_only_workers_ignore_ctrl_c(two_workers):
     assert parallel.in_parallel(_unheard, [(), ()], "work") == [True, True]
     assert not _unheard()
+
+
+def test_ctrl_c_between_two_results_ends_the_workers_without_a_word(two_workers, recwarn):
+    def consume():
+        for number in parallel.stream(time.sleep, [(0.01,)] * 200, "work", n_jobs=2):
+            raise KeyboardInterrupt(number)
+
+    with pytest.raises(SystemExit) as caught, exiting():
+        consume()
+    interrupt = caught.value.__context__
+    assert isinstance(interrupt, KeyboardInterrupt)
+    frames = [frame for frame, _ in traceback.walk_tb(interrupt.__traceback__)]
+    assert frames[-1].f_code.co_name == "consume"
+    # The loop is gone, although the exception still has its frame.
+    assert frames[-1].f_locals == {}
+    assert not [warning for warning in recwarn if "executed" in str(warning.message)]
 
 
 LOOP = """

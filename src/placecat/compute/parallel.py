@@ -3,7 +3,8 @@
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator, Sequence
+import warnings
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager
 from functools import lru_cache
 from multiprocessing import resource_tracker
@@ -85,14 +86,22 @@ def _without_ctrl_c() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _explained(results: Iterator[Any], description: str, jobs: int) -> Iterator[Any]:
+def _explained(results: Generator[Any], description: str, jobs: int) -> Iterator[Any]:
     from joblib.externals.loky.process_executor import TerminatedWorkerError
 
     fewer = f"run again with fewer than {jobs} workers: PLACECAT_WORKERS={max(1, jobs // 2)}"
     if jobs == 1:
         fewer = "run again with more memory"
     try:
-        yield from results
+        # `yield from` would close `results` before the block below.
+        for result in results:  # noqa: UP028
+            yield result
+    except GeneratorExit:
+        # Whoever stops early knows that results are unused; joblib would warn.
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            results.close()
+        raise
     except TerminatedWorkerError:
         raise PlacecatError(
             f"{description}: a worker process was killed, probably because memory ran out; {fewer}"
