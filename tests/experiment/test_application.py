@@ -15,10 +15,10 @@ from placecat import __main__, files
 from placecat.experiment import summary
 from placecat.experiment.running import compute, made_from
 
-# One worker for all tests, so the sweep runs once.
+# All tests run on one worker, so the sweep runs only once.
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("experiment")]
 
-# Half of it fails: there are fewer clusters.
+# Half of the experiments fail, because there are fewer than 1000 clusters.
 SWEPT = ("descriptor=gist", "classifier=knn", "classifier.base.n_neighbors=1,1000", "test_home=h1,H_2")
 CLUSTERS = SMALL[1:]
 
@@ -99,7 +99,7 @@ def test_a_sweep_is_one_run_of_mlflow_with_a_run_below_for_each_experiment(sweep
 
 
 def test_the_same_experiment_runs_on_another_launcher(sweep):
-    """submitit as on a cluster, with a process on this machine."""
+    """Submitit works as on a cluster, but starts a process on this machine."""
     pytest.importorskip("hydra_plugins.hydra_submitit_launcher")
     folder, _ = sweep
     result = run(
@@ -118,7 +118,7 @@ def test_the_same_experiment_runs_on_another_launcher(sweep):
 
 
 def main_with(monkeypatch, *words):
-    """The application in this process."""
+    """Run the application in this process."""
     monkeypatch.setattr(sys, "argv", sys.argv)
     try:
         __main__.main(["experiment", *words])
@@ -148,7 +148,7 @@ def test_a_wrong_combination_computes_nothing(sweep, monkeypatch):
     monkeypatch.chdir(folder)
     words = ("-m", "descriptor=gist", "classifier.clusters=13,14", "codebook.tree.branching=4")
     message = main_with(monkeypatch, *words)
-    assert message.startswith("placecat: 1 of 2 combinations are refused")
+    assert message.startswith("placecat: 1 of 2 combinations are invalid")
     assert not (folder / "multirun").exists()
 
 

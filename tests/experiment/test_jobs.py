@@ -1,4 +1,4 @@
-"""A killed sweep resumes, with the table of an undisturbed one. Its jobs are trivial."""
+"""A killed sweep resumes and produces the same table as an undisturbed one. The jobs are trivial."""
 
 import os
 import random
@@ -18,7 +18,7 @@ from placecat.errors import PlacecatError
 from placecat.experiment import combination, job, jobs, output, running, summary, sweep
 from placecat.runs import lock
 
-# Jobs that fail, and jobs whose process is killed each time.
+# Number of the job that fails, and of the job whose process is always killed.
 FAILS, IS_KILLED = 3, 5
 WORKERS = 2
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
@@ -39,12 +39,12 @@ class Sweep:
             return summary.tell(folder, self.combinations, log=None)
 
     def launch(self, lines):
-        """Like joblib: two workers, and if one is killed, the other is too."""
+        """Run two workers, as joblib does; if one is killed, the other is killed, too."""
         workers = []
         for first in range(WORKERS):
             process = os.fork()
             if not process:
-                # A fork must not go on with the tests, whatever happens.
+                # A fork must never continue with the tests.
                 try:
                     self.work(lines[first::WORKERS])
                     os._exit(0)
@@ -83,7 +83,7 @@ class Sweep:
 
 @pytest.fixture
 def ran(tmp_path, monkeypatch):
-    """File with the numbers of the jobs that were started."""
+    """A file that lists the numbers of all started jobs."""
     log = tmp_path / "ran.txt"
     log.write_text("")
 
@@ -108,7 +108,7 @@ def ran(tmp_path, monkeypatch):
 
 
 def start(one):
-    """A process in a separate group, without output."""
+    """Start a process in a separate group, without output."""
     process = os.fork()
     if not process:
         os.setsid()
@@ -119,14 +119,14 @@ def start(one):
             one.run()
         finally:
             os._exit(1)
-    # Its group cannot be killed before it exists.
+    # The group cannot be killed before it exists.
     while os.getpgid(process) != process:
         time.sleep(0.001)
     return process
 
 
 def wait_for_workers(group):
-    """Workers may finish a job before they notice that the sweep is gone."""
+    """Wait, since workers may finish a job before they notice that the sweep is gone."""
 
     def is_of_group(process):
         try:

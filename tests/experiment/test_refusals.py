@@ -1,4 +1,4 @@
-"""Wrong combinations are refused before anything is computed; messages name valid ones."""
+"""Invalid combinations are rejected before anything is computed; messages name valid ones."""
 
 import pytest
 from hydra.errors import HydraException
@@ -77,7 +77,7 @@ def test_a_sweep_is_refused_with_all_that_is_wrong_in_it(project):
     with pytest.raises(PlacecatError) as caught:
         swept("descriptor=gist", "classifier=nu_svm,naive_bayes", "classifier.clusters=46,47")
     text = str(caught.value)
-    assert text.startswith("3 of 4 combinations are refused; nothing was computed:")
+    assert text.startswith("3 of 4 combinations are invalid; nothing was computed:")
     assert "use 46 or 61\n    classifier=naive_bayes classifier.clusters=47" in text
     assert "classifier=nu_svm classifier.clusters=46" in text
     assert "classifier=naive_bayes classifier.clusters=46" not in text
@@ -90,7 +90,7 @@ def test_an_interval_is_for_a_search(project):
 
 @pytest.mark.parametrize(("last", "used"), [("4", [4]), ("13,4", [13, 4])])
 def test_the_last_values_of_a_key_are_used(project, last, used):
-    """The table does not name values that were not computed."""
+    """The table does not list values that were not computed."""
     words = ("descriptor=gist", "classifier=knn", SMALL[1], "classifier.clusters=13,16")
     experiments, combinations = swept(*words, "test_home=h1", f"classifier.clusters={last}")
     assert [one.settings["classifier"]["clusters"] for one in experiments] == used

@@ -1,4 +1,4 @@
-"""Searches: a made objective without Hydra's launcher, and the real application on made features."""
+"""Searches: an artificial objective without Hydra's launcher, and the real application on random features."""
 
 import csv
 import itertools
@@ -92,7 +92,7 @@ def test_choices_are_within_the_space_and_not_run_twice():
 
 
 def test_results_lead_the_search():
-    # The highest is at gamma = 0.1, far from the start.
+    # The maximum is at gamma = 0.1, far from the start.
     import math
 
     def objective(one):
@@ -210,7 +210,7 @@ def test_the_commands_test_the_best_and_the_first_settings(tmp_path):
 
 
 def accuracies(text):
-    """The accuracies in a search's summary: those of the starts, then the best."""
+    """Return the accuracies in the summary of a search: those of the starts, then the highest."""
     rows = [line.split("|") for line in text.splitlines() if line.count("|") == 5]
     return [float(row[3]) for row in rows[2:]]
 
@@ -258,7 +258,7 @@ def test_the_application_finds_the_same_with_any_workers_and_any_test_home(tmp_p
 def test_without_optuna_one_message_names_the_extra(tmp_path):
     folder = make_project(tmp_path / "project")
     (tmp_path / "hidden").mkdir()
-    # Python runs this at its start.
+    # Python runs this file when it starts.
     (tmp_path / "hidden/sitecustomize.py").write_text(
         "import importlib.util as u\nreal = u.find_spec\n"
         "u.find_spec = lambda name, *rest: None if name == 'optuna' else real(name, *rest)\n"

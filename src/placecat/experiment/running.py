@@ -1,4 +1,4 @@
-"""Compute one experiment with the functions behind the tables, and describe the origin of its result."""
+"""Compute one experiment with the same functions as the tables, and describe the origin of its result."""
 
 import hashlib
 from collections.abc import Mapping
@@ -28,14 +28,14 @@ Outcome = dict[str, Any] | str
 
 
 def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
-    """Train and test for every test home, fold and seed; results do not depend on the number of `workers`.
+    """Train and test for every test home, fold and seed. The number of `workers` does not affect the results.
 
     Returns a dictionary of JSON types with the keys ``settings``, ``classes``, ``accuracy`` (in percent),
     ``log_loss`` (in nats), ``calibration_error`` (in percent), ``reason`` and ``homes``. The three measures
-    are means over test homes, or None. If a test home has no measures, ``reason`` gives the first such
-    home's reason; otherwise, it is None. ``homes`` has an entry for each test home: the same measures,
-    averaged over seeds and folds, or the ``reason`` why there are none; and ``folds``, the measures and the
-    ``confusion`` (counts, with true places as rows) for each tested home and seed.
+    are means over test homes, or None. ``reason`` says why the first test home without measures has none; if
+    all have measures, it is None. ``homes`` has an entry for each test home. An entry has the same measures,
+    averaged over seeds and folds, or the ``reason`` why there are none. It also has ``folds``: the measures
+    and the ``confusion`` (counts, with true places as rows) for each tested home and seed.
     """
     plans = experiment.plans()
     keys = [

@@ -1,4 +1,4 @@
-"""Tabulate the results of a sweep or an experiment; print, write and log them."""
+"""Tabulate, print, write and log the results of a sweep or of a single experiment."""
 
 import math
 import sys
@@ -21,7 +21,7 @@ from placecat.results.measured import DECIMALS
 HOME = "test_home"
 AVERAGE = "average"
 _MOST_COLUMNS = 12
-# Longest line of a printed table, in characters.
+# Maximum width of a printed table, in characters.
 _WIDTH = 100
 _UNITS = {
     "accuracy": "Accuracy in percent",
@@ -33,7 +33,7 @@ _DECIMALS = {"accuracy": 2} | DECIMALS
 
 @dataclass(frozen=True)
 class Ran:
-    """An experiment of a sweep: its number, its values for the swept keys, its folder and its result.json."""
+    """An experiment of a sweep, with its number, values of the swept keys, folder and result.json."""
 
     number: int
     values: dict[str, str]
@@ -53,7 +53,7 @@ class Ran:
 
     @property
     def spread(self) -> float:
-        """The highest minus the lowest accuracy of a seed, as in the tables; NaN if nothing is random."""
+        """The highest minus the lowest accuracy over seeds, as in the tables; NaN if nothing is random."""
         by_seed: dict[str, list[float]] = {}
         for home in self.result.get("homes", {}).values():
             for fold in home["folds"].values():
@@ -65,7 +65,7 @@ class Ran:
 
 
 def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
-    """Collect a sweep's results; `combinations` has each experiment's values for the swept keys."""
+    """Collect the results of a sweep; `combinations` contains the swept values of each experiment."""
     folders = [folder / str(number) for number in range(len(combinations))]
     return [
         Ran(number, dict(values), own, output.read(own))
@@ -112,9 +112,9 @@ def _values(ran: Sequence[Ran], measure: str) -> pd.DataFrame:
 def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
     """Tabulate a measure over the swept keys, as text.
 
-    The columns are the values of the first numeric key or, if no key is numeric, of the last key. The test
-    home is always in rows; if several test homes were swept, their average follows them. If some
-    combinations of values were not run, as in a search, each experiment has a row instead.
+    The columns are the values of the first numeric key or, if no key is numeric, of the last key. Test homes
+    are always rows; if several were swept, their average follows. If some combinations of values were not
+    run, as in a search, each experiment has a row instead.
     """
     swept, frame = list(ran[0].values), _values(ran, measure)
     others = [key for key in swept if key != HOME]
@@ -237,8 +237,8 @@ def label(values: dict[str, str]) -> str:
 def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
     """Print, write and log a sweep's results; return whether all experiments and the logging succeeded.
 
-    `combinations` has the swept keys and values of each started experiment. `log` has the sweep's overrides,
-    for MLflow; None turns logging off.
+    `combinations` contains the swept keys and values of each started experiment. `log` contains the overrides
+    of the sweep, for MLflow; None turns logging off.
     """
     ran = read(folder, combinations)
     if not ran:
@@ -257,7 +257,7 @@ def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
 
 def _log(write: Callable[[Any], str]) -> bool:
     """Log to MLflow; print where, or why it failed. The results are already on disk."""
-    # Imported here, since it imports MLflow.
+    # Imported late: it imports MLflow.
     from placecat.experiment import tracking
 
     try:
