@@ -14,13 +14,13 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("mlflow")]
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    # The retries take the time.
+    # Retries would take too long.
     monkeypatch.setenv("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "0")
     return tmp_path
 
 
 def uri():
-    """Absolute, since MLflow caches connections by URI."""
+    """Return an absolute URI, since MLflow caches connections by URI."""
     return f"sqlite:///{Path('mlflow.db').resolve()}"
 
 
@@ -69,8 +69,10 @@ def _log_one(number, start, failures):
 
 
 def test_sixteen_processes_start_at_once_on_a_fresh_database():
-    """Real processes, forked from this one to share its import of MLflow, which would cost each 5 s; nothing
-    of a database is open yet, and a barrier lets all of them go at once."""
+    """Fork real processes, since importing MLflow in each would take 5 s.
+
+    No database is open yet. A barrier makes all processes start at once.
+    """
     import mlflow  # noqa: F401
 
     context = multiprocessing.get_context("fork")
@@ -132,7 +134,7 @@ def test_a_project_that_was_moved_keeps_its_files_with_it(tmp_path, monkeypatch)
             shutil.copytree(before, now)
         monkeypatch.chdir(place)
         client = store.connect(uri())
-        # The database also has paths of another project's files, which do not change.
+        # The database also contains paths of files in another project, which must not change.
         if place == before:
             other = client.create_experiment("other", artifact_location=(tmp_path / "files/x").as_uri())
         Path("one.txt").write_text(place.name)
