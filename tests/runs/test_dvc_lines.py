@@ -1,4 +1,4 @@
-"""What DVC's lines become in `placecat repro`."""
+"""How `placecat repro` changes the lines that DVC prints."""
 
 import logging
 

@@ -1,4 +1,4 @@
-"""Items of a stage: which ones are remade, and which are not."""
+"""Which items of a stage are remade, and which are not."""
 
 import json
 import shutil
@@ -15,7 +15,7 @@ FOLDER = Path("data/cues")
 
 @pytest.fixture
 def made(tmp_path, monkeypatch):
-    """Refresh two items with one file each; return the names of the remade ones."""
+    """Return a function that refreshes two items with one file each and lists those it made."""
     monkeypatch.chdir(tmp_path)
     Path("src").mkdir()
     Path("src/code.py").write_text("1")

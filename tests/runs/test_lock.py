@@ -1,4 +1,4 @@
-"""One run at a time."""
+"""Only one run at a time is allowed in a folder."""
 
 import subprocess
 import sys
@@ -29,7 +29,7 @@ def folder(tmp_path, monkeypatch):
 
 @pytest.fixture
 def hold():
-    """Another process that holds a lock until the test ends."""
+    """Start another process that holds a lock until the test ends."""
     processes = []
 
     def start(which):

@@ -1,4 +1,4 @@
-"""dvc.lock cut anywhere, and what a killed process leaves."""
+"""Truncated versions of dvc.lock, and the files that a killed process leaves."""
 
 import os
 import time
@@ -28,7 +28,7 @@ HEAD = "schema: '2.0'\nstages:\n"
 
 
 def lock_of(*versions):
-    """Content of dvc.lock after the stages had these versions."""
+    """Return the content of dvc.lock after the stages ran in these versions."""
     names = ("first", "second", "third")
     blocks = [RECORD.format(name=name, version=one) for name, one in zip(names, versions, strict=False)]
     return HEAD + "".join(blocks)
@@ -54,7 +54,7 @@ def test_a_lock_file_cut_anywhere_keeps_the_records_of_before(folder, before, af
         stages = yaml.safe_load(mend.LOCK.read_text())["stages"]
         for name, record in yaml.safe_load(lock_of(*before))["stages"].items():
             new = yaml.safe_load(whole)["stages"][name]
-            # Either the record of before or the new one, never half of it.
+            # The record is either the old one or the new one, never half of it.
             assert stages[name] in (record, new), whole[:length]
         assert list(stages) == ["first", "second", "third"][: len(stages)]
         mend.COPY.write_text(lock_of(*before))
@@ -131,7 +131,7 @@ def test_a_note_of_a_dead_user_is_removed(folder, content):
     assert not note.exists()
 
 
-# The last is nobody's: it has no number that one of placecat's has.
+# Files that a killed process leaves behind, and files that only look similar.
 LEFT = (
     ".params.0123abcd.partial.yaml",
     "data/.sequences.0123abcd.partial/Home1/frames.csv",

@@ -1,4 +1,4 @@
-"""`placecat repro` before DVC begins."""
+"""What `placecat repro` does before DVC starts."""
 
 import shutil
 
@@ -27,7 +27,7 @@ def test_a_folder_without_git_is_one_message(tmp_path, monkeypatch):
 def test_a_refused_run_leaves_the_settings_as_they_were(
     tmp_path, monkeypatch, before, status, has_ended, is_back
 ):
-    """A `status` of None means a refusal before DVC begins; `has_ended` means that a stage has ended."""
+    """If `status` is None, the run is rejected before DVC starts. `has_ended`: whether a stage has ended."""
     monkeypatch.chdir(tmp_path)
     params, lock = tmp_path / "params.yaml", tmp_path / "dvc.lock"
     lock.write_text("records")

@@ -16,7 +16,7 @@ def test_another_package_in_pythonpath_is_one_message(tmp_path):
         assert result.returncode == 1
         assert result.stderr.startswith("placecat: PYTHONPATH hides the installed cv2")
         assert result.stderr.endswith("unset PYTHONPATH\n")
-    # The user's packages, and folders that only share the name, change nothing.
+    # Other packages of the user, and folders that only share a name, do no harm.
     (other / "cv2/__init__.py").unlink()
     (other / "mine").mkdir()
     (other / "mine/__init__.py").write_text("")

@@ -1,4 +1,4 @@
-"""What a stage depends on may not change while it runs."""
+"""The dependencies of a stage must not change while it runs."""
 
 import os
 

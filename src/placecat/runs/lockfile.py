@@ -18,7 +18,7 @@ def defined_stages() -> dict[str, Any]:
 
 
 def data_version(stage: str = "sequences") -> str:
-    """Return DVC's checksum of the frame list, which contains the source files' checksums.
+    """Return DVC's checksum of the frame list, which contains the checksums of the source files.
 
     `stage` is ``sequences``, or ``site_sequences`` for the additional data sets. Raises PlacecatError if DVC
     has not run the stage.
