@@ -15,7 +15,7 @@ def project(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     params = made_run.parameters()
     made_run.build(tmp_path, params)
-    # The others are left out here, since they need all frames.
+    # The other figures need all frames.
     monkeypatch.setattr(
         figures, "names", lambda: ["figure_02", "figure_11", "figure_19", "figure_reliability"]
     )

@@ -1,4 +1,4 @@
-"""A codebook of flat k-means: the stages use it for the cluster numbers of its cues."""
+"""The stages can use flat k-means for a codebook, with the cluster numbers of its cues."""
 
 import numpy as np
 from made_features import PARAMS, make

@@ -1,4 +1,4 @@
-"""No fitted part sees the test home: plant a marker in it and compare the bytes of all fitted parts."""
+"""The test home does not leak into training: marking it leaves the bytes of all fitted parts unchanged."""
 
 import numpy as np
 import pytest
@@ -20,12 +20,12 @@ def runs(tmp_path_factory):
     return folders
 
 
-# Outputs of models for the test home, which may change with its frames.
+# Model outputs for the test home, which may change with its frames.
 APPLIED = ("test", "tempered")
 
 
 def fitted_files(folder, home):
-    """All fitted parts when `home` is the test home, and their outputs for training frames."""
+    """Return all parts fitted with `home` as the test home, and their outputs for training frames."""
     kinds = (f"codebooks/*/without-{home}*.npz", f"cues/*/*/{home}.*.npz", f"integration/*/{home}.*.npz")
     found = {}
     for path in (path for kind in kinds for path in folder.glob(f"data/{kind}")):
@@ -46,7 +46,7 @@ def test_parts_fitted_for_the_marked_home_do_not_change(runs):
 
 
 def test_the_marker_would_be_seen(runs):
-    """With another test home, the marked one trains, and the same files change."""
+    """If another home is tested, the marked home is used for training, and the same files change."""
     other = next(home for home in HOMES if home != MARKED)
     plain, marked = fitted_files(runs["plain"], other), fitted_files(runs["marked"], other)
     changed = {name[0].parts[1] for name in plain if plain[name] != marked[name]}

@@ -1,4 +1,4 @@
-"""The stage `scores`, on distributions written by hand."""
+"""The stage `scores` on random distributions."""
 
 from functools import cache
 
@@ -21,7 +21,7 @@ OPTIONS = PARAMS["probabilities"]
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A project in which every result has random distributions on every test home."""
+    """A project where every result has random distributions on every test home."""
     make(tmp_path)
     monkeypatch.chdir(tmp_path)
     rng = np.random.default_rng(0)

@@ -1,4 +1,4 @@
-"""What every stage does before and after its work, with a stage of this test."""
+"""What every stage does before and after its work, shown with an artificial stage."""
 
 import json
 
@@ -58,7 +58,7 @@ def test_a_stage_that_fails_records_nothing(folder, home):
 
 
 def test_a_stage_refuses_settings_that_cannot_be(folder):
-    """Wrong settings from any source: `dvc exp run` and an editor do not check them."""
+    """Settings from any source are checked, since `dvc exp run` and editors do not check them."""
     (folder / "params.yaml").write_text("protocol: {seeds: []}\nsmoothing: {transition_counts: .nan}\n")
     result = run(folder, "python", "features.py", check=False)
     assert result.returncode == 1

@@ -1,4 +1,4 @@
-"""The stage `tables`, on random results."""
+"""The stage `tables` on random results."""
 
 import numpy as np
 import pandas as pd
@@ -17,7 +17,7 @@ LOST = ("trials/table_04/First-Order Dependency Tree||991", "home_1")
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
-    """The folder in which the stage has run."""
+    """A folder in which the stage has run."""
     folder = tmp_path_factory.mktemp("run")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
@@ -27,7 +27,7 @@ def run(tmp_path_factory):
 
 
 def shown(kind):
-    """The files that DVC compares."""
+    """Return the definitions of the metrics or plots that DVC compares."""
     return settings.load(ROOT / f"data/thesis/{kind}.yaml")
 
 
@@ -43,7 +43,7 @@ def prepare(folder):
     for home in PARAMS["dataset"]["homes"]:
         nu = {"nu": [0.2, 0.2, 0.175 if home == "home_2" else 0.2]}
         fold_file.write(fold_file.path_of(paths.CUES / "gist/5-5-1", home, paths.NO_SEED), {}, nu)
-        # The second frame is the least informative, and has no label.
+        # The second frame is the least informative one and has no label.
         labels = pd.DataFrame({"label": "x", "class": [0, -1, 1, 2]})
         files.write_csv(paths.sequences(home) / "labels.csv", labels)
         information = np.array([0.09, 0.01, 0.05, 0.3], np.float32)
@@ -108,7 +108,7 @@ def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_th
 
 @pytest.mark.slow
 def test_again_bytes_are_the_same_and_an_optional_table_of_another_run_stays(run, monkeypatch):
-    """The same scores give the same bytes; a table without settings is removed."""
+    """The same scores produce the same bytes; a table without settings is removed."""
     monkeypatch.chdir(run)
     (name,) = definitions.optional()
     first = contents(run, "reports")

@@ -1,4 +1,4 @@
-"""`protocol.test_homes`: tested homes get the same numbers as if all were tested; others get a reason."""
+"""With `protocol.test_homes`, tested homes have the same numbers as without it, and others have a reason."""
 
 import numpy as np
 import pandas as pd
@@ -12,7 +12,7 @@ from placecat.training.protocol import NOT_TESTED
 
 TESTED = ["H4", "H2"]
 FOLDERS = ("cues", "integration", "filtered", "smoothing")
-# One cue with clusters and one without, and the results based on them.
+# A cue with clusters and a cue without, and the results based on them.
 SMALL = PARAMS | {
     section: {name: PARAMS[section][name] for name in names}
     for section, names in {
