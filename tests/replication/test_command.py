@@ -1,4 +1,4 @@
-"""`placecat replicate`: groups of homes, run one by one, judged together."""
+"""The command `placecat replicate`: groups of homes run one by one and are judged together."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def finished(tmp_path_factory):
-    """A project after an undisturbed run, and the stages that ran."""
+    """A project after an undisturbed run, the stages that ran, and the printed text."""
     folder, ran = tmp_path_factory.mktemp("replicated"), []
     with pytest.MonkeyPatch.context() as patch:
         make_project(folder)
@@ -49,7 +49,7 @@ def test_the_ledger_counts_the_homes_of_both_groups_once(finished):
     folder, _, _ = finished
     findings = files.read_csv(folder / paths.REPLICATION / "findings.csv").set_index("number")
     assert findings.loc[7, "units"] == "12 homes"
-    # Table 3 tests on the first and the fifth home of a group.
+    # Table 3 only tests the first and the fifth home of a group.
     assert findings.loc[3, "units"] == "4 homes"
     first, second = (made_results.made(made_results.with_homes(6) | _of(part), drawn=part) for part in (1, 2))
     gains = [
@@ -151,7 +151,7 @@ def test_mistakes(tmp_path, monkeypatch):
 
 
 def test_a_real_stage_fails_with_a_message(tmp_path, monkeypatch):
-    """Through a process of its own: the folder has no videos."""
+    """The stage runs in a separate process and fails, because the folder has no videos."""
     make_project(tmp_path)
     monkeypatch.chdir(tmp_path)
     with pytest.raises(PlacecatError, match="the stage sequences failed"):

@@ -1,4 +1,4 @@
-"""Homes split into groups, and findings judged on the homes of all."""
+"""Splitting homes into groups, and judging the findings on the homes of all groups."""
 
 import numpy as np
 import pandas as pd
@@ -28,12 +28,12 @@ def test_a_setting_with_a_value_for_each_home_keeps_those_of_the_group():
 
 
 def test_a_clear_difference_holds_on_many_homes():
-    """With 24 homes a difference of 5 points, which homes spread by 3, is decided."""
+    """24 homes decide a difference of 5 points with a standard deviation of 3 between homes."""
     homes = [f"home_{number}" for number in range(1, 25)]
     params = made_results.PARAMS | {"dataset": made_results.PARAMS["dataset"] | {"homes": homes}}
     results = made_results.made(params)
     rng = np.random.default_rng(0)
-    # Right frames of 100 a place.
+    # Each place has 100 frames; these are the numbers of correct ones.
     gained = rng.normal(5.0, 3.0, 24).round().astype(int)
     for name, right in (
         ("cues/gist_naive_bayes/5-5-1", 60 + gained),
@@ -64,7 +64,7 @@ def test_a_clear_difference_holds_on_many_homes():
 
 
 def _icc(table):
-    """The intraclass correlation from scipy's analysis of variance: F = B / W."""
+    """Compute the intraclass correlation from SciPy's analysis of variance, in which F = B / W."""
     f = stats.f_oneway(*table).statistic
     return (f - 1.0) / (f + table.shape[1] - 1.0)
 

@@ -1,4 +1,4 @@
-"""Number of homes that each finding needs, from the spread between six homes."""
+"""The number of homes that each finding needs, from the spread between six homes."""
 
 import numpy as np
 import pandas as pd
@@ -29,12 +29,12 @@ def table(*rows, homes=24):
 
 
 def test_the_spread_and_the_homes_it_takes():
-    """Half of the interval is 5.25 points, so homes differ by 5.0; a difference of 5.0 is one such spread."""
+    """Half of the interval is 5.25 points, so the standard deviation is 5.0 and equals the effect."""
     made = table(row()).loc[1]
     assert made["spread"] == 5.0
     assert made["units"] == 24
     assert made["power_published"] == made["power_measured"] >= 0.95
-    # A one-sided t test at the level of 1 % detects one standard deviation with 80 % from 13 units.
+    # At a level of 1 %, a one-sided t-test needs 13 units to detect one standard deviation with 80 % power.
     assert made["needed_published"] == 18
 
 
@@ -42,7 +42,7 @@ def test_other_truths_decide_otherwise():
     made = table(row(1, published=1.0), row(2, published=np.nan), row(3, measured=-5.0)).sort_index()
     assert made.loc[1, "power_published"] < 0.2 < made.loc[1, "power_measured"]
     assert np.isnan(made.loc[2, "power_published"]) and made.loc[2, "power_measured"] > 0.9
-    # It fails with the same probability as it would hold.
+    # The claim fails with the same probability with which it would otherwise hold.
     assert made.loc[3, "power_measured"] > 0.9
 
 
@@ -71,7 +71,7 @@ def test_nothing_is_said_where_nothing_is_known(changes):
 def test_other_readings_are_not_findings():
     made = table(row(), row(reading="as_printed", units="18 stays"))
     assert len(made) == 1 and made.loc[1, "spread"] == 5.0
-    # An empty cell of the file may be read as NaN.
+    # An empty cell in the file may be read as NaN.
     assert table(row(reading=np.nan), row(reading="as_printed", units="18 stays")).equals(made)
 
 
