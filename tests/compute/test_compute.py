@@ -1,4 +1,4 @@
-"""The settings `compute`: what they choose, and wrong ones, which are refused before anything runs."""
+"""What the `compute` settings choose. Invalid settings are rejected before anything runs."""
 
 import sys
 
@@ -39,7 +39,7 @@ def test_settings_are_not_read_without_being_asked(params):
     params(compute=DASK)
     assert squares() == [0, 1, 4]
     with compute.as_set():
-        # Nor if a task has to write files.
+        # They are not read either if a task must write files.
         assert parallel.in_parallel(abs, [(-1,)], "", locally=True) == [1]
 
 

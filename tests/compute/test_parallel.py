@@ -1,4 +1,4 @@
-"""Loops whose processes die."""
+"""Loops in which processes die."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""Which workers are refused, and why."""
+"""Which workers are rejected, and why."""
 
 import os
 import pickle
@@ -53,17 +53,17 @@ def test_a_worker_with_several_threads_is_refused(expected):
 def test_a_folder_of_the_same_name_that_is_another_is_refused(expected, tmp_path):
     (tmp_path / "copy").mkdir()
     said = worker.objection(expected(folder=tmp_path / "copy"), FITTING)
-    assert f"does not see this project's folder {tmp_path / 'copy'}" in said
+    assert f"does not see the project folder {tmp_path / 'copy'}" in said
 
 
 def test_the_kernels_in_use_are_compared():
-    """Not what was asked for: it may have come too late, or not be there."""
+    """The requested kernels do not count, since the request may come too late or be impossible."""
     assert os.environ.get("OPENBLAS_CORETYPE", "") in fingerprint()["BLAS"]
     assert np.__version__ == fingerprint()["numpy"]
 
 
 def where():
-    """The folder, and the threads or processes that a loop within a task runs in."""
+    """Return the working directory, and the processes in which a loop within a task runs."""
     return Path.cwd(), set(Parallel(n_jobs=None)(delayed(os.getpid)() for _ in range(3)))
 
 
