@@ -17,7 +17,7 @@ CONF = ROOT / "conf"
 @pytest.fixture(scope="module")
 def composed(tmp_path_factory):
     conf = light_conf(tmp_path_factory.mktemp("light") / "conf")
-    # One cue is enough here and is composed in a quarter of the time.
+    # One cue is enough here, and composing takes only a quarter of the time.
     for folder in ("codebook", "cue", "descriptor/local", "filter", "split", "system"):
         for path in (conf / folder).glob("*.yaml"):
             if path.stem != "gist":
@@ -67,13 +67,13 @@ def test_every_data_set_composes_and_names_a_reader(composed, path):
 
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
 def test_every_classifier_builds(composed, path):
-    """Every classifier's configuration names a model and estimators with valid settings."""
+    """Every classifier configuration names a model and estimators with valid settings."""
     from placecat.cues import estimators
 
     found = composed(f"classifier@cues.gist.classifier={path.stem}")["cues"]["gist"]["classifier"]
     assert found["model"] in lookup.names("placecat.cues", "fit")
     if "cue" in found:
-        # A model that lets another one decide.
+        # This model lets another one decide.
         assert found["clusters"] == found["cue"]["clusters"]
         found = found["cue"]
         assert found["model"] in lookup.names("placecat.cues", "fit")
@@ -93,7 +93,7 @@ def test_a_failing_composition_keeps_the_old_params(tmp_path):
 
 @pytest.fixture
 def own_conf(tmp_path):
-    """Cues and their descriptors, to add to."""
+    """A copy of the cues and their descriptors, to which tests add others."""
     for folder in ("cue", "codebook", "descriptor"):
         shutil.copytree(CONF / folder, tmp_path / "conf" / folder)
     return tmp_path / "conf"
@@ -119,7 +119,7 @@ def test_a_cue_of_a_descriptor_that_is_not_there_is_refused_with_its_file(own_co
 
 
 def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
-    """Without its file, a used descriptor is listed with its defaults; an unused one is not listed."""
+    """Without its file, a descriptor is listed with its defaults if it is used, and not at all otherwise."""
     assert "_self_" not in found(own_conf)
     for name in ("gist", "gist_raw", "centrist", "centrist_full"):
         (own_conf / f"descriptor/holistic/{name}.yaml").unlink()
@@ -203,7 +203,8 @@ def test_the_same_settings_are_composed_once(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     calls = []
     monkeypatch.setattr(module, "compose", lambda overrides: calls.append(overrides) or "figures: {}\n")
-    # A file that changes, the overrides, and the number of compositions so far; the environment may change.
+    # Each case has a changed file, the overrides, and the number of compositions so far. In the last two
+    # cases, settings come from the environment, which may change.
     for file, text, overrides, expected in (
         ("conf/config.yaml", "verdict: {}\n", [], 1),
         (None, None, [], 1),

@@ -1,4 +1,4 @@
-"""Overrides that Hydra cannot read are refused, with the setting's name and the necessary quotes."""
+"""Overrides that Hydra cannot read are rejected, with the name of the setting and the necessary quotes."""
 
 import re
 import shlex
@@ -38,7 +38,7 @@ def refused(*given):
 
 
 def shown(message):
-    """The spellings of the override in the message: for a shell, for make."""
+    """Return the spellings of the override in the message, for a shell and for make."""
     return re.search(r"write (.*), and with make (SET=.*)$", message).groups()
 
 
