@@ -1,11 +1,11 @@
-"""Every section of params.yaml refuses unknown settings."""
+"""Every section of params.yaml rejects unknown settings."""
 
 import pytest
 from changed_settings import MISSING, PARAMS, at, changed, refused
 
 from placecat import schema
 
-# Names are free here; their contents are checked.
+# Any name is allowed here, but the content is checked.
 FREE = {"figures", "codebooks", "cues", "systems", "filters", "splits"}
 
 
@@ -69,8 +69,8 @@ POOL = {"method": "log_pool", "shrinkage": 0.1}
         ("systems.das_551_best.integrator", POOL | {"classifier": {}}, "classifier is required by .*das"),
         ("systems.das_551_best.integrator", POOL | {"shrinkage": -1.0}, "shrinkage"),
         ("systems.das_551_best.integrator", POOL | {"smallest": 0.0}, "smallest"),
-        ("systems.das_551_best.integrator", POOL | {"smallest": None}, "smallest is a number"),
-        ("systems.das_551_best.integrator.smallest", 1e-6, "smallest is .* needs method: log_pool"),
+        ("systems.das_551_best.integrator", POOL | {"smallest": None}, "smallest must be a number"),
+        ("systems.das_551_best.integrator.smallest", 1e-6, "smallest must .* needs method: log_pool"),
         ("systems.das_551_extra.integrator", POOL, "extra: true does not work with log_pool"),
         ("splits.university.integrator", POOL, "log_pool does not work with a fixed split"),
     ],

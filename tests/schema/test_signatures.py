@@ -1,4 +1,4 @@
-"""Names of missing code are refused at once, and so are unknown settings."""
+"""Names of missing code and unknown settings are rejected immediately."""
 
 import subprocess
 import sys
