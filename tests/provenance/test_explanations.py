@@ -1,4 +1,4 @@
-"""Explanations of the results in git: every cell, by its number and by its labels."""
+"""Explanations of the results in git: every cell can be found by its number and by its labels."""
 
 import json
 import subprocess
@@ -25,7 +25,7 @@ ROOT = made_report.ROOT
 
 
 def content(*cells):
-    """Explanations of cells of a table, each with its number, group, row and column."""
+    """Return explanations of table cells, each given by its number, group, row and column."""
     return {
         "lines": [["table", "Table 26"]],
         "blocks": [[0]],
@@ -182,6 +182,6 @@ def test_results_are_loaded_from_a_project(tmp_path):
 
 
 def test_the_command_imports_no_numpy():
-    """This makes an explanation take less than a second."""
+    """That is why an explanation takes less than a second."""
     code = "import placecat.explain.command, sys; sys.exit({'numpy', 'pandas'} & set(sys.modules) or 0)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
