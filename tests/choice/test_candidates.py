@@ -9,7 +9,7 @@ TRIES = "conf/choice.yaml tries"
 
 
 def table(rows):
-    """Rows of (data, candidate, accuracy, log-loss), each on two test homes that differ by 2 points."""
+    """Make two rows for each (data, candidate, accuracy, log-loss): test homes that differ by 2 points."""
     return pd.DataFrame(
         [
             (data, "cues", "gist", candidate, home, accuracy + shift, loss, 99.0, 0.0)
