@@ -46,7 +46,7 @@ def test_a_mistake_ends_with_one_message(folder):
 def test_outside_the_project_it_says_so(tmp_path):
     result = run(tmp_path, "placecat", "params", check=False)
     assert result.returncode == 1
-    assert "run placecat in the project's folder" in result.stderr
+    assert "run placecat in the project folder" in result.stderr
     assert "Traceback" not in result.stderr
 
 

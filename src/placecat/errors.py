@@ -1,4 +1,4 @@
-"""Errors that the user can fix, and how they end the program."""
+"""Errors that users can fix, and how they end the program."""
 
 import difflib
 import errno
@@ -21,14 +21,14 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number that cannot be computed from these data with any settings; tables show the reason instead."""
+    """A number cannot be computed from these data with any settings; tables show the reason instead."""
 
 
 class SettingError(PlacecatError):
-    """A setting that is wrong for any data."""
+    """A setting that is wrong, whatever the data."""
 
 
-# Remedies for errors that come from disks, file systems and system limits.
+# Remedies for errors from disks, file systems and system limits.
 _REFUSED = {
     errno.ENOSPC: "free some space and run again",
     errno.EDQUOT: "free some space and run again",
@@ -50,7 +50,7 @@ _REFUSED = {
 def exiting() -> Iterator[None]:
     """End the program without a traceback.
 
-    After a user's mistake, a full disk or a missing permission, print one message and exit with status 1.
+    After a user error, a full disk or a missing permission, print one message and exit with status 1.
     After Ctrl-C, exit with status 130; if the output pipe is closed, exit silently with status 1.
     """
     try:
@@ -70,7 +70,7 @@ def exiting() -> Iterator[None]:
 
 
 def printable(text: str) -> str:
-    """Escape unprintable and control characters, for example as ``\\x1b``, except line ends and tabs."""
+    """Write unprintable and control characters as escapes such as ``\\x1b``, except line ends and tabs."""
     if text.isprintable():
         return text
     return "".join(
@@ -85,7 +85,7 @@ def one_line(text: object) -> str:
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Turn a system error while reading a user's file, such as a missing permission, into a PlacecatError."""
+    """Turn system errors while reading a user file, such as a missing permission, into PlacecatError."""
     try:
         yield
     except OSError as error:
@@ -96,7 +96,7 @@ def reading(path: Path) -> Iterator[None]:
 
 
 def is_refusal(error: OSError) -> bool:
-    """Return whether the system refused to read or write for a reason that the user can fix."""
+    """Return whether reading or writing failed for a reason that the user can fix."""
     # NumPy reports the number of bytes written, but no error number.
     return error.errno in _REFUSED or (error.errno is None and "requested and" in str(error))
 

@@ -145,7 +145,7 @@ def test_a_training_set_without_one_of_the_places_is_refused(tmp_path, monkeypat
 
 def test_a_wrong_folder_and_missing_features_have_a_remedy(tmp_path, monkeypatch, made_project):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(PlacecatError, match="run this in the project's folder"):
+    with pytest.raises(PlacecatError, match="run this in the project folder"):
         application.main([])
     (tmp_path / "conf").symlink_to(CONF)
     (tmp_path / "params.yaml").write_text((made_project / "params.yaml").read_text())

@@ -69,7 +69,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     from placecat.config import defaults
 
     if not (conf / "config.yaml").is_file():
-        raise PlacecatError(f"{conf / 'config.yaml'} is missing: run placecat in the project's folder")
+        raise PlacecatError(f"{conf / 'config.yaml'} is missing: run placecat in the project folder")
     check_overrides(overrides)
     choices: list[tuple[str, str]] = []
     values = []

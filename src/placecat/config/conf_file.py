@@ -14,7 +14,7 @@ def read(path: Path, names: Sequence[str], overrides: Sequence[str] = ()) -> dic
     The file must contain exactly the settings in `names`. Raises PlacecatError if the file is missing or not
     YAML, if a setting is unknown or missing, or if an override is unreadable or names an unknown setting.
     """
-    content = settings.read_yaml(path, "run this in the project's folder, or restore it from git")
+    content = settings.read_yaml(path, "run this in the project folder, or restore it from git")
     settings.refuse_unknown(content, list(names), str(path))
     for name in names:
         settings.get(content, name)

@@ -27,7 +27,7 @@ def main(arguments: Sequence[str]) -> None:
     """
     for path in (paths.CONF / f"{options.CONFIG}.yaml", paths.PARAMS):
         if not path.is_file():
-            raise PlacecatError(f"{path} is missing here ({Path.cwd()}): run this in the project's folder")
+            raise PlacecatError(f"{path} is missing here ({Path.cwd()}): run this in the project folder")
     from hydra._internal.utils import get_args
 
     arguments = list(arguments)
