@@ -1,4 +1,4 @@
-"""`placecat demo`."""
+"""The command `placecat demo`."""
 
 import shutil
 
@@ -23,7 +23,7 @@ PER_ROOM, SIZE = 60, (320, 180)
 
 
 def film_home(root, name):
-    """A drawn home as a video with labels, like those that come with the project."""
+    """Write a drawn home as a video with labels, like those that come with the project."""
     rows = []
     with Film(root / f"{name}.mp4", 5.0, SIZE) as film:
         for place in PLACES:
@@ -51,7 +51,7 @@ def test_a_first_walk(tmp_path, monkeypatch, capsys, two_workers):
     assert sorted(path.name for path in out.iterdir()) == sorted(command.FILES)
     table = pd.read_csv(out / command.TABLE, index_col="result")
     assert len(table) == 7 and table.iloc[:, 0].between(0, 100).all()
-    # The drawn rooms are easy.
+    # The drawn rooms are easy to classify.
     assert table.iloc[-1, 0] > 40
     frames = pd.read_csv(out / "frames.csv")
     assert len(frames) == len(PLACES) * PER_ROOM // 10

@@ -1,4 +1,4 @@
-"""User text in every medium: it is shown literally, and nothing executes it."""
+"""User text is shown literally in every medium, and is never executed."""
 
 import csv
 import io
@@ -119,7 +119,7 @@ def test_no_key_is_a_path_elsewhere(parts):
 
 
 def test_a_table_of_values_gives_it_back(text, tmp_path):
-    """As data, not for a spreadsheet: a text that begins with = is unchanged."""
+    """The table is for data, not for spreadsheets, so text that begins with = is unchanged."""
     if not text.isascii() or "\x00" in text:
         return
     path = tmp_path / "table.csv"

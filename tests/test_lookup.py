@@ -1,4 +1,4 @@
-"""Names in the settings lead to modules; their settings are read from the source as Python sees them."""
+"""Names in the settings refer to modules, whose settings are read from the source as Python sees them."""
 
 import importlib
 import inspect
@@ -15,7 +15,7 @@ from placecat.schema.signatures import CUES, LEARNING
 
 @pytest.fixture
 def shapes(tmp_path, monkeypatch):
-    """A package for this test."""
+    """A package made for this test."""
     package = tmp_path / "shapes_for_test"
     package.mkdir()
     (package / "__init__.py").touch()

@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 from placecat.stages import sequences
 from project import ROOT, commit, init, light_conf, run
 
-# One worker runs the small project of these tests once.
+# One worker runs all of these tests, so that their small project runs only once.
 pytestmark = pytest.mark.xdist_group("main")
 
 
@@ -29,7 +29,7 @@ def test_params_writes_the_composed_settings(folder):
 def test_params_without_overrides_are_the_committed_ones(folder):
     shutil.rmtree(folder / "conf")
     shutil.copytree(ROOT / "conf", folder / "conf")
-    # The list is written again.
+    # The command writes the list again.
     (folder / "conf/found.yaml").unlink()
     main(["params"])
     assert (folder / "conf/found.yaml").read_text() == (ROOT / "conf/found.yaml").read_text()
@@ -89,7 +89,7 @@ def test_without_a_model_predict_says_how_to_make_one(folder):
     assert "\n" not in str(caught.value)
 
 
-# A quick pipeline: a stage that loops over homes, and one that writes two tables.
+# A quick pipeline with a stage that loops over homes, and a stage that writes two tables.
 CONF = """
 dataset:
   name: made
@@ -193,7 +193,7 @@ def ran(tmp_path_factory):
 
 @pytest.fixture
 def committed(ran, tmp_path):
-    """A copy of it with everything in git."""
+    """A copy of the project with everything in git."""
     folder = tmp_path / "copy"
     shutil.copytree(ran[0], folder, symlinks=True)
     commit(folder)
@@ -206,7 +206,7 @@ def placecat(folder, *arguments, **extra):
 
 @pytest.fixture
 def inside(committed, monkeypatch, capsys):
-    """Run `placecat` in this process, which starts sooner: in the copy or another folder."""
+    """Return a function that runs `placecat` in this process, which is faster than starting one."""
 
     def call(*arguments, folder=committed):
         monkeypatch.chdir(folder)
@@ -218,7 +218,7 @@ def inside(committed, monkeypatch, capsys):
             status = end.code
         out, err = capsys.readouterr()
         if isinstance(status, str):
-            # As Python does.
+            # Python does the same.
             status, err = 1, f"{err}{status}\n"
         return subprocess.CompletedProcess(arguments, status, out, err)
 

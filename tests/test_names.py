@@ -1,4 +1,4 @@
-"""Names with a special meaning in a shell, a URL or a parser, through real DVC."""
+"""Names with a special meaning in a shell, a URL or a parser, with real DVC."""
 
 import pytest
 

@@ -21,7 +21,7 @@ print("done", flush=True)
 
 
 def in_terminal(program, columns):
-    """Output of a program to a terminal of a given width."""
+    """Return the output of a program to a terminal of the given width."""
     import fcntl
     import struct
     import termios
@@ -34,7 +34,7 @@ def in_terminal(program, columns):
     try:
         while part := os.read(ours, 4096):
             written += part
-    # A terminal after its programs have ended.
+    # Reading from a terminal fails after its programs have ended.
     except OSError:
         pass
     os.close(ours)

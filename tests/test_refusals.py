@@ -1,4 +1,4 @@
-"""Disk full or no permission: one message that names the file, and no incomplete file."""
+"""On a full disk or without permission, one message names the file, and no incomplete file is left."""
 
 import errno
 import os
@@ -28,7 +28,7 @@ WRITERS = {
 
 @pytest.fixture
 def small_files():
-    """No file may grow above 100 kB, which fails like a full disk."""
+    """Limit files to 100 kB; larger ones fail as on a full disk."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, before[1]))

@@ -1,4 +1,4 @@
-"""docs/results.ipynb, executed."""
+"""Execute docs/results.ipynb."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Dependencies between the packages, and between the rooms of placecat, run one way."""
+"""Dependencies between packages, and between the subpackages ("rooms") of placecat, run one way."""
 
 import ast
 from graphlib import TopologicalSorter
@@ -8,7 +8,7 @@ import pytest
 
 SOURCE = Path(__file__).resolve().parents[1] / "src"
 PACKAGE = SOURCE / "placecat"
-# The packages, and the others that each may import.
+# Maps each package to the other packages that it may import.
 MAY_USE = {
     "placecat": set(),
     "placecat_homes": {"placecat"},
@@ -16,7 +16,7 @@ MAY_USE = {
     "hydra_plugins": {"placecat"},
 }
 WRITERS = {"thesis", "provenance", "explain", "report", "mlflow_log"}
-# Modules that a room must not import, anywhere in its text.
+# Maps each room to the rooms that it must not import anywhere.
 COMPUTING = ("vision", "learning", "fusion", "cues", "training", "evaluation", "categorizer")
 NEVER = dict.fromkeys(COMPUTING, WRITERS | {"results", "drawing"}) | {
     "predict": WRITERS | {"results"},
@@ -29,12 +29,12 @@ NEVER = dict.fromkeys(COMPUTING, WRITERS | {"results", "drawing"}) | {
     "mlflow_log": {"explain", "stages"},
     "stages": {"explain"},
 }
-# These stages write what people read; all others compute.
+# These stages write for readers; all others compute.
 WRITING_STAGES = {"tables", "findings", "figures", "report", "tracking"}
 
 
 def imported(path):
-    """Dotted names of all imports in the text of a module."""
+    """Yield the dotted names of all imports in a module."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
@@ -43,7 +43,7 @@ def imported(path):
 
 
 def rooms_used(path):
-    """Rooms that a module imports from."""
+    """Return the rooms from which a module imports."""
     return {name.split(".")[1] for name in imported(path) if name.startswith("placecat.")}
 
 
@@ -69,7 +69,7 @@ def test_rooms_have_no_circle():
     for path in PACKAGE.rglob("*.py"):
         room = path.relative_to(PACKAGE).parts[0].removesuffix(".py")
         rooms.setdefault(room, set()).update(rooms_used(path) - {room})
-    # Raises CycleError, which names the rooms of a circle.
+    # If there is a cycle, this raises a CycleError that names its rooms.
     TopologicalSorter(rooms).prepare()
     assert len(rooms) > 20
 

@@ -1,4 +1,4 @@
-"""The node of docs/, with stand-ins for the modules of ROS."""
+"""The ROS node in docs/, with stubs for the ROS modules."""
 
 import array
 import runpy
@@ -70,7 +70,7 @@ def test_the_node_publishes_the_decisions_of_the_categorizer(node):
     topic, see = node.subscribed
     assert topic == "image"
     see(message(images[0], 100.0))
-    # Late, and in an unsupported encoding.
+    # The next two messages are late or have an unsupported encoding.
     see(message(images[1], 99.5))
     see(message(images[1], 100.2, "mono16"))
     see(message(images[1], 100.5))
@@ -106,7 +106,7 @@ def test_a_clock_that_goes_back_resets_it(node):
         node.subscribed[1](message(image, seconds))
     assert not node.said
     sent = [one for name, one in node.sent if name == "classification"]
-    # The third is late; the first is forgotten.
+    # The third message is late, and the first one is forgotten.
     assert [one.header.stamp.sec for one in sent] == [100, 3, 3]
     expected = Categorizer(make_system()).update(images[1]).proba
     assert np.array_equal([result.score for result in sent[1].results], expected)

@@ -53,7 +53,7 @@ def test_every_frame_is_another_but_drawn_again_and_on_other_threads_the_same(dr
 
 @pytest.mark.slow
 def test_colours_do_not_tell_classes():
-    # The nearest mean colour of the other homes' classes names few walls correctly (chance 20 %).
+    # The class with the nearest mean colour in the other homes is rarely correct; chance is 20 %.
     homes, rooms = 12, sorted(CLASSES)
     means = np.empty((homes, len(rooms), 3))
     for home, place in np.ndindex(homes, len(rooms)):
