@@ -1,4 +1,4 @@
-"""Install the packages of a lock file and this project into .venv: ``python install.py LOCK_FILE MARKER``.
+"""Install the packages in a lock file and this project into .venv: ``python install.py LOCK_FILE MARKER``.
 
 `make` runs this script, which needs only the standard library. ``python install.py --moved`` prints "yes" if
 .venv does not work because it was moved with the project or its Python no longer exists.

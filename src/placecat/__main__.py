@@ -103,7 +103,7 @@ def _add_pipeline(commands: Commands) -> None:
         "mend",
         _mend,
         "clean up after a killed run",
-        "Restore records that are missing in dvc.lock after a killed run, and remove temporary files. "
+        "Restore records that are missing from dvc.lock after a killed run, and remove temporary files. "
         "`placecat repro` does this first. Before using `dvc repro` itself, run this command.",
     )
 

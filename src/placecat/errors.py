@@ -70,7 +70,7 @@ def exiting() -> Iterator[None]:
 
 
 def printable(text: str) -> str:
-    """Write unprintable and control characters as escapes such as ``\\x1b``, except line ends and tabs."""
+    """Escape unprintable and control characters, except line ends and tabs, in the form ``\\x1b``."""
     if text.isprintable():
         return text
     return "".join(

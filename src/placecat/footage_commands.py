@@ -71,9 +71,9 @@ def _add_predict(commands: Commands) -> None:
     film = predict.add_mutually_exclusive_group()
     mp4 = "also write an annotated video: place, confidence, probabilities, salient regions"
     film.add_argument("--video", dest="film", action="store_const", const=".mp4", help=mp4)
-    webm = "also write it as WebM, which browsers can play; slower"
+    webm = "also write this video as WebM, which browsers can play; slower"
     film.add_argument("--webm", dest="film", action="store_const", const=".webm", help=webm)
-    resize = "scale frames to a size used in training; crop frames with another aspect ratio to their centre"
+    resize = "scale frames to a size used in training; crop frames with another aspect ratio at the edges"
     predict.add_argument("--resize", action="store_true", help=resize)
     labels = "a CSV file of the true places (start,end,label) to compare the predictions with"
     predict.add_argument("--labels", type=Path, metavar="CSV", help=labels)
@@ -85,7 +85,7 @@ def _add_predict(commands: Commands) -> None:
     predict.add_argument("--ignore", action="append", default=[], metavar="LABEL", help=ignored)
     every = "use every Nth frame, which is faster; 1 by default"
     predict.add_argument("--every", type=int, default=1, metavar="N", help=every)
-    seconds = "use only the first S seconds; stop a camera then"
+    seconds = "use only the first S seconds of the footage or camera"
     predict.add_argument("--seconds", type=float, metavar="S", help=seconds)
     predict.add_argument(
         "--fps", type=float, help="frame rate of the footage, if missing or wrong in the file"

@@ -16,7 +16,7 @@ Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def load(path: Path = paths.PARAMS) -> dict[str, Any]:
-    """Read the composed settings; raises the same errors as :func:`read_yaml`."""
+    """Read the composed settings. Raises the same errors as :func:`read_yaml`."""
     return read_yaml(path, "run `placecat params` in the project folder to write it")
 
 

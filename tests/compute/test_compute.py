@@ -39,7 +39,7 @@ def test_settings_are_not_read_without_being_asked(params):
     params(compute=DASK)
     assert squares() == [0, 1, 4]
     with compute.as_set():
-        # They are not read either if a task must write files.
+        # The settings are not read either if a task must write files.
         assert parallel.in_parallel(abs, [(-1,)], "", locally=True) == [1]
 
 

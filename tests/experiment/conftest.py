@@ -17,6 +17,6 @@ def made_project(tmp_path_factory):
 
 @pytest.fixture
 def project(made_project, monkeypatch):
-    """The made project as the working directory."""
+    """The generated project as the working directory."""
     monkeypatch.chdir(made_project)
     return made_project

@@ -68,7 +68,7 @@ def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
 
 
 def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch):
-    """They agree in decisions, log-loss and calibration error."""
+    """The experiment and the cue agree in decisions, log-loss and calibration error."""
     from placecat.stages import scores, splits
 
     monkeypatch.chdir(make_project(tmp_path / "project"))
@@ -132,7 +132,7 @@ def test_training_homes_are_judged_without_the_test_home(tmp_path, monkeypatch):
 
 
 def test_settings_of_probabilities_are_part_of_the_result(project):
-    """If they change, a resumed sweep computes its results again."""
+    """If these settings change, a resumed sweep computes its results again."""
     one = resolved(*SMALL)
     other = replace(one, probabilities={"bins": 2, "smallest": 0.2})
     assert made_from(one) != made_from(other)

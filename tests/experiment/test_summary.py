@@ -117,7 +117,7 @@ def test_log_loss_and_calibration_error_stand_beside_the_accuracy(tmp_path):
 
 @pytest.mark.parametrize("count", [2, 6, 12])
 def test_the_printed_tables_are_at_most_100_columns_wide(tmp_path, count):
-    """They are side by side if there is room, and otherwise one below the other."""
+    """Tables are side by side if there is room, and otherwise one below the other."""
     combinations = [
         {"descriptor": descriptor, "classifier.clusters": str(196 + clusters), "test_home": home}
         for descriptor in ("holistic_spatial_pact", "hog")

@@ -73,7 +73,7 @@ def test_features_of_another_data_set_are_refused(tmp_path, monkeypatch):
 
 
 def test_the_record_in_git_has_the_data_set_and_its_checksum():
-    """DVC recorded both; the settings of the data set may have changed since."""
+    """DVC recorded both. The settings of the data set may have changed since then."""
     assert KEPT["sequences"]["params"]["params.yaml"]["dataset"]["name"] == "homes"
     (listed,) = KEPT["sequences"]["outs"]
     assert {"path": "data/sequences", "md5": listed["md5"]}.items() <= next(

@@ -79,7 +79,7 @@ def test_without_a_complete_run_nothing_is_kept(folder):
 
 
 def test_times_are_no_part_of_the_project():
-    """They are not in git, and no stage depends on them or outputs them."""
+    """Times are not in git, and no stage depends on them or outputs them."""
     root = Path(__file__).resolve().parents[2]
     ignored = (root / ".gitignore").read_text().splitlines()
     pipeline = (root / "dvc.yaml").read_text()

@@ -1,4 +1,4 @@
-"""The stages can use flat k-means for a codebook, with the cluster numbers of its cues."""
+"""The stages can use flat k-means for a codebook, with the cluster numbers that its cues need."""
 
 import numpy as np
 from made_features import PARAMS, make

@@ -1,1 +1,1 @@
-"""The choice of settings that the thesis leaves open, by judging candidates on training homes."""
+"""Choose the settings that the thesis leaves open, by judging candidates on training homes."""

@@ -35,7 +35,7 @@ _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 
 
 
 class _Candidates(Section):
-    """The cues or systems to choose for, and the grids of settings to try."""
+    """The cues or systems for which to choose settings, and the grids of settings to try."""
 
     names: Keys
     grids: list[dict[str, Annotated[list[Any], MinLen(1)]]]

@@ -118,7 +118,7 @@ def judge_smoothing(
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(
-            f"{source} has no array cross_validated, which judging the smoothing needs: set "
+            f"{source} has no array cross_validated, but judging the smoothing needs it: set "
             "cross_validate: true for this cue, and run `dvc repro`"
         )
     held_out, truth = (fold_file.read(source, name) for name in ("cross_validated", "cross_validated_truth"))

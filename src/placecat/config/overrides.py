@@ -15,8 +15,7 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
     """Raise PlacecatError if Hydra cannot read an override, or would read it as several values.
 
     An override looks like ``dataset.root=PATH``. `several` allows several values, as in a sweep. The message
-    names the setting and shows how to write
-    the override for a shell and for make.
+    names the setting and shows how to write the override for a shell and for make.
     """
     for number, override in enumerate(overrides):
         if _is_read(override, several=several):

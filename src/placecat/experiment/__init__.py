@@ -1,4 +1,4 @@
-"""Experiments with any descriptor, classifier and data set, on existing features, alone or in a sweep.
+"""Single experiments and sweeps with any descriptor, classifier and data set, on existing features.
 
 ``placecat experiment`` is the Hydra application of conf/experiment.yaml. It uses the same functions and seeds
 as the tables, so the numbers agree.

@@ -20,7 +20,7 @@ _LONGEST = 80
 
 
 def main(arguments: Sequence[str]) -> None:
-    """Run the experiments that Hydra's arguments describe.
+    """Run the experiments described by the Hydra arguments.
 
     Raises PlacecatError outside a project folder. Raises SystemExit, with a message or status 1, if a
     setting is wrong or an experiment fails.

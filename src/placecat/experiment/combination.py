@@ -62,9 +62,9 @@ class Experiment:
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
     """Resolve a combination of settings. This reads labels and array sizes, but no features.
 
-    `config` is the composed conf/experiment.yaml as plain containers. `params` is the params.yaml that the
-    features were computed with. Raises PlacecatError if the combination is invalid; the message says what is
-    wrong and how to fix it.
+    `config` is the composed conf/experiment.yaml as plain containers. `params` is the content of the
+    params.yaml with which the features were computed. Raises PlacecatError if the combination is invalid; the
+    message says what is wrong and how to fix it.
     """
     schema.check(config, schema.Experiment)
     # Check these too, since params.yaml may have been edited.
@@ -106,7 +106,7 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
     """Write the descriptor exactly as the tables do, because seeds are derived from this text."""
     own = dict(wanted)
     if own["kind"] == "holistic":
-        settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']}, of whole frames,")
+        settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']} (of whole frames)")
         return own
     if own["color"] == own["name"]:
         raise PlacecatError(f"descriptor.color={own['color']} appends the descriptor to itself: use null")

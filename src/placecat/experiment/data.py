@@ -27,8 +27,8 @@ class Data:
     def plans(self, test: str, judge: str) -> list[Plan]:
         """Return the plans that determine the accuracy of a test home, which must be in `by_test`.
 
-        If `judge` is ``test_home``, this is the plan of the test home. If it is ``training_homes``, there is
-        one plan per training home. It trains on the other training homes and tests on this one; no plan uses
+        If `judge` is ``test_home``, this is the plan of the test home. If it is ``training_homes``, each
+        training home has a plan that trains on the other training homes and tests on this one. No plan uses
         the test home.
         """
         plan = self.by_test[test]
@@ -57,7 +57,7 @@ def find(params: Mapping[str, Any], name: str) -> Data:
 
 
 def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
-    """Find the test homes that a setting names: ``all``, or names, ignoring case and punctuation.
+    """Find the test homes named in a setting, ignoring case and punctuation; ``all`` selects all of them.
 
     Raises PlacecatError if a name is unknown, ambiguous or repeated.
     """

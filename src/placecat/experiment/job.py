@@ -59,7 +59,7 @@ def job(config: DictConfig) -> float:
         result = output.failure(
             f"{type(error).__name__}: {error} (a bug in placecat: see {folder / output.TRACEBACK})"
         )
-    # The time has a separate file, since result.json must not depend on when and where it was computed.
+    # The time goes into a separate file, since result.json must not depend on when and where it was computed.
     files.write_json(folder / output.SECONDS, round(time.perf_counter() - start, 2))
     # Written last: if the sweep is killed later, this marks the job as finished.
     files.write_json(folder / output.RESULT, result | origin)

@@ -1,4 +1,4 @@
-"""Run the jobs of a sweep, skip those that are finished, and continue if one is killed."""
+"""Run the jobs of a sweep, except finished ones, and continue if one is killed."""
 
 import math
 import os

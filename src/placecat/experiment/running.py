@@ -21,7 +21,7 @@ from placecat.training import store, trial
 from placecat.training.cue import Cue
 from placecat.training.plan import Plan
 
-# The items of `fingerprint` that are part of a result's origin.
+# The items of `fingerprint` that are part of the origin of a result.
 _OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
 # The measures and confusion for one tested home and seed, or the reason why there are none.
 Outcome = dict[str, Any] | str
@@ -97,10 +97,11 @@ def _means(measured: list[dict[str, Any]]) -> dict[str, float | None]:
 
 
 def made_from(experiment: Experiment) -> dict[str, Any]:
-    """Describe a result's inputs as JSON types, for result.json.
+    """Describe the inputs of a result as JSON types, for result.json.
 
     The keys are ``settings``, ``plans`` (a checksum of the training and test plans), ``data`` (a checksum of
-    each sequence's labels and descriptors) and ``code`` (the versions of placecat, Python and the libraries).
+    the labels and descriptors of each sequence) and ``code`` (the versions of placecat, Python and the
+    libraries).
     """
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     sequences = sorted({part.home for plan in plans for part in (*plan.cues, *plan.tested)})
@@ -119,7 +120,7 @@ def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
 
 
 def is_finished(folder: Path, wanted: dict[str, Any]) -> bool:
-    """Return whether a job's folder holds a result (an accuracy or a reason) with the wanted origin."""
+    """Return whether a job folder contains a result (an accuracy or a reason) with the wanted origin."""
     found = output.read(folder)
     return output.FAILED not in found and made_from_of(found) == wanted
 

@@ -47,7 +47,7 @@ class Ran:
 
     @property
     def seconds(self) -> float | None:
-        """The experiment's duration in seconds, or None if it was not recorded."""
+        """The duration of the experiment in seconds, or None if it was not recorded."""
         path = self.folder / output.SECONDS
         return float(files.read_json(path)) if path.is_file() else None
 
@@ -97,7 +97,7 @@ def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
 
 
 def _value(one: Ran, measure: str) -> float:
-    """Return an experiment's unrounded value of a measure; NaN if it has none."""
+    """Return the unrounded value of a measure, or NaN if the experiment has none."""
     value = one.result.get(measure)
     return float("nan") if value is None else float(value)
 
@@ -157,7 +157,7 @@ def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
 
 
 def text(ran: Sequence[Ran]) -> str:
-    """Format a sweep's summary for the terminal."""
+    """Format the summary of a sweep for the terminal."""
     lines = [_tables(ran), ""]
     top = highest(ran)
     if top is not None and len(ran) > 1:
@@ -183,7 +183,7 @@ def _tables(ran: Sequence[Ran]) -> str:
 
 
 def markdown(ran: Sequence[Ran]) -> str:
-    """Format a sweep's accuracies as Markdown."""
+    """Format the accuracies of a sweep as Markdown."""
     table = grid(ran)
     across = f" Columns: {formats.markdown(str(table.columns.name))}." if table.columns.name else ""
     shown = table.reset_index().map(lambda cell: formats.markdown(cell) if isinstance(cell, str) else cell)
@@ -193,7 +193,7 @@ def markdown(ran: Sequence[Ran]) -> str:
 
 
 def text_of_one(result: dict[str, Any]) -> str:
-    """Format one experiment's result: accuracies by home and seed, the other measures, and confusions."""
+    """Format the result of one experiment: accuracies by home and seed, other measures, and confusions."""
     if result["accuracy"] is None:
         return output.shown(result)
     own = result["settings"]
@@ -235,7 +235,7 @@ def label(values: dict[str, str]) -> str:
 
 
 def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
-    """Print, write and log a sweep's results; return whether all experiments and the logging succeeded.
+    """Print, write and log the results of a sweep; return whether all experiments and logging succeeded.
 
     `combinations` contains the swept keys and values of each started experiment. `log` contains the overrides
     of the sweep, for MLflow; None turns logging off.
@@ -250,7 +250,7 @@ def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[
 
 
 def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
-    """Print and log a single experiment's result; return whether the logging succeeded."""
+    """Print and log the result of a single experiment; return whether logging succeeded."""
     print(f"\n{text_of_one(result)}\n\nDetails: {folder / output.RESULT}")
     return not log or _log(lambda tracking: tracking.log_one(result, folder))
 

@@ -1,4 +1,4 @@
-"""List a sweep's experiments, and check all of them before the first one runs."""
+"""List the experiments of a sweep, and check all of them before the first one runs."""
 
 import itertools
 import sys

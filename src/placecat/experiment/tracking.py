@@ -31,7 +31,7 @@ _FILES = (output.SUMMARY, report.SUMMARY)
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
     """Log a sweep and its experiments, unless they are already logged; replace an incomplete log.
 
-    `folder` is the sweep's folder, with its summary. A sweep is identified by its overrides and by the
+    `folder` is the folder of the sweep, with its summary. A sweep is identified by its overrides and by the
     settings, data and code of its experiments. Returns the location of the log as text. Raises PlacecatError
     if MLflow cannot be written to.
     """

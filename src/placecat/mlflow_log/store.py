@@ -48,7 +48,7 @@ def queued_experiment() -> str:
 
 
 def tracking_uri() -> str:
-    """Return MLFLOW_TRACKING_URI from the environment, or else the URI of the project's mlflow.db."""
+    """Return MLFLOW_TRACKING_URI from the environment, or else the URI of mlflow.db in the project."""
     project = queued_in()
     own = "sqlite:///mlflow.db" if project is None else f"sqlite:///{project / 'mlflow.db'}"
     return os.environ.get("MLFLOW_TRACKING_URI") or own
@@ -239,7 +239,7 @@ def set_tags(client: MlflowClient, run_id: str, tags: Mapping[str, str]) -> None
 
 
 def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path]) -> None:
-    """Copy files to a run; if its folder is on this machine, do so without MLflow's slower client."""
+    """Copy files to a run, without MLflow's slower client if the run folder is on this machine."""
     parts = urlparse(place)
     if parts.scheme != "file":
         with _told_plainly(client.tracking_uri):

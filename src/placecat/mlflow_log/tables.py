@@ -1,4 +1,4 @@
-"""Log each table to MLflow as a run, with nested runs for its rows, and avoid duplicates.
+"""Log each table to MLflow as a run, with nested runs for its rows and without duplicates.
 
 A run has these tags. ``placecat.kind`` is table, row, figures or findings. ``placecat.table`` is the name of
 the table, and ``placecat.digest`` is the checksum of its content. ``placecat.current`` is "true" for valid
@@ -111,7 +111,7 @@ def log_tables(
     """Log every table whose content is new, and mark the runs that it supersedes.
 
     Returns the digest of each table by name; digests do not depend on the time or on earlier runs. Raises
-    PlacecatError if MLflow does not answer or refuses a request.
+    PlacecatError if MLflow does not answer or rejects a request.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ ALL_HOMES = "all"
 
 @dataclass(frozen=True)
 class Table:
-    """A table: its definition, which includes its name, its cells with their notes, and its data set."""
+    """A table with its definition (which includes its name), its cells with their notes, and its data set."""
 
     settings: Mapping[str, Any]
     cells: pd.DataFrame

@@ -34,7 +34,7 @@ def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
     if unknown:
         raise PlacecatError(f"--groups: group {unknown[0]} does not exist: choose from 1 to {len(planned)}")
     if rest:
-        print(f"Not used, because too few for a group of {chosen.group}: {', '.join(rest)}", flush=True)
+        print(f"Not used (too few for a group of {chosen.group}): {', '.join(rest)}", flush=True)
     for group in planned:
         if not numbers or group.number in numbers:
             state = "done" if groups.run(group) else "nothing to do"

@@ -47,7 +47,7 @@ class Group:
 def split(params: Mapping[str, Any], size: int) -> tuple[list[Group], tuple[str, ...]]:
     """Split the homes of a data set into groups of `size`, in the order of ``dataset.homes``.
 
-    Returns the groups, and the remaining homes, which are too few for another group. Raises PlacecatError if
+    Returns the groups, and any remaining homes that are too few for another group. Raises PlacecatError if
     there are fewer than two groups.
     """
     homes = [str(home) for home in settings.get(params, "dataset.homes")]

@@ -91,7 +91,7 @@ def _mended(text: str) -> tuple[str, list[str]]:
 
 
 def _blocks(text: str) -> tuple[str, dict[str, str]]:
-    """Split dvc.lock, as DVC writes it, into its head ("" if the head is cut off) and its stages."""
+    """Split a dvc.lock written by DVC into its head, or "" if the head is truncated, and its stages."""
     head, *rest = re.split(r"^(?=  [^\s#])", text, flags=re.MULTILINE)
     is_head = head.endswith("stages:\n") or (not rest and head.endswith("stages: {}\n"))
     return head if is_head else "", {block.split(":\n", 1)[0].strip(" '\"\n"): block for block in rest}

@@ -1,4 +1,4 @@
-"""Schemas for params.yaml and experiments that reject wrong settings early."""
+"""Schemas for params.yaml and for experiments, which reject wrong settings early."""
 
 from collections.abc import Mapping
 from typing import Any

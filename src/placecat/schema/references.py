@@ -1,4 +1,4 @@
-"""Check that everything exists that settings refer to by name, such as a cue or a codebook."""
+"""Check that all references by name in the settings have a target, such as a cue or a codebook."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any

@@ -285,7 +285,7 @@ class System(Section):
     @model_validator(mode="after")
     def _without_extra(self) -> "System":
         if self.extra and self.integrator.method == "log_pool":
-            raise ValueError("extra: true does not work with log_pool, which learns from the cues' homes")
+            raise ValueError("extra: true does not work with log_pool, which learns from homes of the cues")
         return self
 
 
@@ -325,9 +325,7 @@ class Split(Section):
     @model_validator(mode="after")
     def _cues_are_not_judged(self) -> "Split":
         if self.integrator.method == "log_pool":
-            raise ValueError(
-                "log_pool does not work with a fixed split, since its cues are not cross-validated"
-            )
+            raise ValueError("log_pool does not work with a fixed split, as its cues are not cross-validated")
         return self
 
 

@@ -161,8 +161,8 @@ def _distribution(
             create_trial(params={key: value}, distributions={key: distribution}, value=0.0)
         except ValueError:
             raise PlacecatError(
-                f"{override.input_line} does not contain {found[name]}, the value of {name}, which is tried "
-                "first so that the result is at least as good: widen the range"
+                f"{override.input_line} does not contain {found[name]}, the value of {name}: widen "
+                "the range, since this value is tried first"
             ) from None
     return distribution, as_known
 

@@ -30,7 +30,7 @@ def main() -> None:
 
 
 def inputs(home: str, read: Any) -> items.Inputs:
-    """Return the inputs of the features of a home: settings, frame list and checksums of the source files."""
+    """Return the inputs for the features of a home: settings, frame list and checksums of source files."""
     listed = paths.sequences(home)
     return items.Inputs(read, (listed / "frames.csv", listed / "sources.csv", listed / "home.json"))
 

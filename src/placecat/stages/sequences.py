@@ -22,7 +22,7 @@ def main() -> None:
 
 
 def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
-    """Check the homes of a data set and list their frames in `target`; `setting` is its name in messages."""
+    """Check the homes of a data set, called `setting` in messages, and list their frames in `target`."""
     root = Path(dataset["root"])
     if not root.is_dir():
         raise PlacecatError(
@@ -31,7 +31,7 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
         )
     if not dataset["homes"]:
         raise PlacecatError(f"{setting}.homes is empty: name the homes to use")
-    # Which frames of a video are readable is only known after decoding it.
+    # A video must be decoded to find out which of its frames are readable.
     tasks = [(Path.cwd(), dataset, name) for name in dataset["homes"]]
     with files.replacing(target) as folder:
         homes = parallel.stream(_open, tasks, "sequences", unit="homes", locally=True)

@@ -1,4 +1,4 @@
-"""Stage `tracking`: log tables, figures and findings to MLflow; each table's rows become nested runs."""
+"""Stage `tracking`: log tables, figures and findings to MLflow; rows of a table become nested runs."""
 
 import json
 from collections.abc import Mapping
