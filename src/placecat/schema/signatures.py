@@ -149,7 +149,7 @@ def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
 
 @lru_cache
 def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
-    """Return all settings of an estimator as optional, except those in `GIVEN`."""
+    """Return the settings of an estimator, except those in `GIVEN`, as optional."""
     taken = _taken(package, name, definition)
     return {name: one._replace(is_needed=False) for name, one in taken.items() if name not in GIVEN}
 
