@@ -51,7 +51,7 @@ def local(tmp_path_factory):
         patch.chdir(folder)
         patch.setenv("PLACECAT_WORKERS", "1")
         files.write_text(folder / "params.yaml", yaml.safe_dump(parameters()))
-        # Home1, which the cluster describes, has several tasks for each worker.
+        # Home1 is described on the cluster and has several tasks for each worker.
         size = {"width": 320, "height": 180}
         draw_homes(folder / "data/drawn", homes=1, frames_per_room=18, **size)
         draw_homes(folder / "data/small", homes=3, frames_per_room=4, **size)
@@ -68,7 +68,7 @@ class Processes:
 
     def __init__(self, folder):
         self.folder = folder
-        # The working directory is far from the project: it does not matter where a worker is started.
+        # Start all processes outside the project, since it must not matter where a worker is started.
         self.scheduler = self.start("distributed.cli.dask_scheduler", *["--host", "127.0.0.1", "--port", "0"])
         log = folder / "0.log"
         wait_for(lambda: "Scheduler at:" in log.read_text())
@@ -115,7 +115,7 @@ class Processes:
         return self.client.run_on_scheduler(count, self.worker_of[process.pid]) > 0
 
     def done(self):
-        """Return the keys of finished tasks, and whether each was first taken away from a worker."""
+        """Map the key of each finished task to whether the task was first taken away from a worker."""
 
         def read(name, dask_scheduler):
             taken, done = set(), {}
@@ -150,7 +150,7 @@ def cluster(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def project(cluster, local, tmp_path_factory):
-    """The same project without the features of Home1, set up for the cluster."""
+    """A copy of the project without cues and without features of Home1, set up for the cluster."""
     cluster.connect()
     folder = tmp_path_factory.mktemp("cluster") / "project"
     shutil.copytree(local, folder)
@@ -177,7 +177,7 @@ def stage(folder, name):
         stderr=subprocess.STDOUT,
         text=True,
         start_new_session=True,
-        # A shell ignores SIGINT for tests in the background, and child processes inherit this.
+        # If the tests run in the background of a shell, they ignore SIGINT, and child processes inherit this.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
 
@@ -201,7 +201,7 @@ def test_a_worker_killed_half_way_leaves_the_bytes_of_a_local_run(cluster, proje
     process = stage(project, "features")
     while True:
         wait_for(lambda: cluster.is_executing(doomed) or process.poll() is not None)
-        # While stopped, it can neither finish its task nor report it, but the other worker continues.
+        # While it is stopped, it can neither finish its task nor report it, but the other worker continues.
         doomed.send_signal(signal.SIGSTOP)
         wait_for(lambda: len(cluster.done()) > len(before) or process.poll() is not None)
         if cluster.has_tasks_of(doomed) or process.poll() is not None:
@@ -227,7 +227,7 @@ def test_one_worker_trains_a_cue_with_the_bytes_of_a_local_run(cluster, project,
     assert contents(project, "data/cues") == contents(local, "data/cues")
 
 
-def test_a_worker_of_another_environment_is_named(cluster, project, monkeypatch):
+def test_a_worker_in_another_environment_is_named(cluster, project, monkeypatch):
     monkeypatch.chdir(project)
     own = connection.fingerprint() | {"numpy": "1.0"}
     monkeypatch.setattr(connection, "fingerprint", lambda: own)
@@ -247,7 +247,7 @@ def test_a_worker_of_another_environment_is_named(cluster, project, monkeypatch)
 
 
 def test_a_task_that_kills_workers_ends_with_one_message(cluster, project, monkeypatch):
-    """This must be the last test, since no workers are left."""
+    """This must be the last test, since it leaves no workers."""
     monkeypatch.chdir(project)
     settings = {"scheduler": cluster.address, "wait": 1}
     cluster.client.run_on_scheduler(lambda dask_scheduler: setattr(dask_scheduler, "allowed_failures", 0))

@@ -21,7 +21,7 @@ _connect: Callable[[], "Cluster | None"] | None = None
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Run the loops in a block where params.yaml says, then disconnect from the cluster, if any."""
+    """Apply the `compute` settings in params.yaml to a block; then disconnect from the cluster, if any."""
     global _connect
     before = _connect
     with ExitStack() as connected:
@@ -76,5 +76,5 @@ def wanted_workers() -> int | None:
 
 
 def cluster() -> "Cluster | None":
-    """Return the cluster that runs loops, or None for this machine; errors are as for `Cluster`."""
+    """Return the cluster that runs loops, or None for this machine. Raises the same errors as `Cluster`."""
     return None if _connect is None else _connect()

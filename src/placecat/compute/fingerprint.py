@@ -17,8 +17,8 @@ def fingerprint() -> dict[str, str]:
     """Describe the environment of this process, as text for each item.
 
     The description is made once per process, since later changes to files do not affect loaded modules.
-    ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by NumPy, SciPy and OpenCV, and
-    ``processor`` the vector instructions used by NumPy and OpenCV.
+    ``placecat`` includes a digest of the code. ``BLAS`` lists the kernels chosen by NumPy, SciPy and OpenCV,
+    and ``processor`` lists the vector instructions used by NumPy and OpenCV.
     """
     # Imported late: OpenCV is not needed to read PACKAGES.
     import cv2

@@ -76,7 +76,7 @@ def _without_ctrl_c() -> Iterator[None]:
 
     Threads and processes inherit the blocked signals of the thread that starts them.
     """
-    # Start the tracker that joblib needs now, because starting it later would unblock the signal.
+    # Start the resource tracker of joblib now, because starting it later would unblock the signal.
     resource_tracker.ensure_running()
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
