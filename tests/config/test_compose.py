@@ -113,7 +113,7 @@ def own_conf(tmp_path):
         ("{kind: holistic", r"cue/new\.yaml is not valid YAML"),
     ],
 )
-def test_a_cue_of_a_descriptor_that_is_not_there_is_refused_with_its_file(own_conf, descriptor, message):
+def test_a_cue_with_a_missing_descriptor_is_rejected_with_its_file(own_conf, descriptor, message):
     (own_conf / "cue/new.yaml").write_text(f"codebook: null\ndescriptor: {descriptor}\n")
     refused(found, own_conf, message)
 
@@ -166,7 +166,7 @@ def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
         ("protocol.extra.split", "flats", r"protocol\.extra\.split: there is no split 'flats'"),
     ],
 )
-def test_a_name_of_nothing_is_refused_before_any_stage_runs(setting, value, message):
+def test_missing_references_are_rejected_before_any_stage_runs(setting, value, message):
     refused(references.check, changed(setting, value), message)
 
 
@@ -179,16 +179,16 @@ def test_an_opinion_pool_needs_cues_that_are_cross_validated():
 
 
 @pytest.mark.parametrize("section", ["protocol", "smoothing", "tracking", "descriptors", "dataset"])
-def test_a_section_without_settings_names_nothing(section):
+def test_a_section_without_settings_has_no_references(section):
     references.check({section: None})
 
 
-def test_names_of_something_pass():
+def test_valid_references_pass():
     for params in (PARAMS, {}, {"protocol": {"extra": None}}):
         references.check(params)
 
 
-def test_params_with_a_name_of_nothing_are_not_written(tmp_path, monkeypatch):
+def test_params_with_a_missing_reference_are_not_written(tmp_path, monkeypatch):
     light_conf(tmp_path / "conf")
     monkeypatch.chdir(tmp_path)
     with pytest.raises(PlacecatError, match=r"cue/gist\.yaml: there is no holistic descriptor 'gits'"):

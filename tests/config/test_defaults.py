@@ -106,7 +106,7 @@ def test_rare_and_wrong_cases_are_left_to_hydra(small, files, choices):
         defaults.merge(small(**files), choices)
 
 
-def test_all_of_conf_is_usual(tmp_path):
+def test_conf_has_no_unusual_cases(tmp_path):
     """Otherwise, composing would take seconds."""
     conf = shutil.copytree(CONF, tmp_path / "conf")
     groups = (

@@ -145,7 +145,7 @@ def _entry(default: Any, folder: str, package: str) -> _Entry:
 
 
 def _over(below: Any, above: Any) -> Any:
-    """Put one value over another: mappings are merged, other values are replaced."""
+    """Override one value with another: mappings are merged, and other values are replaced."""
     if isinstance(above, dict):
         if isinstance(below, list) or (isinstance(below, str) and "$" in below):
             raise Unusual(below)
