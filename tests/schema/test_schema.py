@@ -27,7 +27,7 @@ def sections():
     )
 
 
-def test_the_settings_that_git_holds_are_right():
+def test_the_settings_in_git_are_valid():
     schema.check(PARAMS)
     schema.check({})
     assert set(PARAMS) == set(schema.Params.model_fields)
@@ -75,11 +75,11 @@ POOL = {"method": "log_pool", "shrinkage": 0.1}
         ("splits.university.integrator", POOL, "log_pool does not work with a fixed split"),
     ],
 )
-def test_a_value_of_another_type_and_a_contradiction_are_refused(name, value, message):
+def test_wrong_types_and_contradictions_are_rejected(name, value, message):
     refused(schema.check, changed(name, value), message)
 
 
-def test_a_cluster_has_settings_of_its_own():
+def test_compute_settings_depend_on_the_kind():
     own = {"kind": "dask", "scheduler": "tcp://10.0.0.1:8786", "wait": 30, "may_differ": []}
     schema.check(PARAMS | {"compute": own})
     refused(schema.check, PARAMS | {"compute": own | {"nonsense": 1}}, "compute")

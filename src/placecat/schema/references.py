@@ -1,4 +1,4 @@
-"""Check that all references by name in the settings have a target, such as a cue or a codebook."""
+"""Check the names in the settings: every cue, codebook or other item that they refer to must exist."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any
@@ -15,7 +15,7 @@ _SECTIONS = (
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Raise a PlacecatError that lists the existing names if the target of a reference is missing."""
+    """Raise a PlacecatError that lists the existing names if a setting refers to a missing one."""
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
             question, there = did_you_mean(name, valid), ", ".join(valid) or "none"
