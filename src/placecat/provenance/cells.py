@@ -43,7 +43,7 @@ class Explained:
     `data` contains the titles of the data sets behind the measured and the published number; the second is ""
     if nothing was published. `made` describes how each result behind the cell was made. `trained` maps each
     test home to the frames of each of its plans, without duplicates. `findings` lists the numbers of the
-    findings that rest on these results.
+    findings that are based on these results.
     """
 
     id: str

@@ -35,7 +35,7 @@ class Trained:
 def trained(params: Mapping[str, Any], name: str, home: str, fuses: bool, extra: bool) -> Trained | None:
     """Return the frames of a result for a test home, or for all homes of a split; None if it has no plan.
 
-    `name` is the plan of the result. `fuses` and `extra` are explained in
+    `name` is the name of the plan. `fuses` and `extra` are explained in
     :class:`placecat.provenance.made.Made`.
     """
     if not name:

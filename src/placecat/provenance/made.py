@@ -10,7 +10,7 @@ from placecat.evaluation.trials import Trial
 from placecat.thesis.records import RECORD
 
 _RECORD_STAGES = {"nu": ("sequences", "features", "codebooks", "cues", "trials"), "rejected": ("features",)}
-# All stages in the order of the pipeline. Every number in the tables depends on the last ones.
+# All stages in the order of the pipeline. Every number in the tables depends on those in `_LAST`.
 _ORDER = (
     *("sequences", "site_sequences", "features", "tracks", "site_features", "codebooks", "cues"),
     *("integration", "filtering", "smoothing", "splits", "trials", "toy"),

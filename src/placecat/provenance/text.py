@@ -101,7 +101,7 @@ def _listed(frames: Frames) -> str:
 def _end(cell: Explained, data_versions: Mapping[str, str]) -> list[Line]:
     lines: list[Line] = []
     if cell.findings:
-        lines.append(("findings", f"{', '.join(cell.findings)} rest on it"))
+        lines.append(("findings", f"{', '.join(cell.findings)} (based on the same results)"))
     lines += [
         ("data", f"{cell.data[0]}, checksum {data_versions[stage]}")
         for stage in cell.stages
