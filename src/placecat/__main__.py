@@ -17,7 +17,7 @@ from placecat.terminal import Terminal
 NOT_AS_KEPT = 3
 _STATUS = (
     f"Exit status: 0 on success; {NOT_AS_KEPT} if a number differs by more than reproducibility.tolerance "
-    "although settings and data set are the same as in git; 1 after an error, with one message."
+    "although the settings and the data set are those in git; 1 after an error, with one message."
 )
 
 
@@ -90,7 +90,7 @@ def _add_pipeline(commands: Commands) -> None:
         commands,
         "replicate",
         _replicate,
-        "run the pipeline on many homes, group by group, and judge the findings on all",
+        "run the pipeline on many homes, group by group, and judge the findings on all of them",
         "Split the homes of a data set into groups of six, run the pipeline on each group, judge the "
         f"findings on all homes, and write the results to {paths.REPLICATION}. Needs the outputs of "
         "`placecat repro`. Continues a killed run.",

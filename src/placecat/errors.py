@@ -21,7 +21,7 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number cannot be computed from these data with any settings; tables show the reason instead."""
+    """A number cannot be computed from the data, whatever the settings. Tables show the reason instead."""
 
 
 class SettingError(PlacecatError):
@@ -110,6 +110,6 @@ def refusal(error: OSError, path: object = None) -> str:
 
 
 def did_you_mean(name: object, valid: Iterable[str]) -> str:
-    """Suggest the nearest valid name as a question after a semicolon; return "" if no name is near."""
+    """Return ``; did you mean NAME?`` with the most similar valid name, or "" if none is similar."""
     nearest = difflib.get_close_matches(str(name), list(valid), n=1)
     return f"; did you mean {nearest[0]!r}?" if nearest else ""
