@@ -1,4 +1,4 @@
-"""Results as from a run, with random counts."""
+"""Results like those of a run, with random counts."""
 
 from pathlib import Path
 

@@ -80,7 +80,7 @@ def _lighten(*folders):
 
 
 def rendered():
-    """List the relative folders of the videos that come with the project, which the stage `render` makes."""
+    """List the folders of the videos from the stage `render`, relative to the project."""
     render = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]["render"]
     outs = [next(iter(out)) for out in render["outs"]]
     return [out for out in outs if not out.endswith(".jpg")]

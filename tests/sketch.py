@@ -70,9 +70,9 @@ def draw_homes(
 ) -> None:
     """Draw homes in the layout that `placecat.sequences.vpc2009` reads; equal arguments produce equal bytes.
 
-    Each home shows kitchen, bathroom, living room, dining room and bedroom, a corridor, and the transitions
-    between them. Two of the rooms are visited twice. One home has two floors. A first visit to a room has
-    `frames_per_room` frames, at least 2. A second visit or the corridor has half as many.
+    Each home has a kitchen, a bathroom, a living room, a dining room, a bedroom and a corridor, and shows the
+    transitions between them. Two of the rooms are visited twice. One home has two floors. A first visit to a
+    room has `frames_per_room` frames, at least 2. A second visit or the corridor has half as many.
     """
     grain = np.random.default_rng(derive("sketch", 0, "noise"))
     film = _Film(width, height, grain.normal(0, 2.2, (height + 64, width + 64, 3)).astype(np.int16))

@@ -99,7 +99,7 @@ def results(project):
     )
 
 
-def test_the_text_has_all_files_and_is_short():
+def test_the_page_has_all_files_and_is_short():
     folders = [str(Path(path).parent) for path in BLOCKS]
     assert folders == [
         "src/placecat/vision/holistic",
@@ -130,7 +130,7 @@ def test_the_settings_come_from_the_module_and_the_files(project):
     assert classifier["scheme"]["name"] == "one_against_all"
 
 
-def test_the_cue_tells_places_apart_and_the_table_has_its_accuracy(project, results):
+def test_the_cue_discriminates_places_and_the_table_has_its_accuracy(project, results):
     table = {**definitions.tables(project)["addition_brightness"], "name": "addition_brightness"}
     published = pd.DataFrame(columns=["table", "group", "row", "column", "value"])
     filled = tables.fill_table(table, results, published, project["dataset"], {})

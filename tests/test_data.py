@@ -19,7 +19,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("data")]
 SIZES = {"homes": {(1280, 720)}, "university": {(640, 480)}, "apartments": {(640, 480), (1280, 720)}}
 """Frame sizes of each data set, as (width, height)."""
 EVERY = 9
-"""Step between judged frames, since consecutive frames contain the same information."""
+"""Step between judged frames; the frames between them would add no information."""
 
 
 def settings():
@@ -80,7 +80,7 @@ def homes(tmp_path_factory, looks):
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(video, "Recording", Looking)
-        # Frames in other processes would be missed.
+        # Frames that are decoded in other processes would be missed.
         patch.setenv("PLACECAT_WORKERS", "1")
         return {name: read(name, tmp_path_factory.mktemp(name), patch) for name in settings()}
 
@@ -112,7 +112,7 @@ def test_every_video_is_used_and_has_labels_and_was_rendered():
     assert there == {f"{name}.{ending}" for name in used for ending in ("mp4", "csv")}
 
 
-def test_together_they_are_small():
+def test_the_videos_are_small_in_total():
     assert 0 < sum(path.stat().st_size for out in rendered() for path in (ROOT / out).rglob("*")) < 60e6
 
 
@@ -126,7 +126,7 @@ def test_frames_are_as_listed(homes, name):
         assert labels["label"].notna().all(), home
 
 
-def test_no_shortcut_tells_the_rooms_of_the_homes(homes, looks, monkeypatch):
+def test_no_shortcut_predicts_the_rooms(homes, looks, monkeypatch):
     monkeypatch.setattr(video, "Recording", Undecoded)
     monkeypatch.setattr(shortcuts, "read_frames", frames_of)
     monkeypatch.setattr(shortcuts, "_look", looks.__getitem__)

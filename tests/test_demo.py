@@ -36,7 +36,7 @@ def film_home(root, name):
     pd.DataFrame(rows, columns=["start", "end", "label"]).to_csv(root / f"{name}.csv", index=False)
 
 
-def test_a_first_walk(tmp_path, monkeypatch, capsys, two_workers):
+def test_the_demo_classifies_a_walk(tmp_path, monkeypatch, capsys, two_workers):
     shutil.copytree(ROOT / "conf", tmp_path / "conf")
     few = [value for value in SMALL if value.startswith(("codebooks.", "cues."))]
     few.append(f"dataset.homes=[{','.join(HOMES)}]")
@@ -63,7 +63,7 @@ def test_a_first_walk(tmp_path, monkeypatch, capsys, two_workers):
     )
 
 
-def test_it_replaces_only_its_files(tmp_path):
+def test_the_demo_replaces_only_its_own_files(tmp_path):
     folder = tmp_path / "demo"
     command._check(folder)
     folder.mkdir()

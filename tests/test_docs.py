@@ -146,11 +146,11 @@ def check_python(words):
 @pytest.mark.parametrize(
     ("page", "words"), commands(), ids=lambda one: one if isinstance(one, str) else "_".join(one)
 )
-def test_every_command_is_one(page, words, monkeypatch):
+def test_every_command_exists(page, words, monkeypatch):
     monkeypatch.chdir(ROOT)
     words = words or ["."]
     name = words[0].removeprefix(".venv/bin/")
-    # tests/test_adding.py tries the additions of docs/adding.md.
+    # tests/test_adding.py tests the additions in docs/adding.md.
     if name in ELSEWHERE or (page == "docs/adding.md" and words[-1] in ADDED):
         return
     {
@@ -163,7 +163,7 @@ def test_every_command_is_one(page, words, monkeypatch):
     }[name](words[1:])
 
 
-def test_blocks_are_of_kinds_that_a_test_reads():
+def test_every_code_block_has_a_tested_language():
     kinds = {(page, kind) for page, text in PAGES.items() for kind, _ in FENCE.findall(text)}
     assert {kind for _, kind in kinds} <= {"sh", "python", "yaml", "text"}
     # tests/test_adding.py follows docs/adding.md.
@@ -210,7 +210,7 @@ def test_a_robot_feeds_frames_as_the_page_says(monkeypatch, capsys):
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 3 + len(categorizer.visits())
     assert all(line.split()[0] in (*CLASSES, "unknown") for line in lines)
-    # The first frame has the same result here.
+    # The categorizer has the same result for the first frame if it is called directly.
     categorizer.reset()
     assert lines[0].split()[2] == categorizer.update(frames(1)[0]).place
 
@@ -252,14 +252,14 @@ def test_numbers_match_the_result_files(page):
 
 
 @pytest.mark.parametrize("page", fill.PAGES)
-def test_no_number_of_a_result_is_without_its_file(page):
+def test_every_result_names_its_file(page):
     found = [
         number for number in RESULT.findall(told(PAGES[page])) if number not in GIVEN.get(page, "").split()
     ]
     assert found == [], "name the file as docs/fill.py says, or say in GIVEN that it is no result"
 
 
-def test_a_number_that_a_file_does_not_have_is_filled():
+def test_outdated_numbers_are_corrected():
     text = '1.00<!-- = table("table_26", ALL, "HMM") --> and 99<!-- = verdicts("holds") -->'
     first, second = fill._NUMBER.findall(fill.fill(text))
     assert first[0] == f"{fill.table('table_26', fill.ALL, 'HMM'):.2f}" != "1.00"
@@ -306,7 +306,7 @@ def anchors(text):
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_links_lead_somewhere(page):
+def test_links_have_targets(page):
     for link in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", PAGES[page])):
         if "://" in link:
             continue

@@ -68,7 +68,7 @@ def test_a_picture_shows_it(text):
     assert 0 < drawn.shape[1] < 4000
 
 
-def test_a_terminal_executes_none_of_it(text):
+def test_terminal_output_is_escaped(text):
     for coding in ("utf-8", "ascii"):
         target = io.TextIOWrapper(io.BytesIO(), encoding=coding)
         terminal = Terminal(target)
@@ -112,13 +112,13 @@ def test_mlflow_takes_it_as_a_key(text):
 
 
 @pytest.mark.parametrize("parts", [("a", ".."), ("..", "b"), ("a//b", "/"), (".", "a"), ("a", "/b/")])
-def test_no_key_is_a_path_elsewhere(parts):
+def test_mlflow_accepts_keys_that_look_like_paths(parts):
     from mlflow.utils.validation import _validate_metric_name
 
     _validate_metric_name(key("accuracy", *parts))
 
 
-def test_a_table_of_values_gives_it_back(text, tmp_path):
+def test_csv_files_preserve_it(text, tmp_path):
     """The table is for data, not for spreadsheets, so text that begins with = is unchanged."""
     if not text.isascii() or "\x00" in text:
         return

@@ -41,7 +41,7 @@ def project(tmp_path):
         "holistic": {"gist": descriptors["holistic"]["gist"]},
     }
     (folder / "params.yaml").write_text(yaml.safe_dump(own))
-    # There are more frames than in one task, so that both workers are busy.
+    # There are more frames than fit into one task, so that both workers are busy.
     draw_homes(folder / "data/drawn", homes=3, frames_per_room=8, width=480, height=270)
     init(folder)
     return folder
@@ -90,7 +90,7 @@ def running(group):
 
 
 @pytest.mark.slow
-def test_a_run_goes_on_after_ctrl_c_and_ends_in_the_same_bytes(project, tmp_path):
+def test_a_run_resumes_after_ctrl_c_and_produces_the_same_bytes(project, tmp_path):
     whole = tmp_path / "whole"
     shutil.copytree(project, whole, symlinks=True)
     ran, _ = repro(whole, PLACECAT_WORKERS="1")

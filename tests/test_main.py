@@ -36,7 +36,7 @@ def test_params_without_overrides_are_the_committed_ones(folder):
     assert (folder / "params.yaml").read_text() == (ROOT / "params.yaml").read_text()
 
 
-def test_a_mistake_ends_with_one_message(folder):
+def test_a_user_error_ends_with_one_message(folder):
     with pytest.raises(SystemExit) as caught:
         main(["params", "smoothing.delay_secondss=0.5"])
     assert str(caught.value).startswith("placecat: the settings cannot be composed: ")
@@ -283,7 +283,7 @@ def test_a_large_difference_ends_with_status_3_until_it_is_kept(committed, insid
     assert inside("compare", "HEAD~1").returncode == 3
 
 
-def test_other_settings_are_no_failure(committed):
+def test_changed_settings_are_not_a_failure(committed):
     result = placecat(committed, "repro", "probabilities.bins=17")
     assert result.returncode == 0, result.stderr
     assert "1 of 2 cells equal" in result.stdout
@@ -320,7 +320,7 @@ def test_force_runs_everything_except_frozen_stages(committed, inside):
     assert json.loads((committed / "data/times.json").read_text())["facts"]["stages"] == 2
 
 
-def test_mistakes_of_compare_give_one_message(committed, inside, tmp_path):
+def test_user_errors_in_compare_give_one_message(committed, inside, tmp_path):
     refused(inside("compare", "nowhere"), "git has no revision 'nowhere'")
     shutil.copytree(committed, tmp_path / "bare", ignore=shutil.ignore_patterns(".git", ".dvc"))
     refused(inside("compare", folder=tmp_path / "bare"), "this folder is not in a git repository")

@@ -135,7 +135,7 @@ def test_nothing_else_changes_in_git(after):
     assert sorted(lines) == sorted([*(f" M {name}" for name in written), *(f"?? {name}" for name in ADDED)])
 
 
-def test_descriptors_that_were_there_keep_their_bytes(after):
+def test_existing_descriptors_keep_their_bytes(after):
     folder, features, _ = after
     now = contents(folder, "data/features/Home1")
     place = "data/features/Home1"
@@ -158,7 +158,7 @@ def test_settings_are_the_defaults_of_the_module_and_of_the_clustering(after):
     assert params["codebooks"]["thumbnail_y"] == like
 
 
-def test_the_tests_of_all_descriptors_test_a_new_one(after):
+def test_the_descriptor_tests_include_new_descriptors(after):
     folder, _, _ = after
     files = [ROOT / f"tests/vision/{kind}/test_{kind}_descriptors.py" for kind in ("holistic", "local")]
     command = ("pytest", "-v", "-p", "no:cacheprovider", "-k", "brightness or thumbnail", *files)

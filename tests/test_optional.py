@@ -40,7 +40,7 @@ def differences(one, other, where=""):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in DATA])
-def test_everything_that_was_there_stays(name):
+def test_existing_settings_do_not_change(name):
     extended = with_optional(name)
     references.check(extended)
     assert set(differences(extended, PARAMS)) <= {"smoothing.cues", "model.system"}
@@ -62,7 +62,7 @@ def test_all_settings_are_known_and_given(name):
 
 
 @EVERY
-def test_its_tables_show_results_that_there_are_and_are_additions(name):
+def test_new_tables_are_additions_with_existing_results(name):
     extended = with_optional(name)
     results, known, before = made(extended), sources(extended), tables_of(PARAMS, ROOT)
     for table_name, table in tables_of(extended, ROOT).items():

@@ -144,7 +144,7 @@ def test_the_videos_are_checked_and_never_rendered(reproduced, copy):
 
 # This test only reads the reproduced folder, so the other worker can run it.
 @pytest.mark.xdist_group("later")
-def test_two_runs_from_nothing_give_the_same_bytes(reproduced, tmp_path):
+def test_two_runs_from_scratch_give_the_same_bytes(reproduced, tmp_path):
     """This also holds with more workers, more threads and the kernels that OpenBLAS chooses on its own."""
     folder, _, _ = reproduced
     again = copy_project(tmp_path)
@@ -161,7 +161,7 @@ def test_two_runs_from_nothing_give_the_same_bytes(reproduced, tmp_path):
 
 @pytest.mark.parametrize("system", ["das_551_best", "das_451_all", "das_551_tracked", "das_551_extra"])
 def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, monkeypatch, system):
-    """A system trained without a home and read from its file classifies this home as the stages do."""
+    """A saved system that was trained without a home classifies the frames of this home as the stages do."""
     from placecat import settings
     from placecat.categorizer import Categorizer, model_file
     from placecat.categorizer.train import train
@@ -189,10 +189,10 @@ def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, mon
         np.testing.assert_array_equal([getattr(one, attribute) for one in decisions], expected)
 
 
-def test_changing_one_cue_runs_that_cue_and_what_follows_only(copy):
+def test_changing_one_cue_recomputes_only_what_depends_on_it(copy):
     overrides = [*SMALL, "cues.hog_tracked.classifier.base.alpha=0.5"]
     (copy / "params.yaml").write_text(compose(overrides, conf=copy / "conf"))
-    # DVC runs stages because params.yaml has changed, but these find that few or none of their items have.
+    # DVC runs these stages because params.yaml has changed, but they find few or no items to recompute.
     stages = ("codebooks", "site_features", "cues", "integration", "trials")
     before = inodes(copy, *stages)
     ran, _ = repro(copy, "integration", "trials")
@@ -202,7 +202,7 @@ def test_changing_one_cue_runs_that_cue_and_what_follows_only(copy):
     assert changed == {"hog_tracked", "das_551_tracked"}
 
 
-def test_changing_one_home_describes_that_home_only(copy):
+def test_changing_one_home_recomputes_only_its_features(copy):
     frame = next((copy / HOMES / "Home2").rglob("*.jpg"))
     content = next((copy / HOMES / "Home3").rglob("*.jpg")).read_bytes()
     frame.unlink()
@@ -280,7 +280,7 @@ def light(tmp_path_factory):
         ("codebooks.hog_y.tree.max_clusters=40", "codebooks", "31 ", "1"),
     ],
 )
-def test_impossible_settings_give_one_message_and_leave_nothing(
+def test_invalid_settings_give_one_message_and_leave_nothing(
     reproduced, light, tmp_path, override, stage, message, workers
 ):
     folder, _, _ = reproduced
@@ -288,7 +288,7 @@ def test_impossible_settings_give_one_message_and_leave_nothing(
     for part in (folder / "data").iterdir():
         if part.name != stage:
             (tmp_path / "data" / part.name).symlink_to(part)
-    # Existing items are not made again, as in the original folder.
+    # Copy the existing items, so that they are not made again.
     shutil.copytree(folder / "data" / stage, tmp_path / "data" / stage, symlinks=True)
     shutil.copy(folder / "dvc.yaml", tmp_path)
     (tmp_path / "src").symlink_to(folder / "src")

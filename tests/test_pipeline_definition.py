@@ -91,7 +91,7 @@ def test_every_stage_but_the_frozen_one_is_a_module_of_its_name():
 
 
 @pytest.mark.parametrize("stage", list(PIPELINE))
-def test_what_a_stage_depends_on_exists(stage):
+def test_the_dependencies_of_a_stage_exist(stage):
     for dep in PIPELINE[stage]["deps"]:
         if dep.startswith(("src/", "conf/")):
             assert (ROOT / dep).exists(), dep
@@ -128,7 +128,7 @@ def schemes_compared():
 
 
 @pytest.mark.parametrize("compared", ["table_29", "toy", "conf/classifier"])
-def test_the_two_schemes_differ_in_the_scheme_alone(compared):
+def test_the_two_schemes_differ_only_in_the_scheme(compared):
     parallel, sequential = next((one, other) for name, one, other in schemes_compared() if name == compared)
     own = []
     for name, settings in (("parallel", parallel), ("sequential", sequential)):
@@ -139,7 +139,7 @@ def test_the_two_schemes_differ_in_the_scheme_alone(compared):
     assert own[0] == own[1]
 
 
-def test_changed_settings_of_the_parallel_scheme_are_those_of_the_sequential_one():
+def test_the_sequential_scheme_follows_changes_to_the_parallel_one():
     changed = "cues.spatial_pact.classifier.scheme.sigmoid_weights=balanced"
     nu = "cues.spatial_pact.classifier.base.nu=0.1"
     cue = _composed(changed, nu)["cues"]["spatial_pact_sequential"]
@@ -154,14 +154,14 @@ def test_no_setting_reaches_a_shell(stage):
 
 
 def test_there_are_few_stages():
-    # DVC takes longer per stage if there are more of them, and each stage starts Python again.
+    # The time that DVC takes per stage grows with their number, and each stage starts Python again.
     assert len(PIPELINE) <= 21
     assert not any("foreach" in body for body in PIPELINE.values())
     assert len((ROOT / "dvc.yaml").read_text().splitlines()) <= 250
     assert (ROOT / "params.yaml").stat().st_size <= 26 * 1024
 
 
-def test_everything_in_conf_is_used_because_it_is_there(tmp_path):
+def test_new_files_in_conf_are_found(tmp_path):
     """A cue is found without being listed anywhere."""
     conf = tmp_path / "conf"
     shutil.copytree(ROOT / "conf", conf)
@@ -172,7 +172,7 @@ def test_everything_in_conf_is_used_because_it_is_there(tmp_path):
     assert composed["cues"]["hog_again"] == params["cues"]["hog_y"]
 
 
-def test_what_git_holds_lists_what_is_there():
+def test_found_yaml_in_git_is_up_to_date():
     assert (ROOT / "conf/found.yaml").read_text() == compose.found(ROOT / "conf"), "run `placecat params`"
 
 
@@ -246,7 +246,7 @@ def settings_in_code():
 @pytest.mark.parametrize(
     ("name", "values", "function", "given"), [pytest.param(*part, id=part[0]) for part in settings_in_code()]
 )
-def test_every_constant_of_the_method_is_a_setting_and_none_is_unknown(name, values, function, given):
+def test_settings_match_the_parameters_in_the_code(name, values, function, given):
     names = set(inspect.signature(function).parameters) - given
     assert set(values) == names, name
 

@@ -39,7 +39,7 @@ def leaves(content, place=()):
 
 
 def numbers():
-    """Map each number to its first place: the first entry represents its group."""
+    """Map each number to its place in the settings; the first entry of a group represents all others."""
     found = {}
     for place in leaves(PARAMS):
         in_group = [number > 0 and place[number - 1] in GROUPS for number in range(len(place))]
@@ -70,7 +70,7 @@ def test_there_are_numbers_and_no_exception_is_superfluous():
 
 
 @pytest.mark.parametrize("name", NUMBERS)
-def test_a_number_is_refused_that_cannot_be_meant(name):
+def test_invalid_numbers_are_rejected(name):
     place = NUMBERS[name]
     section = place.partition(".")[0]
     check({section: PARAMS[section]})
@@ -131,7 +131,7 @@ def values():
 
 
 @pytest.mark.parametrize(("name", "value", "message"), list(values()))
-def test_another_setting_is_refused_that_cannot_be_meant(name, value, message):
+def test_other_invalid_values_are_rejected(name, value, message):
     assert len(refused(check, changed(name, value), message)) < 300
 
 

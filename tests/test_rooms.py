@@ -16,8 +16,8 @@ MAY_USE = {
     "hydra_plugins": {"placecat"},
 }
 WRITERS = {"thesis", "provenance", "explain", "report", "mlflow_log"}
-# Maps each room to the rooms that it must not import anywhere.
 COMPUTING = ("vision", "learning", "fusion", "cues", "training", "evaluation", "categorizer")
+# Maps each room to the rooms that it must not import anywhere.
 NEVER = dict.fromkeys(COMPUTING, WRITERS | {"results", "drawing"}) | {
     "predict": WRITERS | {"results"},
     "panoramas": WRITERS | {"results", "drawing", "stages"},
@@ -29,7 +29,7 @@ NEVER = dict.fromkeys(COMPUTING, WRITERS | {"results", "drawing"}) | {
     "mlflow_log": {"explain", "stages"},
     "stages": {"explain"},
 }
-# These stages write for readers; all others compute.
+# These stages present results; all others compute them.
 WRITING_STAGES = {"tables", "findings", "figures", "report", "tracking"}
 
 
@@ -59,12 +59,12 @@ def test_the_method_imports_neither_the_renderer_nor_the_benchmarks(package):
 
 
 @pytest.mark.parametrize("room", NEVER)
-def test_arrows_run_one_way(room):
+def test_rooms_import_in_one_direction(room):
     for path in (PACKAGE / room).rglob("*.py"):
         assert not NEVER[room] & rooms_used(path), path.relative_to(PACKAGE)
 
 
-def test_rooms_have_no_circle():
+def test_rooms_have_no_import_cycle():
     rooms = {}
     for path in PACKAGE.rglob("*.py"):
         room = path.relative_to(PACKAGE).parts[0].removesuffix(".py")

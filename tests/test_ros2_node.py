@@ -70,7 +70,7 @@ def test_the_node_publishes_the_decisions_of_the_categorizer(node):
     topic, see = node.subscribed
     assert topic == "image"
     see(message(images[0], 100.0))
-    # The next two messages are late or have an unsupported encoding.
+    # The next message is late, and the one after it has an unsupported encoding.
     see(message(images[1], 99.5))
     see(message(images[1], 100.2, "mono16"))
     see(message(images[1], 100.5))
@@ -91,7 +91,7 @@ def test_an_unsure_place_is_published_as_unknown(node):
     assert [one.data for name, one in node.sent if name == "place"] == ["unknown"]
 
 
-def test_of_a_frame_of_4_to_3_the_middle_is_taken(node):
+def test_frames_with_another_aspect_ratio_are_cropped(node):
     (image,) = frames(1)
     tall = np.pad(image, ((30, 30), (0, 0), (0, 0)))
     node.subscribed[1](message(tall, 100.0))
@@ -100,7 +100,7 @@ def test_of_a_frame_of_4_to_3_the_middle_is_taken(node):
     assert np.array_equal([result.score for result in sent.results], expected)
 
 
-def test_a_clock_that_goes_back_resets_it(node):
+def test_a_clock_that_goes_back_resets_the_node(node):
     images = list(frames(2))
     for image, seconds in ((images[0], 100.0), (images[1], 3.0), (images[0], 2.5), (images[0], 3.2)):
         node.subscribed[1](message(image, seconds))

@@ -35,7 +35,7 @@ def view(rng, *, tint=0.0, light=0.0, grain=0.0):
 
 
 def made_homes(root, planted):
-    """Make four homes whose rooms differ only in planted features: options of `view` by room number."""
+    """Make four homes whose rooms differ only in the options of `view` that `planted` returns for each."""
     rng = np.random.default_rng(3)
     homes = ["a", "b", "c", "d"]
     for home in homes:

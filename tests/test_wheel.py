@@ -15,7 +15,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """Return the Python and the packages folder of the environment, which shares all other packages."""
+    """Return the Python and the packages folder of an environment that also uses our packages."""
     folder = tmp_path_factory.mktemp("wheel")
     source, own = folder / "source", folder / "own"
     # Copy the source, since the build writes next to it.
@@ -30,13 +30,13 @@ def installed(tmp_path_factory):
     python = own / "bin/python"
     where = "import sysconfig; print(sysconfig.get_path('purelib'))"
     packages = Path(run(folder, python, "-c", where).stdout.strip())
-    # Our packages come after those of the environment, and .pth files among them, such as that of our
-    # editable placecat, are not read.
+    # Our packages come after those of the environment. Python ignores the .pth files among them, so it does
+    # not find our editable placecat.
     (packages / "ours.pth").write_text(f"{sysconfig.get_path('purelib')}\n")
     return python, packages
 
 
-def test_it_holds_every_file_of_the_source(installed):
+def test_the_wheel_contains_every_source_file(installed):
     _, packages = installed
     ignored = ("__pycache__", ".egg-info")
     files = [
