@@ -9,7 +9,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 @pytest.fixture(scope="session")
 def made_project(tmp_path_factory):
-    """A project shared by all tests; a test that changes its project makes another one."""
+    """A project shared by all tests. A test that changes its project makes a separate one."""
     from made_experiments import make_project
 
     return make_project(tmp_path_factory.mktemp("experiment") / "made")

@@ -42,7 +42,7 @@ def sweep(tmp_path_factory):
     return folder, run(folder, "-m", *SWEPT, *CLUSTERS, "hydra.sweep.dir=swept")
 
 
-def test_a_failed_experiment_does_not_lose_the_others(sweep):
+def test_a_failed_experiment_does_not_affect_the_others(sweep):
     folder, result = sweep
     assert result.returncode == 1
     assert "Traceback" not in result.stderr + result.stdout
@@ -57,7 +57,7 @@ def test_a_failed_experiment_does_not_lose_the_others(sweep):
             assert "failed: n_neighbors=1000 exceeds n_clusters=" in line
 
 
-def test_two_workers_give_the_bytes_of_one(sweep, tmp_path, monkeypatch):
+def test_two_workers_produce_the_same_bytes_as_one(sweep, tmp_path, monkeypatch):
     folder, _ = sweep
     monkeypatch.chdir(folder)
     for number, home in enumerate(("h1", "H_2")):
@@ -68,7 +68,7 @@ def test_two_workers_give_the_bytes_of_one(sweep, tmp_path, monkeypatch):
         ).read_bytes()
 
 
-def test_a_sweep_is_one_run_of_mlflow_with_a_run_below_for_each_experiment(sweep):
+def test_a_sweep_is_an_mlflow_run_with_nested_experiments(sweep):
     from mlflow import MlflowClient
 
     folder, result = sweep
@@ -140,10 +140,10 @@ def test_a_single_experiment_is_reported_by_home_and_place(sweep, monkeypatch, c
     assert f"H2: {own['homes']['H2']['accuracy']:.2f} % (seed-0 " in printed
     quality = f"Log-loss {own['log_loss']:.3f} nats, calibration error {own['calibration_error']:.2f} %"
     assert quality in printed.splitlines()
-    assert "in percent of the frames of the true place" in printed
+    assert "in percent of the frames of each true place" in printed
 
 
-def test_a_wrong_combination_computes_nothing(sweep, monkeypatch):
+def test_an_invalid_combination_computes_nothing(sweep, monkeypatch):
     folder, _ = sweep
     monkeypatch.chdir(folder)
     words = ("-m", "descriptor=gist", "classifier.clusters=13,14", "codebook.tree.branching=4")
@@ -173,7 +173,7 @@ def test_help_is_our_own(project, monkeypatch, capsys):
     assert max(map(len, printed.splitlines())) <= 120
 
 
-def test_results_are_kept_though_mlflow_is_down(sweep, monkeypatch, capsys):
+def test_results_are_kept_if_mlflow_is_down(sweep, monkeypatch, capsys):
     folder, _ = sweep
     monkeypatch.chdir(folder)
     monkeypatch.setenv("MLFLOW_TRACKING_URI", "http://127.0.0.1:9")

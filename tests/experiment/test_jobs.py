@@ -170,7 +170,7 @@ def test_a_killed_sweep_resumes_with_the_undisturbed_result(tmp_path, ran, capsy
     assert f"number={IS_KILLED}: failed: {output.KILLED}" in capsys.readouterr().out
 
 
-def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_path, ran, capfd):
+def test_a_second_sweep_waits_and_finds_all_jobs_finished(tmp_path, ran, capfd):
     one = Sweep(tmp_path / "one", 3)
     one.folder.mkdir()
     with lock.waiting(one.folder / ".lock", ""):

@@ -41,7 +41,7 @@ def by_hand(labels, proba):
     return np.mean(losses), 100 * sum(abs(sum(gaps)) for gaps in of_bin.values()) / len(places)
 
 
-def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
+def test_an_experiment_equals_the_cell_of_a_table(tmp_path, monkeypatch):
     from placecat.stages import trials
 
     monkeypatch.chdir(make_project(tmp_path / "project"))
@@ -67,7 +67,7 @@ def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
         np.testing.assert_array_equal(confusion(svm, home, "no-seed"), cell)
 
 
-def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch):
+def test_an_experiment_on_a_split_equals_the_cue_of_that_split(tmp_path, monkeypatch):
     """The experiment and the cue agree in decisions, log-loss and calibration error."""
     from placecat.stages import scores, splits
 
@@ -145,7 +145,7 @@ def test_settings_of_probabilities_are_part_of_the_result(project):
         assert found[name] != changed[name]
 
 
-def test_a_number_written_otherwise_is_the_same_experiment(project):
+def test_number_format_does_not_change_the_experiment(project):
     """The seed for clustering is derived from the text of the descriptor."""
     one, other = (
         compute(resolved(*SMALL, f"descriptor.y_weight={weight}", "test_home=H1")) for weight in ("1", "1.0")

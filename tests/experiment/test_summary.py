@@ -42,7 +42,7 @@ def made(tmp_path):
     return summary.read(tmp_path, [one | {"test_home": one["test_home"].upper()} for one in combinations])
 
 
-def test_a_sweep_reads_as_a_table_does(tmp_path):
+def test_a_sweep_is_shown_as_a_table(tmp_path):
     ran = made(tmp_path)
     expected = pd.DataFrame(
         {
@@ -64,7 +64,7 @@ def test_a_sweep_reads_as_a_table_does(tmp_path):
     assert "failed: the experiment left no result" in text
 
 
-def test_a_search_reads_as_a_list_of_its_experiments(tmp_path):
+def test_a_search_is_shown_as_a_list_of_experiments(tmp_path):
     """A table over both keys would be empty outside its diagonal."""
     combinations = [{"gamma": gamma, "scaling": scaling} for gamma, scaling in (("2", "unit"), ("1", "none"))]
     for number, value in enumerate((40.0, 60.0)):
@@ -74,13 +74,13 @@ def test_a_search_reads_as_a_list_of_its_experiments(tmp_path):
     assert found.index.names == ["gamma", "scaling"]
 
 
-def test_spread_is_the_range_of_the_seeds(tmp_path):
+def test_spread_is_the_range_over_seeds(tmp_path):
     frame = summary.as_frame(made(tmp_path))
     assert frame["spread"].tolist()[0] == 1.0
     assert frame["note"].tolist()[:3] == ["", "too few", "no memory"]
 
 
-def test_homes_alone_are_averaged_below(tmp_path):
+def test_the_average_of_swept_homes_comes_last(tmp_path):
     for number, value in enumerate((40.0, 60.0)):
         files.write_json(tmp_path / str(number) / output.RESULT, result(f"H{number}", value))
     ran = summary.read(tmp_path, [{"test_home": "H0"}, {"test_home": "H1"}])
@@ -96,7 +96,7 @@ def of_values(tmp_path, *results):
     return summary.read(tmp_path, [{"value": f"v{number}"} for number in range(len(results))])
 
 
-def test_log_loss_and_calibration_error_stand_beside_the_accuracy(tmp_path):
+def test_all_measures_are_shown_side_by_side(tmp_path):
     ran = of_values(tmp_path, (40.0, 1.23456, 12.345678), (60.0, 0.5, 1.0))
     files.write_csv(tmp_path / output.SUMMARY, summary.as_frame(ran))
     assert (tmp_path / output.SUMMARY).read_text().splitlines() == [

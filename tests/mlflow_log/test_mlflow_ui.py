@@ -102,7 +102,7 @@ def runs_of(server):
     return client, experiment, table, [run for run in runs if run is not table]
 
 
-def test_a_server_holds_a_table_once_with_its_rows_and_files(server, logged, tmp_path):
+def test_a_server_stores_a_table_once_with_rows_and_files(server, logged, tmp_path):
     client, _, table, rows = runs_of(server)
     measured = logged[logged["measured"].notna()]
     assert len(rows) == len(logged[["group", "row"]].drop_duplicates())
@@ -123,7 +123,7 @@ def test_a_server_holds_a_table_once_with_its_rows_and_files(server, logged, tmp
 
 
 @needs_chromium
-def test_a_person_sees_table_26_and_its_chart(server, logged, tmp_path):
+def test_the_user_interface_shows_table_26_and_its_chart(server, logged, tmp_path):
     _, experiment, table, _ = runs_of(server)
     runs = f"{server}/#/experiments/{experiment.experiment_id}/runs"
     dom, _ = open_page(f"{runs}?workflowType=machine_learning", tmp_path, "--dump-dom", *WAITING)

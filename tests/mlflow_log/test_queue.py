@@ -31,7 +31,7 @@ stages:
 """
 
 
-def test_a_copy_of_dvc_for_a_queued_experiment_is_of_the_project(tmp_path, monkeypatch):
+def test_the_copy_for_a_queued_experiment_belongs_to_the_project(tmp_path, monkeypatch):
     monkeypatch.delenv("MLFLOW_TRACKING_URI", raising=False)
     monkeypatch.setenv("DVC_EXP_NAME", "nu-0.1")
     monkeypatch.chdir(tmp_path)

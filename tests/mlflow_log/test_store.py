@@ -68,7 +68,7 @@ def _log_one(number, start, failures):
         failures.put(traceback.format_exc())
 
 
-def test_sixteen_processes_start_at_once_on_a_fresh_database():
+def test_sixteen_processes_can_create_the_database_at_once():
     """Fork real processes, since importing MLflow in each would take 5 s.
 
     No database is open yet. A barrier makes all processes start at once.
@@ -126,7 +126,7 @@ def test_names_are_accepted_by_mlflow():
     assert name == "4-5-1 all cues/Ori M/V and y-Pos/Home 1"
 
 
-def test_a_project_that_was_moved_keeps_its_files_with_it(tmp_path, monkeypatch):
+def test_a_moved_project_finds_its_files(tmp_path, monkeypatch):
     before, now = tmp_path / "before", tmp_path / "now"
     before.mkdir()
     for place in (before, now):
@@ -152,7 +152,7 @@ def test_a_project_that_was_moved_keeps_its_files_with_it(tmp_path, monkeypatch)
     assert client.get_experiment(other).artifact_location == (tmp_path / "files/x").as_uri()
 
 
-def test_files_of_a_database_elsewhere_stay_where_they_are(tmp_path, monkeypatch):
+def test_paths_in_a_database_outside_the_project_do_not_change(tmp_path, monkeypatch):
     (tmp_path / "mine").mkdir()
     client = store.connect(uri())
     places = []
@@ -172,11 +172,11 @@ def test_files_of_a_database_elsewhere_stay_where_they_are(tmp_path, monkeypatch
         ("sqlite:////proc/x/y.db", "MLflow at sqlite:////proc/x/y.db: "),
         (
             "mssql+pyodbc://me:secret@host/db",
-            r"me:\*\*\*@host/db: the database\'s driver is missing \(pyodbc is not",
+            r"me:\*\*\*@host/db: the database driver is missing \(pyodbc is not",
         ),
     ],
 )
-def test_an_address_that_is_none_and_a_missing_driver_are_refused(address, message):
+def test_an_invalid_address_and_a_missing_driver_are_reported(address, message):
     with pytest.raises(PlacecatError, match=message) as caught:
         store.connect(address)
     assert "\n" not in str(caught.value)

@@ -114,7 +114,7 @@ def test_a_table_is_a_run_and_is_never_logged_twice(log, runs, database):
     assert len(list((database / "artifacts" / table.info.run_id).rglob("table_05.csv"))) == 1
 
 
-def test_a_row_costs_one_call_to_make_to_fill_and_to_end_it(log, monkeypatch):
+def test_a_row_takes_three_calls(log, monkeypatch):
     """Each call takes several transactions; there is one more call for the description of a table."""
     from mlflow import MlflowClient
 
@@ -155,7 +155,7 @@ def test_a_changed_result_supersedes_and_leaves_others_alone(log, runs):
     assert not set(runs("table_06", current=True)) & other
 
 
-def test_a_table_that_there_is_no_more_is_not_current(log, runs):
+def test_a_removed_table_is_not_current(log, runs):
     log()
     log(both=False)
     assert runs("table_06", current=True) == {}
@@ -174,7 +174,7 @@ def _dying(original, calls, last, killed):
     return dying
 
 
-def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time(log, runs, monkeypatch):
+def test_logging_recovers_from_a_kill_at_any_point(log, runs, monkeypatch):
     """Abort before each writing call in turn, and continue from the state at this point."""
     from mlflow import MlflowClient
 
@@ -234,7 +234,7 @@ def gathered(name, results):
     return run, cells
 
 
-def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_path):
+def test_a_row_has_numbers_by_home_and_a_confusion_matrix(results, tmp_path):
     run, cells = gathered("table_26", results)
     by_name = {row.name: row for row in run.rows}
     row = by_name["Table 26: 5-5-1, all cues, Gist"]
@@ -261,7 +261,7 @@ def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_pat
         np.testing.assert_array_equal(counts, measured.confusion[:, h, i].sum(axis=0))
 
 
-def test_a_table_of_one_result_and_one_of_probabilities_have_their_numbers_once(results, tmp_path):
+def test_measures_of_probabilities_are_logged_once(results, tmp_path):
     of_one, _ = gathered("table_06", results)
     name = tables_of(made_results.PARAMS, made_results.ROOT)["table_06"]["result"]
     good = results.quality[name].averages()
@@ -278,7 +278,7 @@ def test_a_table_of_one_result_and_one_of_probabilities_have_their_numbers_once(
     assert "Log loss in nats" in run.description
 
 
-def test_the_figures_are_one_run_with_added_ones_among_them(tmp_path):
+def test_all_figures_share_one_run(tmp_path):
     entries = [
         {"name": "figure_02", "number": 2, "file": "figure_02.png", "title": "Two.", "reason": None},
         {"name": "figure_20", "number": 20, "file": None, "title": "Twenty.", "reason": "no such data"},
@@ -302,7 +302,7 @@ def test_the_figures_are_one_run_with_added_ones_among_them(tmp_path):
     assert figures_run(tmp_path).digest("v1") != first
 
 
-def test_a_description_has_the_measured_table_and_no_foreign_numbers(results):
+def test_a_description_has_only_measured_numbers(results):
     run, cells = gathered("table_26", results)
     assert "| Gist |" in run.description
     assert f"{cells['measured'].iloc[0]:.2f}" in run.description
@@ -312,7 +312,7 @@ def test_a_description_has_the_measured_table_and_no_foreign_numbers(results):
     assert len(run.description) < 8000 - 32
 
 
-def test_the_digest_covers_every_decision_and_how_sure_they_are(results):
+def test_the_digest_covers_decisions_and_probabilities(results):
     table, cells = filled("table_05", results)
     dataset = dataset_of(table, made_results.PARAMS)
     one = results.of("cues/gist/5-5-1")
@@ -330,7 +330,7 @@ def test_the_digest_covers_every_decision_and_how_sure_they_are(results):
 
 
 @pytest.mark.parametrize("name", ["table_01", "table_12", "table_15", "table_22", "table_06", "table_30"])
-def test_every_kind_of_table_has_bars_and_decisions_that_are_its_numbers(results, name):
+def test_charts_and_confusion_matrices_match_every_kind_of_table(results, name):
     """The confusion matrix of a row, pooled if there are several, yields the accuracy in the table."""
     table, cells = filled(name, results)
     bars = bars_of(cells)
@@ -388,13 +388,13 @@ def test_a_place_without_frames_has_no_shares():
     np.testing.assert_array_equal(shares(np.array([[1, 3], [0, 0]])), [[25, 75], [np.nan, np.nan]])
 
 
-def test_another_form_of_the_runs_is_logged_again(log, monkeypatch):
+def test_runs_in_a_new_format_are_logged_again(log, monkeypatch):
     first = log()
     monkeypatch.setattr(tables, "_FORM", "next")
     assert log() != first
 
 
-def test_another_machine_logs_meanwhile_and_one_table_stays_current(log, runs, monkeypatch):
+def test_one_table_stays_current_if_another_machine_logs_too(log, runs, monkeypatch):
     """The other machine starts and finishes within each step of this one."""
     log("30.0, 29.0")
     for number, step in enumerate(("start_run", "finish_run", "_make_current", "_supersede")):

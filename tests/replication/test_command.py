@@ -34,7 +34,7 @@ def contents(folder):
     }
 
 
-def test_every_group_runs_every_stage_and_the_ledger_is_of_all_homes(finished):
+def test_every_group_runs_every_stage_and_the_ledger_covers_all_homes(finished):
     folder, ran, said = finished
     assert ran == [(f"group_{number}", stage) for number in (1, 2) for stage in groups.STAGES]
     assert "34 findings on 12 homes" in said
@@ -65,7 +65,7 @@ def _of(part):
     return {"dataset": made_results.PARAMS["dataset"] | {"homes": homes}}
 
 
-def test_findings_on_other_data_are_those_of_the_six_homes(finished):
+def test_findings_on_other_data_come_from_the_ledger_of_six_homes(finished):
     folder, _, _ = finished
     old, new = (
         files.read_csv(path).set_index("number")
@@ -110,7 +110,7 @@ def test_nothing_runs_again_until_something_changes(finished, monkeypatch):
     assert {name for name, _ in ran} == {"group_2"} and contents(folder) == before
 
 
-def test_a_killed_run_ends_in_the_same_bytes(finished, tmp_path, monkeypatch):
+def test_a_killed_run_resumes_and_produces_the_same_bytes(finished, tmp_path, monkeypatch):
     make_project(tmp_path)
     monkeypatch.chdir(tmp_path)
     ran = []
@@ -136,7 +136,7 @@ def test_groups_can_run_one_by_one(finished, tmp_path, monkeypatch):
         command.run([*OVERRIDES, "cues.gist.classifier.base.nu=0.1"], [1])
 
 
-def test_mistakes(tmp_path, monkeypatch):
+def test_user_errors(tmp_path, monkeypatch):
     make_project(tmp_path)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(groups, "_run_stage", make_stage([]))

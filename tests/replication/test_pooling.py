@@ -13,7 +13,7 @@ from placecat.thesis import definitions
 from placecat.thesis.published import Published
 
 
-def test_homes_without_a_group_are_left():
+def test_homes_too_few_for_a_group_are_returned():
     dataset = made_results.PARAMS["dataset"] | {"homes": [*HOMES, "attic"]}
     planned, rest = groups.split({"dataset": dataset}, 6)
     assert [group.homes for group in planned] == [tuple(HOMES[:6]), tuple(HOMES[6:])]
@@ -77,6 +77,6 @@ def made_published():
     return Published(made_results.published(), read)
 
 
-def test_results_are_marked_as_of_homes_or_not():
+def test_results_from_homes_are_recognized():
     assert group_results.is_of_homes("trials/table_03/gamma=1.0||0.1")
     assert not group_results.is_of_homes("splits/university/hmm/five")

@@ -13,7 +13,7 @@ def test_the_example_of_the_paper():
     assert shared_variance(np.ravel(RATINGS), np.repeat(range(6), 4)) == pytest.approx(0.17, abs=0.005)
 
 
-def test_it_finds_what_groups_have_in_common():
+def test_the_share_is_estimated_from_values():
     rng = np.random.default_rng(1)
     groups = np.repeat(range(4000), 6)
     values = np.sqrt(0.2) * rng.standard_normal(4000)[groups] + np.sqrt(0.8) * rng.standard_normal(24000)
@@ -26,5 +26,5 @@ def test_it_finds_what_groups_have_in_common():
 @pytest.mark.parametrize(
     ("values", "groups"), [([1.0, 2.0], [0, 0]), ([1.0, 2.0], [0, 1]), ([3.0, 3.0, 3.0, 3.0], [0, 0, 1, 1])]
 )
-def test_it_is_unknown(values, groups):
+def test_an_undefined_share_is_nan(values, groups):
     assert np.isnan(shared_variance(values, groups))

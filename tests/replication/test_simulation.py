@@ -82,7 +82,7 @@ def test_the_spread_is_between_homes():
 
 
 def test_power_equals_the_t_test():
-    """With one-sided 2.5 %, an effect of one standard deviation needs 10 units for 80 % (Cohen 1988)."""
+    """At a one-sided level of 2.5 %, one standard deviation needs 10 units for 80 % power (Cohen 1988)."""
     assert power(1.0, 1.0, 10, BETTER)[0] == pytest.approx(0.803, abs=0.02)
     assert power(0.0, 1.0, 10, BETTER)[0] == pytest.approx(0.025, abs=0.008)
     assert power(-1.0, 1.0, 10, BETTER)[1] == pytest.approx(0.803, abs=0.02)
@@ -92,7 +92,7 @@ def test_a_wider_interval_fails_less_often():
     assert power(-1.0, 1.0, 10, BETTER, wide=0.99)[1] < power(-1.0, 1.0, 10, BETTER)[1] - 0.1
 
 
-def test_nothing_is_little_if_homes_differ_too_much():
+def test_no_difference_counts_as_little_if_homes_differ_too_much():
     assert power(0.0, 10.0, 6, LITTLE)[0] < 0.01
     assert power(0.0, 1.0, 6, LITTLE)[0] > 0.8
 
@@ -114,6 +114,6 @@ def test_homes_of_a_group_may_share_a_tenth_of_their_variance():
     assert error_rate(0.0, BETTER, homes=24, shared=0.1) > 0.04
 
 
-def test_homes_that_are_one_decide_wrongly_too_often():
+def test_identical_homes_decide_wrongly_too_often():
     """The simulation detects errors: if the homes in a group are identical, each counts six times."""
     assert error_rate(0.0, BETTER, homes=24, shared=1.0) > 0.15

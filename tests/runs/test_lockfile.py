@@ -35,7 +35,7 @@ stages:
 """
 
 
-def test_the_version_of_the_data_is_the_checksum_of_the_lists(tmp_path, monkeypatch):
+def test_the_data_version_is_the_checksum_of_the_frame_list(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "dvc.lock").write_text(LOCK)
     assert data_version() == "0123.dir"
@@ -51,7 +51,7 @@ def test_a_stage_that_did_not_run_is_named(tmp_path, monkeypatch):
         data_version("features@home_1")
 
 
-def test_features_of_another_data_set_are_refused(tmp_path, monkeypatch):
+def test_features_of_another_data_set_are_rejected(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     dataset = {"name": "homes", "root": "here"}
     lock = yaml.safe_load(LOCK)
@@ -59,16 +59,16 @@ def test_features_of_another_data_set_are_refused(tmp_path, monkeypatch):
     lock["stages"]["features"] = {"deps": [{"path": "data/sequences", "md5": "0123.dir"}]}
     (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
     check_data({"dataset": dataset})
-    with pytest.raises(PlacecatError, match="the features come from another data set"):
+    with pytest.raises(PlacecatError, match="the features come from a different data set"):
         check_data({"dataset": dataset | {"root": "there"}})
     # The stage `sequences` has run again, but `features` has not.
     lock["stages"]["features"]["deps"][0]["md5"] = "89ab.dir"
     (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
-    with pytest.raises(PlacecatError, match="another data set"):
+    with pytest.raises(PlacecatError, match="a different data set"):
         check_data({"dataset": dataset})
     del lock["stages"]["features"]
     (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
-    with pytest.raises(PlacecatError, match="another data set"):
+    with pytest.raises(PlacecatError, match="a different data set"):
         check_data({"dataset": dataset})
 
 
@@ -120,7 +120,7 @@ def test_the_lock_file_has_the_files_that_git_has(stage, path):
     assert locked["md5"] == checksum(path, listed.stdout.splitlines())
 
 
-def test_the_kept_times_are_of_every_stage(monkeypatch):
+def test_the_times_in_git_cover_every_stage(monkeypatch):
     monkeypatch.chdir(ROOT)
     with Path("reports/times.csv").open() as file:
         assert {row["stage"] for row in csv.DictReader(file)} >= set(repro.stages())

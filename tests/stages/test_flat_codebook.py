@@ -22,7 +22,7 @@ FLAT = PARAMS | {
 }
 
 
-def test_cues_decide_from_it(tmp_path, monkeypatch):
+def test_cues_use_the_codebook(tmp_path, monkeypatch):
     make(tmp_path, params=FLAT)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")

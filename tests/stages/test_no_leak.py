@@ -45,7 +45,7 @@ def test_parts_fitted_for_the_marked_home_do_not_change(runs):
     assert [str(name) for name in plain if plain[name] != marked[name]] == []
 
 
-def test_the_marker_would_be_seen(runs):
+def test_the_marker_changes_the_fitted_parts_when_used_for_training(runs):
     """If another home is tested, the marked home is used for training, and the same files change."""
     other = next(home for home in HOMES if home != MARKED)
     plain, marked = fitted_files(runs["plain"], other), fitted_files(runs["marked"], other)
@@ -86,7 +86,7 @@ def test_results_do_not_depend_on_the_number_of_workers(runs, tmp_path, monkeypa
         assert path.read_bytes() == (runs["plain"] / path.relative_to(tmp_path)).read_bytes(), path
 
 
-def test_distributions_are_distributions(runs):
+def test_distributions_are_valid(runs):
     found = [
         (path, array)
         for kind in ("cues", "integration", "filtered", "smoothing", "splits")

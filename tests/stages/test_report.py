@@ -158,7 +158,7 @@ def test_a_kept_record_of_times_is_shown(changed):
     assert '<tr><th scope="row">sequences</th><td>1</td><td>61.0</td></tr>' in page(changed)
 
 
-def test_it_writes_the_same_bytes_again_and_an_empty_record_of_times_is_none(written, folder):
+def test_the_bytes_are_the_same_and_empty_times_count_as_missing(written, folder):
     files.write_csv(paths.KEPT_TIMES, pd.DataFrame(columns=["stage", "runs", "seconds"]))
     files.write_json(paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "cores": 2, "total": 0.0})
     report.main()

@@ -43,7 +43,7 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_every_result_has_its_numbers_in_every_home_with_every_seed(folder):
+def test_every_result_has_numbers_for_every_home_and_seed(folder):
     scores.main()
     table = pd.read_csv(folder / "data/scores/probabilities.csv").set_index(["result", "home", "seed"])
     counts = (

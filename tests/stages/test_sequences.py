@@ -44,12 +44,12 @@ def cameras(folder, dataset):
     ]
 
 
-def test_one_camera_for_all_homes_or_one_a_home(tmp_path, dataset):
+def test_one_camera_for_all_homes_or_one_per_home(tmp_path, dataset):
     assert cameras(tmp_path, dataset) == ["one", "one"]
     assert cameras(tmp_path, dataset | {"camera": {"Home2": "two", "Home1": "one"}}) == ["one", "two"]
 
 
-def test_a_home_without_a_camera_gives_a_message_and_leaves_nothing(tmp_path, dataset):
+def test_a_home_without_a_camera_is_reported_and_nothing_is_written(tmp_path, dataset):
     with pytest.raises(PlacecatError, match=r"lists no camera for Home2: add dataset\.camera\.Home2"):
         cameras(tmp_path, dataset | {"camera": {"Home1": "one"}})
     assert not (tmp_path / "data/sequences").exists()
@@ -76,7 +76,7 @@ def test_missing_frames_of_a_video_are_reported_and_recorded(tmp_path, dataset, 
     assert (len(walk), len(other), rates) == (30, 30, [30.0, 30.0])
 
 
-def test_the_settings_of_a_layout_reach_it(tmp_path, dataset):
+def test_a_layout_gets_its_settings(tmp_path, dataset):
     write_sequence(tmp_path / "cold", "town/seq1", ["CR", "CR", "KT"])
     (tmp_path / "cold/town/seq1/std_cam").rename(tmp_path / "cold/town/seq1/omni_cam")
     cold = {"layout": "cold", "root": "cold", "homes": ["town-seq1"]}
@@ -92,7 +92,7 @@ def test_the_settings_of_a_layout_reach_it(tmp_path, dataset):
     assert sources.str.contains("/omni_cam/").all()
 
 
-def test_robot_at_home_turned(tmp_path, dataset):
+def test_rotated_frames_of_robot_at_home(tmp_path, dataset):
     """Check the frame size, the column of turns, and the classes of the rooms."""
 
     picture = np.zeros((32, 24, 3), np.uint8)

@@ -58,7 +58,7 @@ def prepare(folder):
 
 
 @pytest.mark.slow
-def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
+def test_every_table_is_written_in_three_formats_with_all_other_reports(run):
     names = set(tables_of(PARAMS, ROOT))
     assert {f"table_{number:02d}" for number in range(1, 32)} < names
     written = {path.name for path in (run / paths.TABLES).iterdir()}
@@ -84,7 +84,7 @@ def test_no_cell_of_any_table_is_empty_without_a_reason(run):
         assert len(lost) == (3 if path.stem == "table_04" else 0)
 
 
-def test_other_numbers_than_accuracies_come_from_records(run):
+def test_numbers_other_than_accuracies_come_from_records(run):
     lines = pd.read_csv(run / paths.IN_TEXT).set_index(["name", "quantity"])["measured"]
     assert lines["nu_in_force"].to_dict() == {"lowest nu in force": 0.15625, "highest nu in force": 0.2}
     assert sorted(lines["uninformative_views"]) == [0.05, 0.09]
@@ -92,7 +92,7 @@ def test_other_numbers_than_accuracies_come_from_records(run):
     assert lines[["processing_rate", "test_cycle", "svm_training"]].isna().all()
 
 
-def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_the_summary(run):
+def test_the_quality_of_probabilities_is_in_a_table_and_the_summary(run):
     table = pd.read_csv(run / paths.PROBABILITIES)
     quality = made().quality
     assert table["result"].tolist() == list(quality)
@@ -107,7 +107,7 @@ def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_th
 
 
 @pytest.mark.slow
-def test_again_bytes_are_the_same_and_an_optional_table_of_another_run_stays(run, monkeypatch):
+def test_a_second_run_writes_the_same_bytes_and_keeps_optional_tables(run, monkeypatch):
     """The same scores produce the same bytes; a table without settings is removed."""
     monkeypatch.chdir(run)
     (name,) = definitions.optional()

@@ -112,7 +112,7 @@ def test_regions_are_tracked_in_each_sequence_and_described_where_they_are(home)
     assert followed > FRAMES
 
 
-def test_the_number_of_workers_changes_no_byte(home, monkeypatch, two_workers):
+def test_the_bytes_do_not_depend_on_the_number_of_workers(home, monkeypatch, two_workers):
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     folder = run(home)
     one = {path.name: path.read_bytes() for path in folder.iterdir()}
@@ -122,7 +122,7 @@ def test_the_number_of_workers_changes_no_byte(home, monkeypatch, two_workers):
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == one
 
 
-def test_an_unknown_descriptor_gives_a_message_and_leaves_nothing(home):
+def test_an_unknown_descriptor_is_reported_and_nothing_is_written(home):
     with pytest.raises(PlacecatError, match=r"'descriptors.local.surf' does not exist.*hog"):
         run(home, descriptors=["hog", "surf"])
     assert not (home / "data/tracks").exists() or not any((home / "data/tracks").iterdir())

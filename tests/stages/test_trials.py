@@ -35,14 +35,14 @@ def test_trials_have_counts_for_their_homes_and_seeds(folder):
     assert not np.array_equal(clustered.confusion[0], clustered.confusion[1])
 
 
-def test_impossible_trials_have_a_reason(folder):
+def test_invalid_trials_have_a_reason(folder):
     _, missing = tables(folder)
     assert missing["result"].unique().tolist() == [f"{TREE}400"]
     assert missing["home"].tolist() == ["H1", "H3"]
     assert missing["reason"].str.startswith("400 clusters are impossible").all()
 
 
-def test_a_trial_and_a_cue_of_the_same_settings_agree(folder):
+def test_a_trial_and_a_cue_with_the_same_settings_agree(folder):
     """The PCA trial equals the cue `gist`: both are a nu-SVM on reduced Gist in the 5-5-1 scheme."""
     results = from_scores(*tables(folder), HOMES, CLASSES)
     for number, home in enumerate(HOMES):
@@ -136,7 +136,7 @@ def fitted_on(monkeypatch, call):
 
 
 @pytest.mark.parametrize(("test_home", "differs"), [("H3", False), ("H1", True)])
-def test_a_marker_in_the_test_home_reaches_no_training_of_a_trial(tmp_path, monkeypatch, test_home, differs):
+def test_a_marker_in_the_test_home_does_not_leak_into_a_trial(tmp_path, monkeypatch, test_home, differs):
     """Labelled frames are marked, too. If the marked home is used for training, the marker has an effect."""
     from placecat.training.plan import of_homes
     from placecat.training.trial import judge, of_settings
@@ -154,7 +154,7 @@ def test_a_marker_in_the_test_home_reaches_no_training_of_a_trial(tmp_path, monk
 
 
 @pytest.mark.parametrize(("marked", "differs"), [("robot", False), ("flip", True)])
-def test_a_marker_in_the_test_sequence_reaches_no_training_of_a_split(tmp_path, monkeypatch, marked, differs):
+def test_a_marker_in_the_test_sequence_does_not_leak_into_a_split(tmp_path, monkeypatch, marked, differs):
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     found = []
     for name, home in (("plain", None), ("marked", marked)):

@@ -1,4 +1,4 @@
-"""Sweepers, in the place where Hydra finds plugins. Hydra always imports them, so slow imports come late."""
+"""Sweepers, placed where Hydra looks for plugins. Hydra always imports them, so slow imports come late."""
 
 import sys
 from abc import abstractmethod
@@ -72,8 +72,8 @@ class GridSweeper(_Checked):
 class OptunaSweeper(_Checked):
     """Choose the settings of each experiment with Optuna, based on the accuracies of earlier experiments.
 
-    Unlike Hydra's own plugin, which needs Optuna 2, it tries the unsearched settings first, and its batches
-    do not depend on the number of workers. The parameters are described in
+    Unlike Hydra's own plugin, which needs Optuna 2, it first tries the settings that apply without a
+    search, and its batches do not depend on the number of workers. The parameters are described in
     conf/hydra/sweeper/optuna.yaml.
     """
 

@@ -151,7 +151,7 @@ def _write_page(folder: Path, table: pd.DataFrame, home: str, training_homes: in
 
 
 def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
-    """Return the rows for the test home in the results of `make repro`, or no rows without results."""
+    """Return the rows for the test home from the results of `make repro`, or none if there are no results."""
     column = f"all frames ({COMPLETE})"
     if not paths.ACCURACIES.is_file():
         return pd.DataFrame({column: []}, dtype=float)

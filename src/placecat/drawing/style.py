@@ -20,7 +20,7 @@ def house_style(changes: Mapping[str, Any] | None = None) -> AbstractContextMana
 
 
 def save(figure: Figure, target: Path) -> None:
-    """Write a figure as PNG, in the resolution of the style; the same figure always gives the same bytes."""
+    """Write a figure as PNG, at the resolution of the style; the same figure always gives the same bytes."""
     with files.replacing(target) as temporary:
         figure.savefig(temporary, format="png", metadata={"Software": None})
 

@@ -52,7 +52,7 @@ def run(
             start(todo)
             break
         except TerminatedWorkerError:
-            # A killed job takes all running jobs down with it: run each of them again alone.
+            # A killed job takes all running jobs down with it: run each of them again on its own.
             found = {number: output.read(folder / str(number)) for number in todo}
             killed = [number for number in todo if found[number].get(output.FAILED) == output.KILLED]
             if not killed:

@@ -120,7 +120,7 @@ def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
 
 
 def is_finished(folder: Path, wanted: dict[str, Any]) -> bool:
-    """Return whether a job folder contains a result (an accuracy or a reason) with the wanted origin."""
+    """Return whether a job folder contains a result (an accuracy or a reason) with the expected origin."""
     found = output.read(folder)
     return output.FAILED not in found and made_from_of(found) == wanted
 

@@ -126,7 +126,7 @@ def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
     is_complete = len(frame) == math.prod(frame[swept].nunique())
     across = (numbers[:1] or others[-1:]) if len(swept) > 1 and is_complete else []
     across = [key for key in across if frame[key].nunique() <= _MOST_COLUMNS]
-    # The homes come last, to keep the rows that are averaged together.
+    # The homes come last, so that the rows to be averaged are adjacent.
     down = [key for key in others if key not in across] + [key for key in swept if key == HOME]
     for key in swept:
         # Keep the order of the sweep.
@@ -144,7 +144,7 @@ def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
     """
     frame = _values(ran, "accuracy")
     others = [key for key in ran[0].values if key != HOME]
-    # Settings that lack a number for any home cannot be compared.
+    # Settings cannot be compared if any home lacks an accuracy.
     means = [
         (float(own["accuracy"].mean(skipna=False)), {key: str(own[key].iloc[0]) for key in others})
         for _, own in (frame.groupby(others, sort=False) if others else [(None, frame)])
@@ -214,7 +214,7 @@ def text_of_one(result: dict[str, Any]) -> str:
     table = confusion(result)
     shares = 100 * table / np.maximum(table.sum(axis=1, keepdims=True), 1)
     frame = pd.DataFrame(shares, index=result["classes"], columns=result["classes"])
-    title = "Decided places (columns), in percent of the frames of the true place (rows)"
+    title = "Decisions (columns) in percent of the frames of each true place (rows)"
     return "\n".join([*lines, "", title, "", frame.to_string(float_format="{:.1f}".format)])
 
 

@@ -306,5 +306,5 @@ def _told_plainly(uri: str) -> Iterator[None]:
 
 
 def _shown(text: str) -> str:
-    """Hide the passwords of URIs in a text."""
+    """Hide the passwords in any URIs that a message contains."""
     return re.sub(r"(://[^/:@\s]*):[^/@\s]*@", r"\1:***@", text)

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
-# Name of the training protocol, e.g. "5-5-1"; a table lists the protocols of all its rows.
+# Name of the training protocol, such as "5-5-1"; a table lists the protocols of all its rows.
 PROTOCOL = "protocol"
 # Name of the queued DVC experiment that logged a run. Such runs do not supersede runs of the project.
 DVC_EXPERIMENT = "placecat.dvc_experiment"
@@ -202,7 +202,7 @@ def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
 def _log(
     client: MlflowClient, experiment_id: str, run: TableRun, digest: str, common: Mapping[str, str]
 ) -> list[str]:
-    """Log a table and its rows, but do not finish the runs; return their ids, that of the table last."""
+    """Log a table and its rows, but do not finish the runs; return their ids, with the table last."""
     tags = {**common, TABLE: run.name, CURRENT: common.get(DVC_EXPERIMENT, "true"), MACHINE: platform.node()}
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)

@@ -20,7 +20,7 @@ _OTHER_DATA = ("splits/", "toy/")
 
 
 def is_of_homes(result: str) -> bool:
-    """Whether a result is measured in homes, not in the university, the apartments or the toy problem."""
+    """Return whether a result is from homes, not in the university, the apartments or the toy problem."""
     return not result.startswith(_OTHER_DATA)
 
 
@@ -69,9 +69,9 @@ def pooled(
 ) -> Results:
     """Read the results of all groups, given by number and homes, as if they were one data set.
 
-    `params` are all settings. `others` are the results of the project's own run, from which those on data
-    other than homes are added. Raises PlacecatError if the results of a group are missing, or belong to other
-    homes or settings.
+    `params` are all settings. `others` are the results of the project's own run, of which
+    only those on other data are added. Raises PlacecatError if the results of a group are missing, or belong
+    to other homes or settings.
     """
     scores, missing, dropped = [], [], []
     for number, homes in groups:

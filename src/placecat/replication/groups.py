@@ -116,7 +116,7 @@ def _is_done(folder: Path, target: Path) -> bool:
 
 
 def _inputs(folder: Path) -> str:
-    """Return a checksum of settings, code and data of all stages (:func:`placecat.runs.unchanged.state`)."""
+    """Return a checksum of the settings, code and data of all stages; see `placecat.runs.unchanged.state`."""
     with chdir(folder):
         state = {path: of_path for stage in STAGES for path, of_path in unchanged.state(stage).items()}
     return hashlib.sha256(json.dumps(state, sort_keys=True).encode()).hexdigest()

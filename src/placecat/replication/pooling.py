@@ -34,8 +34,8 @@ def judge(
     `options` replaces the one in `verdict`. `results` are from all groups, and `groups` lists the homes of
     each group.
 
-    Returns the tables of findings and comparisons in the ledger, without findings about other data. An
-    additional column ``shared`` is the share of variance that homes in a group have in common
+    Returns the tables of findings and comparisons in the ledger, without findings about other data. In both,
+    the additional column ``shared`` is the share of variance that homes in a group have in common
     (:func:`placecat.replication.shared.shared_variance`), or NaN if unknown. For a finding, it is the largest
     share among its comparisons. If it exceeds `options.shared`, the reason for the verdict says so.
     """
@@ -47,7 +47,8 @@ def judge(
     main = details[details["reading"] == ""].groupby("finding")["shared"].max()
     rows["shared"] = rows["number"].map(main)
     rows["reason"] = [
-        f"{reason}; homes of a group share {100 * shared:.0f} % of the variance, so it may err more often"
+        f"{reason}; homes of a group share {100 * shared:.0f} % of the variance, "
+        "so the verdict may be wrong more often"
         if shared > options.shared
         else reason
         for reason, shared in zip(rows["reason"], rows["shared"], strict=True)

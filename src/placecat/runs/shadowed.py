@@ -22,4 +22,6 @@ def check() -> None:
         other = find(name, folders)
         # A folder without code is not a package.
         if other is not None and other.origin is not None and find(name, installed) is not None:
-            raise PlacecatError(f"PYTHONPATH hides the installed {name} by {other.origin}: unset PYTHONPATH")
+            raise PlacecatError(
+                f"PYTHONPATH hides the installed {name} behind {other.origin}: unset PYTHONPATH"
+            )

@@ -58,5 +58,5 @@ def state(stage: str) -> dict[str, str]:
 
 def _dependencies(stage: str) -> Iterator[str]:
     for dep in lockfile.defined_stages().get(stage, {}).get("deps", []):
-        # The data set is given by a setting: ${dataset.root}.
+        # The path of the data set is a setting: ${dataset.root}.
         yield str(settings.get(settings.load(), dep[2:-1])) if dep.startswith("${") else dep
