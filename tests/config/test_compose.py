@@ -162,7 +162,7 @@ def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
         ("splits.university.systems.three", ["gits"], r"split/university\.yaml: there is no cue 'gits'"),
         ("splits.university.descriptors.holistic", ["gist"], r"the cue spatial_pact: .* 'centrist'"),
         ("model.system", "best", r"model\.system: there is no system 'best'"),
-        ("model.seed", 7, r"model\.seed: there is no seed of protocol\.seeds 7 \(there are: 0"),
+        ("model.seed", 7, r"model\.seed must be in protocol\.seeds: there is no seed 7 \(there are: 0"),
         ("protocol.extra.split", "flats", r"protocol\.extra\.split: there is no split 'flats'"),
     ],
 )
@@ -175,7 +175,7 @@ def test_an_opinion_pool_needs_cues_that_are_cross_validated():
     params = changed("systems.das_551_best.integrator", pool)
     references.check(params)
     params = changed("cues.sift_y.cross_validate", False, params)
-    refused(references.check, params, r"has method: log_pool: there is no cue with cross.* 'sift_y'")
+    refused(references.check, params, r"\(method: log_pool\): there is no cross-validated cue 'sift_y'")
 
 
 @pytest.mark.parametrize("section", ["protocol", "smoothing", "tracking", "descriptors", "dataset"])

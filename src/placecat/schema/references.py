@@ -44,15 +44,15 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
         for cue in system["cues"]:
             yield where, "cue", cue, cues
             if system["temperature"]:
-                yield f"{where} has temperature: true", "cue with cross_validate", cue, judged
+                yield f"{where} (temperature: true)", "cross-validated cue", cue, judged
             if system["integrator"]["method"] == "log_pool":
-                yield f"{where} has method: log_pool", "cue with cross_validate", cue, judged
+                yield f"{where} (method: log_pool)", "cross-validated cue", cue, judged
             yield where, f"cue {cue} with the scheme", system["scheme"], cues[cue]["schemes"]
     for name, own in filters.items():
         yield from _each(_file("filter", name), "cue", own["cues"], cues)
         yield from _each(_file("filter", name), "system", own["systems"], systems)
     yield from _each("smoothing.cues", "cue", smoothing.get("cues", []), cues)
-    yield from _each("smoothing.cues", "cue with cross_validate", smoothing.get("cues", []), judged)
+    yield from _each("smoothing.cues", "cross-validated cue", smoothing.get("cues", []), judged)
     filtered = [f"{name}/{one}" for name, own in filters.items() for one in own["cues"] + own["systems"]]
     yield from _each("smoothing.filtered", "filtered result", smoothing.get("filtered", []), filtered)
     local = descriptors.get("local", {})
@@ -72,7 +72,12 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     if "systems" in params and model:
         yield "model.system", "system", model["system"], systems
     if protocol and model:
-        yield "model.seed", "seed of protocol.seeds", model["seed"], [str(seed) for seed in protocol["seeds"]]
+        yield (
+            "model.seed must be in protocol.seeds",
+            "seed",
+            model["seed"],
+            [str(seed) for seed in protocol["seeds"]],
+        )
     tested = protocol.get("test_homes", "all")
     homes = ["all", *dataset.get("homes", [])]
     yield from _each("protocol.test_homes", "home", [tested] if isinstance(tested, str) else tested, homes)
