@@ -19,7 +19,7 @@ _FOLDERS = "categorizer experiment footage homes replication runs schema sequenc
 for _folder in (".", "campaign", *_FOLDERS.split(), "vision/networks"):
     sys.path.insert(0, str(Path(__file__).parent / _folder))
 
-from number_of_examples import IN_FULL  # noqa: E402  from a folder that was just added
+from number_of_examples import IN_FULL  # noqa: E402  its folder was just added to the path
 
 # Fixtures that run DVC, a server, a browser, the renderer or worker processes. Tests that use them are slow.
 SLOW = {"clone", "committed", "experiments", "film", "ran", "reproduced", "server", "two_workers"}

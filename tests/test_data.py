@@ -1,4 +1,4 @@
-"""Properties of the rendered videos that come with the project, read as in the pipeline."""
+"""Check the rendered videos that come with the project. They are read in the same way as in the pipeline."""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -141,7 +141,7 @@ def test_homes_are_long_enough_to_compare_with_real_ones(homes):
     assert min(len(labels) for labels, _ in homes["homes"].values()) >= 600
 
 
-def test_each_home_shows_every_room_and_the_ways_between(homes):
+def test_each_home_shows_every_room_and_the_transitions(homes):
     for home, (labels, _) in homes["homes"].items():
         classes = settings()["homes"]["classes"]
         assert {*classes, "transition"} <= set(labels["label"]) <= {*classes, "corridor", "transition"}, home

@@ -31,12 +31,12 @@ PAGES = {name: (ROOT / name).read_text(encoding="utf-8") for name in (*fill.PAGE
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 # External commands that a test cannot run, and why.
 ELSEWHERE = {
-    "dask": "starts a server of Dask, and reads only the name of the command",
-    "git": "changes a repository; its words are git's own",
-    "mkdir": "makes a folder for data that is downloaded",
-    "tar": "unpacks data that is downloaded",
-    "unzip": "reads a trained model, which `make repro` leaves",
-    "pre-commit": "is installed by those who want it",
+    "dask": "starts a Dask server",
+    "git": "changes a repository",
+    "mkdir": "makes a folder for downloaded data",
+    "tar": "unpacks downloaded data",
+    "unzip": "reads a trained model, which `make repro` writes",
+    "pre-commit": "is optional",
     "ruff": "is run by `make lint`",
     ".": "activates .venv",
 }
@@ -276,7 +276,7 @@ def test_there_is_one_version():
     assert f"\n## {placecat.__version__} " in (ROOT / "CHANGELOG.md").read_text()
 
 
-def test_the_public_checks_run_every_python_that_the_project_takes():
+def test_the_public_checks_run_every_supported_python():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     versions = re.findall(r"Python :: (3\.\d+)", " ".join(project["classifiers"]))
     job = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text())["jobs"]["test"]

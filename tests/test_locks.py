@@ -40,7 +40,7 @@ def test_each_lock_has_its_extras_and_no_others():
     assert not (extras["deep"] | extras["bench-torch"]) & bench
 
 
-def test_peers_bring_no_deep_learning_framework():
+def test_peers_need_no_deep_learning_framework():
     assert not {"torch", "tensorflow", "jax"} & names(pinned("requirements-bench.lock"))
 
 

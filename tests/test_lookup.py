@@ -1,4 +1,4 @@
-"""Names in the settings refer to modules, whose settings are read from the source as Python sees them."""
+"""Names in the settings refer to modules. The settings of a module are read from its source."""
 
 import importlib
 import inspect

@@ -85,7 +85,7 @@ def test_the_node_publishes_the_decisions_of_the_categorizer(node):
     assert places == list(dict.fromkeys(decision.name for decision in expected))
 
 
-def test_an_unsure_place_is_published_as_unknown(node):
+def test_an_uncertain_place_is_published_as_unknown(node):
     node.categorizer.threshold = 1.1
     node.subscribed[1](message(frames(1)[0], 100.0))
     assert [one.data for name, one in node.sent if name == "place"] == ["unknown"]

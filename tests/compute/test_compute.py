@@ -35,7 +35,7 @@ def test_this_machine_needs_no_dask(params, monkeypatch, own):
         assert parallel.workers() == 1
 
 
-def test_settings_are_not_read_without_being_asked(params):
+def test_settings_are_read_only_when_needed(params):
     params(compute=DASK)
     assert squares() == [0, 1, 4]
     with compute.as_set():

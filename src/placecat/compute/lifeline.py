@@ -15,7 +15,7 @@ import psutil
 
 # Seconds between two checks, and seconds allowed for cleaning up.
 INTERVAL, GRACE = 0.5, 10.0
-# Environment variable with the process ID of DVC, for stages, since their parent may be a shell.
+# Environment variable that tells stages the process ID of DVC, since their parent may be a shell.
 DVC = "PLACECAT_DVC"
 _SIGNALS = signal.SIGINT, signal.SIGTERM
 
