@@ -1,4 +1,4 @@
-"""A killed sweep resumes and produces the same table as an undisturbed one. The jobs are trivial."""
+"""A killed sweep resumes and produces the same table as an uninterrupted one. The jobs are trivial."""
 
 import os
 import random
@@ -139,7 +139,7 @@ def wait_for_workers(group):
 
 
 @pytest.mark.parametrize(("count", "kills"), [(12, 2), pytest.param(60, 8, marks=pytest.mark.slow)])
-def test_a_killed_sweep_resumes_with_the_undisturbed_result(tmp_path, ran, capsys, count, kills):
+def test_a_killed_sweep_resumes_with_the_uninterrupted_result(tmp_path, ran, capsys, count, kills):
     whole, one = Sweep(tmp_path / "whole", count), Sweep(tmp_path / "one", count)
     assert not whole.run()
     chance = random.Random(count)

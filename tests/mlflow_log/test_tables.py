@@ -347,7 +347,7 @@ def test_charts_and_confusion_matrices_match_every_kind_of_table(results, name):
             assert value[group, row, label] == pytest.approx(mean, abs=0.0051)
 
 
-def test_pictures_are_the_same_bytes_each_time(results, tmp_path):
+def test_pictures_have_the_same_bytes_each_time(results, tmp_path):
     run, _ = gathered("table_05", results)
     for number in (1, 2):
         folder = tmp_path / str(number)

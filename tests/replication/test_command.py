@@ -16,7 +16,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def finished(tmp_path_factory):
-    """A project after an undisturbed run, the stages that ran, and the printed text."""
+    """A project after an uninterrupted run, the stages that ran, and the printed text."""
     folder, ran = tmp_path_factory.mktemp("replicated"), []
     with pytest.MonkeyPatch.context() as patch:
         make_project(folder)

@@ -65,7 +65,7 @@ def test_the_lock_may_be_nested_and_ends_with_its_process(folder, hold):
 
 
 @pytest.mark.slow
-def test_a_stage_waits_for_another_process_that_makes_it(folder, hold, capsys):
+def test_a_stage_waits_for_another_process_that_runs_it(folder, hold, capsys):
     holder = hold("one_at_a_time('features')")
     with lock.one_at_a_time("cues"):
         pass

@@ -92,7 +92,7 @@ _HELD_OUT = ("cross_validated", "cross_validated_truth")
 def _both_ways(judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
     """Pair each judged home with its test home.
 
-    If there are two homes, this is the other home; otherwise, it is the judged home itself.
+    With two homes, each is the test home of the other. A single home is its own test home.
     """
     homes = list(judged)
     return [(test, home, *judged[home]) for test, home in zip(homes, reversed(homes), strict=True)]

@@ -1,4 +1,4 @@
-"""Single experiments and sweeps with any descriptor, classifier and data set, on existing features.
+"""Run single experiments and sweeps on existing features, with any descriptor, classifier and data set.
 
 ``placecat experiment`` is the Hydra application of conf/experiment.yaml. It uses the same functions and seeds
 as the tables, so the numbers agree.
