@@ -97,7 +97,7 @@ def test_a_moved_project_is_installed_again(folder):
     assert run(moved, "make", "-q", ".venv/.installed", check=False).returncode == 0
 
 
-def test_the_linked_environment_of_another_folder_was_not_moved(folder):
+def test_a_linked_environment_does_not_count_as_moved(folder):
     assert install(folder).wait(60) == 0
     linked = folder.with_name("linked")
     linked.mkdir()
