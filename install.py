@@ -25,7 +25,7 @@ def main(lock: str, marker: Path) -> None:
         if not is_moved and _is_newer(marker, (lock, "pyproject.toml")):
             return
         environment = {name: value for name, value in os.environ.items() if name not in FOREIGN}
-        # Environment variables override the configuration files of pip, which may set this, too.
+        # The configuration files of pip may set this, too, but environment variables override them.
         environment |= {"PIP_USER": "0", "PYTHONNOUSERSITE": "1"}
 
         def run(*command: object) -> None:
@@ -34,7 +34,7 @@ def main(lock: str, marker: Path) -> None:
                 sys.exit(status)
 
         run(sys.executable, "-m", "venv", *(["--clear"] if is_moved else []), VENV)
-        # With -qq, pip shows errors, but no notices about its own version.
+        # With these options, pip shows errors, but no notices about its own version.
         pip = (VENV / "bin/python", "-m", "pip", "install", "-qq", "--disable-pip-version-check")
         print(f"Installing the packages in {lock} into {VENV}; the first time takes minutes.", flush=True)
         run(*pip, "--require-hashes", "-r", lock)
