@@ -25,7 +25,7 @@ SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 
 
 class Sweep:
-    """A sweep over `number` in a folder, whose workers are forks of this process."""
+    """A sweep over `number` in a folder. Its workers are forks of this process."""
 
     def __init__(self, folder, count):
         self.folder = folder

@@ -1,4 +1,4 @@
-"""The command `placecat replicate`: groups of homes run one by one and are judged together."""
+"""The command `placecat replicate`: groups of homes are run one by one and judged together."""
 
 import numpy as np
 import pytest

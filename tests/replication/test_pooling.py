@@ -28,7 +28,7 @@ def test_a_setting_with_a_value_for_each_home_keeps_those_of_the_group():
 
 
 def test_a_clear_difference_holds_on_many_homes():
-    """24 homes decide a difference of 5 points with a standard deviation of 3 between homes."""
+    """24 homes are enough to decide a difference of 5 points if homes have a standard deviation of 3."""
     homes = [f"home_{number}" for number in range(1, 25)]
     params = made_results.PARAMS | {"dataset": made_results.PARAMS["dataset"] | {"homes": homes}}
     results = made_results.made(params)

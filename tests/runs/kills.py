@@ -95,7 +95,7 @@ def _kill_and_go_on(folder, whole, by, number, to_group, delay, write):
         time.sleep(delay)
     if process.poll() is None:
         if to_group:
-            # Signal the group, as a terminal does, or a service manager that stops a service.
+            # Signal the group, as a terminal or a service manager does.
             made_pipeline.send_to_group(process.pid, number)
         else:
             process.send_signal(number)

@@ -15,7 +15,7 @@ FOLDER = Path("data/cues")
 
 @pytest.fixture
 def made(tmp_path, monkeypatch):
-    """Return a function that refreshes two items with one file each and lists those it made."""
+    """Return a function that refreshes two items of one file each and returns the names of those remade."""
     monkeypatch.chdir(tmp_path)
     Path("src").mkdir()
     Path("src/code.py").write_text("1")

@@ -25,7 +25,7 @@ def test_a_folder_without_git_is_reported_in_one_line(tmp_path, monkeypatch):
     [(1, False, True), (1, True, False), (None, False, True), (0, True, False)],
 )
 def test_a_rejected_run_restores_the_settings(tmp_path, monkeypatch, before, status, has_ended, is_back):
-    """If `status` is None, the run is rejected before DVC starts. `has_ended` says whether a stage has."""
+    """If `status` is None, the run fails before DVC starts. `has_ended` says whether a stage has ended."""
     monkeypatch.chdir(tmp_path)
     params, lock = tmp_path / "params.yaml", tmp_path / "dvc.lock"
     lock.write_text("records")

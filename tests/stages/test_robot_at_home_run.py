@@ -1,4 +1,4 @@
-"""A small Robot@Home2 database, from `placecat params` to the smoothing; each home is left out once."""
+"""Run `placecat params` and the stages up to smoothing on a small Robot@Home2 database."""
 
 import numpy as np
 import pytest

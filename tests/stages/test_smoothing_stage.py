@@ -59,7 +59,7 @@ def test_frame_rates_come_from_the_homes(project, monkeypatch):
     result = smoothed([25.0, 5.0, 10.0, 5.0])
     for name in ("hmm", "delayed"):
         np.testing.assert_array_equal(result[name], expected[name])
-    # If all homes have the same rate, transitions are per frame at any rate, but the delay is not.
+    # If all homes have the same rate, it affects only the delay, since transitions are per frame.
     slow, fast = smoothed([5.0] * 4), smoothed([30.0] * 4)
     np.testing.assert_array_equal(slow["hmm"], fast["hmm"])
     assert not np.allclose(slow["delayed"], fast["delayed"])

@@ -103,7 +103,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """Gather the figures in a folder, written by the `figures` stage, into one run."""
+    """Make one run from a folder of figures written by the `figures` stage."""
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [

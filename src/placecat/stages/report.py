@@ -85,7 +85,7 @@ def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
 
 
 def _if_kept(show: Callable[..., dict[str, Any] | None], *kept: Path) -> dict[str, Any] | None:
-    """Show results from a file of facts and tables, all in git; return None if one of them is missing."""
+    """Show results from the given facts and tables, which are in git; return None if a file is missing."""
     facts, *tables = kept
     return show(files.read_json(facts), *tables) if all(path.is_file() for path in kept) else None
 

@@ -31,7 +31,7 @@ def main() -> None:
 
 
 def sources(params: Mapping[str, Any]) -> dict[str, tuple[Path, str]]:
-    """Map the name of each smoothed result to the folder of its input and its protocol."""
+    """Map the name of each smoothed result to its input folder and its protocol."""
     smoothing, systems = settings.get(params, "smoothing"), settings.get(params, "systems")
     found = {name: (paths.INTEGRATION / name, system["scheme"]) for name, system in systems.items()}
     for cue in smoothing["cues"]:
