@@ -1,4 +1,4 @@
-"""Install the packages of a lock file and this project into .venv: ``python install.py LOCK_FILE MARKER``.
+"""Install the packages in a lock file and this project into .venv: ``python install.py LOCK_FILE MARKER``.
 
 `make` runs this script, which needs only the standard library. ``python install.py --moved`` prints "yes" if
 .venv does not work because it was moved with the project or its Python no longer exists.
@@ -16,7 +16,7 @@ FOREIGN = ("PIP_CONSTRAINT", "PIP_PREFIX", "PIP_ROOT", "PIP_TARGET", "PYTHONHOME
 
 
 def main(lock: str, marker: Path) -> None:
-    """Install, unless another `make` has just done so; wait while another `make` is installing."""
+    """Install everything, unless another `make` has just done so; wait while another `make` is installing."""
     if not (3, 11) <= sys.version_info[:2] < (3, 14):
         sys.exit("placecat needs Python 3.11, 3.12 or 3.13; choose one, e.g. make PYTHON=python3.12 ...")
     with Path(".venv.lock").open("w") as held:
@@ -25,7 +25,7 @@ def main(lock: str, marker: Path) -> None:
         if not is_moved and _is_newer(marker, (lock, "pyproject.toml")):
             return
         environment = {name: value for name, value in os.environ.items() if name not in FOREIGN}
-        # A variable, since it overrides pip's configuration files, which may set this too.
+        # The configuration files of pip may set this, too, but environment variables override them.
         environment |= {"PIP_USER": "0", "PYTHONNOUSERSITE": "1"}
 
         def run(*command: object) -> None:
@@ -34,7 +34,7 @@ def main(lock: str, marker: Path) -> None:
                 sys.exit(status)
 
         run(sys.executable, "-m", "venv", *(["--clear"] if is_moved else []), VENV)
-        # -qq: show errors, but no notices about this machine's pip.
+        # With these options, pip shows errors, but no notices about its own version.
         pip = (VENV / "bin/python", "-m", "pip", "install", "-qq", "--disable-pip-version-check")
         print(f"Installing the packages in {lock} into {VENV}; the first time takes minutes.", flush=True)
         run(*pip, "--require-hashes", "-r", lock)

@@ -1,4 +1,4 @@
-"""A real headless Chromium, to test what a person sees."""
+"""A real headless Chromium, for testing what a person sees."""
 
 import html
 import json
@@ -11,17 +11,17 @@ import pytest
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 OPTIONS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run
 --disable-background-networking --disable-component-update --disable-sync --enable-logging=stderr"""
-# Pixels; Chromium makes no narrower window, except for a picture.
+# Minimum width of a Chromium window in pixels; only screenshots can be narrower.
 _NARROWEST = 500
 
 
 def needs_chromium(test):
-    """Mark a test that opens a page."""
+    """Mark a test that opens a page in Chromium."""
     return pytest.mark.slow(pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed")(test))
 
 
 def open_page(url, folder, *arguments):
-    """Open a page; returns its DOM after the scripts, and the log of Chromium with console messages."""
+    """Open a page; return its DOM after all scripts, and its console messages."""
     assert CHROMIUM is not None
     command = [CHROMIUM, *OPTIONS.split(), f"--user-data-dir={folder / 'profile'}", *arguments, url]
     result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
@@ -30,17 +30,17 @@ def open_page(url, folder, *arguments):
 
 
 def evaluate(page, folder, body, *, width=1200, height=900):
-    """Load a copy of a page and run a script in it; returns its result, and the console.
+    """Load a copy of a page and run a script in it; return the result and the console messages.
 
-    `body` is the body of an async function, e.g. ``return document.title``; its value goes through JSON.
-    Its timers take no time. It must not wait for anything else, such as the decoding of an image.
+    `body` is the body of an async function, such as ``return document.title``; its value must be valid in
+    JSON. Timers in it take no time. It must not wait for anything else, such as the decoding of an image.
     """
     (value,), console = evaluate_all(page, folder, [(body, width)], height=height)
     return value, console
 
 
 def evaluate_all(page, folder, scripts, *, height=900):
-    """Like `evaluate`, for pairs of a body and a width: each gets a page of its own, all in one browser."""
+    """Like `evaluate`, but for pairs of a body and a width. Each has its own page, all in one browser."""
     text, parts = page.read_text(encoding="utf-8"), []
     for number, (body, width) in enumerate(scripts):
         own = text.replace("</body>", f"{_script(number, body)}</body>")
@@ -77,7 +77,7 @@ def _script(number, body):
 
 
 def screenshot(url, folder, name, *, width=1000, height=1400):
-    """A picture of a page as PNG."""
+    """Take a screenshot of a page as PNG."""
     target = folder / f"{name}.png"
     open_page(url, folder, f"--screenshot={target}", f"--window-size={width},{height}", "--hide-scrollbars")
     return target

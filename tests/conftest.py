@@ -8,30 +8,30 @@ import hypothesis
 import pytest
 from filelock import FileLock
 
-# pytest has a process for each core: more threads would wait for each other. NumPy reads this on import.
+# pytest has one process per core, so more threads would wait for each other. NumPy reads this on import.
 for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"):
     os.environ.setdefault(_name, "1")
 
-import placecat.stages  # noqa: E402, F401  before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: E402, F401  before NumPy: it chooses the OpenBLAS kernels
 
-# Helpers of the tests: modules without tests in these folders.
+# Folders with helper modules for tests.
 _FOLDERS = "categorizer experiment footage homes replication runs schema sequences stages thesis vision"
 for _folder in (".", "campaign", *_FOLDERS.split(), "vision/networks"):
     sys.path.insert(0, str(Path(__file__).parent / _folder))
 
-from number_of_examples import IN_FULL  # noqa: E402  in a folder that was just added
+from number_of_examples import IN_FULL  # noqa: E402  its folder was just added to the path
 
-# Fixtures that run DVC, a server, a browser, the renderer or worker processes: what asks for one is slow.
+# Fixtures that run DVC, a server, a browser, the renderer or worker processes. Tests that use them are slow.
 SLOW = {"clone", "committed", "experiments", "film", "ran", "reproduced", "server", "two_workers"}
 
-# No deadline: how long an example takes says how busy the machine is.
+# There is no deadline, since the time for an example depends on how busy the machine is.
 hypothesis.settings.register_profile("placecat", max_examples=IN_FULL, deadline=None)
-# For `make test-quick`, with --hypothesis-profile.
+# This profile is for `make test-quick`, which sets --hypothesis-profile.
 hypothesis.settings.register_profile("quick", max_examples=IN_FULL // 4, deadline=None)
 hypothesis.settings.load_profile("placecat")
 
 
-# Collecting makes a million objects that all stay: looking for garbage among them takes seconds.
+# Collecting tests creates a million permanent objects; searching them for garbage would take seconds.
 gc.disable()
 
 
@@ -40,13 +40,13 @@ def pytest_collection_finish(session):
     gc.enable()
 
 
-# Before pytest-xdist, which tells groups by what ends a test's name.
+# This must run before pytest-xdist, which recognizes a group by the end of a test name.
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Mark what is slow, put the tests of a module together that share its fixtures, and order all.
+    """Mark slow tests, group tests that share fixtures of their module, and sort all tests.
 
-    The longest group comes first, then the other groups, then what waits for the longest, then modules whose
-    tests are together, and last single tests, which keep both workers busy to the end.
+    The longest group comes first. Next come the other groups, then tests that wait for the longest group, and
+    then modules whose tests form a group. Single tests come last and keep both workers busy to the end.
     """
     turns = {}
     for item in items:
@@ -54,7 +54,7 @@ def pytest_collection_modifyitems(items):
             item.add_marker("slow")
         turns[item] = _turn(item)
         if turns[item] == 4 and _has_fixture_of_module(item):
-            # One worker for all: each worker would make the fixture anew.
+            # One worker runs all of these tests, since each worker would make its own fixture.
             item.add_marker(pytest.mark.xdist_group(item.nodeid.partition("::")[0]))
             turns[item] = 3
     items.sort(key=turns.get)
@@ -68,7 +68,7 @@ def _turn(item):
 
 
 def _has_fixture_of_module(item):
-    """Whether a test needs a fixture of its module that is made once."""
+    """Return whether a test uses a module-scoped fixture of its module."""
     module = item.nodeid.partition("::")[0]
     fixtures = getattr(item, "_fixtureinfo", None)
     of_name = fixtures.name2fixturedefs if fixtures else {}
@@ -77,7 +77,7 @@ def _has_fixture_of_module(item):
 
 @pytest.fixture
 def two_workers(monkeypatch):
-    """Two new worker processes: those of an earlier test may be in a folder that this one has left."""
+    """Use two new worker processes, since those of an earlier test may still be in its folder."""
     from joblib.externals.loky import get_reusable_executor
 
     get_reusable_executor().shutdown(wait=True)
@@ -88,9 +88,9 @@ def two_workers(monkeypatch):
 
 @pytest.fixture(scope="session")
 def reproduced(tmp_path_factory):
-    """The whole pipeline run once for all workers, through DVC, on small drawn homes.
+    """The entire pipeline, run with DVC on small drawn homes, once for all workers.
 
-    Gives its folder, the stages that ran and what DVC said. Tests that change the folder copy it.
+    Returns the folder, the stages that ran and the output of DVC. Tests that change the folder copy it.
     """
     from project import copy_project, repro
 
@@ -102,7 +102,7 @@ def reproduced(tmp_path_factory):
         if not said.exists():
             folder.mkdir()
             copy_project(folder)
-            # One worker starts faster than two where there is little to do.
+            # One worker is faster than two, because it starts faster and there is little to do.
             ran, result = repro(folder, PLACECAT_WORKERS="1")
             said.write_text(json.dumps([ran, result.stdout]))
     ran, output = json.loads(said.read_text())

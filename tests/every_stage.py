@@ -1,6 +1,6 @@
 """Run every stage of the pipeline in the current folder, one after the other in this process, without DVC.
 
-`python every_stage.py`: like a complete `dvc repro`, but Python starts once.
+``python every_stage.py`` works like a complete `dvc repro`, but Python starts only once.
 """
 
 import importlib
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import yaml
 
-import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: F401  before NumPy: it chooses the OpenBLAS kernels
 
 
 def main():

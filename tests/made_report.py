@@ -1,4 +1,4 @@
-"""A made-up report for tests: every published table with similar numbers, figures and findings."""
+"""An artificial report for tests, with all published tables and similar numbers, figures and findings."""
 
 from functools import cache
 from pathlib import Path
@@ -38,7 +38,7 @@ def settings(number, title="A title"):
 
 
 def cells(number, rng=None):
-    """One filled table; with `rng` measured numbers near the published ones, otherwise the same numbers."""
+    """Make a filled table. Measured numbers equal the published ones or, with `rng`, are close to them."""
     own = published_tables()
     own = own[own["table"] == number].rename(columns={"value": "published"}).reset_index(drop=True)
     noise = np.zeros(len(own)) if rng is None else rng.normal(0, 8, len(own)).clip(-20, 30)
@@ -53,7 +53,7 @@ def cells(number, rng=None):
 
 
 def noted(table):
-    """A table that also has its notes as text."""
+    """Add the notes of a table as text."""
     return table.assign(note=table["notes"].map(joined))
 
 
@@ -70,7 +70,7 @@ def addition():
 
 
 def captioned():
-    """A table whose numbers are not percentages and depend on chance."""
+    """Make a table with random numbers that are not percentages."""
     rows = [
         ("Addition", "Cues", "Gist", column, np.nan, value, spread, 2, MEASURED)
         for column, value, spread in (("Log loss", 1.61, 0.02), ("Stay accuracy", 40.0, 3.0))
@@ -154,7 +154,7 @@ def speed():
 
 
 def scale_measured():
-    """Three sizes; CPU seconds grow like the frames (codebooks) and like their square (trials)."""
+    """Make measurements for three sizes; CPU seconds are linear (codebooks) or quadratic (trials)."""
     rows = []
     for size, frames in ((0.25, 1000), (0.5, 2000), (1.0, 4000)):
         rows += [

@@ -31,17 +31,17 @@ SEEDS = ("seed-0", "seed-1")
 
 
 def with_homes(count):
-    """The settings with the first homes of the data set, or with more homes."""
+    """Return the settings with only the first homes of the data set, or with additional ones."""
     homes = [*PARAMS["dataset"]["homes"], "home_7", "home_8"][:count]
     return PARAMS | {"dataset": PARAMS["dataset"] | {"homes": homes}}
 
 
 def made(params=PARAMS, drawn=0):
-    """Every result of the settings; random ones have two seeds."""
+    """Make every result in the settings; random results have two seeds."""
     rng = np.random.default_rng(drawn)
     homes, classes = params["dataset"]["homes"], tuple(params["dataset"]["classes"])
     measured, quality = {}, {}
-    # A separate generator, so the counts are the ones that the tests expect.
+    # A separate generator keeps the counts that the tests expect.
     of_quality = np.random.default_rng([drawn, 1])
 
     def add(name, tested, places, seeds):
@@ -75,7 +75,7 @@ def made(params=PARAMS, drawn=0):
 
 
 def toy_results(toy):
-    """Names of the results of the stage `toy`."""
+    """Return the names of all results from the stage `toy`."""
     radii, decisions = toy["sensitivity"]["radii"], toy["sensitivity"]["decisions"]
     return [
         *("toy/parallel", "toy/sequential", "toy/last/parallel", "toy/last/sequential"),
@@ -85,7 +85,7 @@ def toy_results(toy):
 
 
 def by_stay(one, rng, visits=3, frames=20):
-    """Decisions on some visits to each place; in each visit a result names some frames correctly."""
+    """Make decisions for several visits to each place; some frames of each visit are named correctly."""
     seeds, places = len(one.seeds), len(one.classes)
     confusion = np.zeros((seeds, places * visits, places, places), int)
     for stay in range(places * visits):
@@ -98,7 +98,7 @@ def by_stay(one, rng, visits=3, frames=20):
 
 
 def drawn_quality(rng, homes, seeds):
-    """Random quality of distributions, with as many decimals as in the file."""
+    """Make random quality measures with as many decimals as in the file."""
     shape = (len(seeds), len(homes))
     values = {
         "log_loss": rng.uniform(0.5, 3.0, shape).round(6),
@@ -111,7 +111,7 @@ def drawn_quality(rng, homes, seeds):
 
 
 def write_scores(folder, results, missing=()):
-    """Write the outputs of the stage `scores`; `missing` has rows of results, homes and reasons."""
+    """Write the outputs of the stage `scores`; each row in `missing` has a result, a home and a reason."""
     rows, stays = (
         [row for name, one in own.items() for row in score_rows(name, one)]
         for own in (results.measured, results.stays)
@@ -129,20 +129,20 @@ def write_scores(folder, results, missing=()):
 
 
 def published():
-    """The published cells, as the stage reads them."""
+    """Read the published cells, as the stage does."""
     text = dict.fromkeys(("group", "row", "column"), str)
     return pd.read_csv(ROOT / "data/thesis/published_tables.csv", dtype=text).fillna(dict.fromkeys(text, ""))
 
 
 def contradictions():
-    """Notes on published cells, as the stage reads them."""
+    """Read the notes on published cells, as the stage does."""
     text = dict.fromkeys(("group", "row", "column", "note"), str)
     table = pd.read_csv(ROOT / "data/thesis/contradictions.csv", dtype=text).fillna("")
     return contradictions_of(table)
 
 
 def records():
-    """Records behind numbers in the text: the ones in git, and made-up facts of models and frames."""
+    """Return records behind numbers in the text: those in git, and artificial ones for models and frames."""
     return {
         "benchmarks": pd.read_csv(ROOT / "reports/benchmarks.csv"),
         "scale": pd.read_csv(ROOT / "reports/scale.csv"),
@@ -154,6 +154,6 @@ def records():
 
 
 def published_text():
-    """The published numbers of the text, as the stage reads them."""
+    """Read the published numbers in the text, as the stage does."""
     text = dict.fromkeys(("name", "section", "quantity", "home", "quote", "note"), str)
     return pd.read_csv(ROOT / "data/thesis/published_text.csv", dtype=text).fillna(dict.fromkeys(text, ""))

@@ -1,4 +1,4 @@
-"""A small finished run on disk: three homes of drawn frames, one codebook, planted distributions."""
+"""A small finished run on disk, with three homes of drawn frames, a codebook and artificial distributions."""
 
 from pathlib import Path
 
@@ -19,13 +19,13 @@ CLASSES = ("bedroom", "sauna")
 WIDTH, HEIGHT, FRAMES, CLUSTERS = 320, 180, 8, 16
 LABELS = np.array([0, 0, 0, 0, 1, 1, 1, -1], np.int16)
 CUES = ("hog_y", "sift_y", "centrist_y", "gist", "spatial_pact")
-# The frame with the most information, frames with little and none, and frames that all cues get wrong.
+# The frame with the most information, frames with little or none, and frames that all cues get wrong.
 RICHEST, POOR, BLANK = ("flat_2", 5), ("flat_1", 6), ("flat_3", 2)
 WRONG = {("flat_1", 1), ("flat_3", 4), BLANK}
 
 
 def parameters():
-    """The project's settings, cut down to the drawn homes."""
+    """Return the project's settings, reduced to the drawn homes."""
     params = settings.load(ROOT / "params.yaml")
     params["figures"] = settings.load(ROOT / "conf/figures/figures.yaml")
     params["dataset"] |= {"name": "drawn", "root": "frames", "homes": list(HOMES), "classes": list(CLASSES)}
@@ -35,7 +35,7 @@ def parameters():
 
 
 def draw(home, index):
-    """One frame: coloured boxes on a wall, more for a richer frame."""
+    """Draw a frame with coloured boxes on a wall; more boxes contain more information."""
     rng = np.random.default_rng([HOMES.index(home), index])
     image = np.full((HEIGHT, WIDTH, 3), 150, np.uint8)
     count = {RICHEST: 60, POOR: 3, BLANK: 0}.get((home, index), 25)
@@ -48,7 +48,7 @@ def draw(home, index):
 
 
 def build(folder, params):
-    """Write the run; the current folder must be `folder`."""
+    """Write the run; `folder` must be the current folder."""
     for home in HOMES:
         images = [draw(home, index) for index in range(FRAMES)]
         _write_sequence(folder, home, images)
@@ -94,12 +94,12 @@ def _write_features(home, images, params):
 
 
 def proba(home, cue):
-    """(FRAMES, 2) distributions of a cue: correct except in the frames `WRONG`."""
+    """Return the (FRAMES, 2) distributions of a cue, which are wrong only in the frames `WRONG`."""
     sure = {("flat_1", 1): 0.9, ("flat_3", 4): 0.8, BLANK: 0.99}
     rows = []
     for index, label in enumerate(LABELS):
         wrong = (home, index) in WRONG
-        # Some cues are always nearly uniform.
+        # The distributions of some cues are nearly uniform.
         most = (
             sure.get((home, index), 0.7) if CUES.index(cue) < 3 else 0.5 + sure.get((home, index), 0.7) / 100
         )

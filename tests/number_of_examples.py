@@ -1,11 +1,11 @@
-"""Numbers of examples in tests."""
+"""The number of examples in property-based tests."""
 
 import hypothesis
 
 IN_FULL = 40
-"""Number of examples in a test that does not choose it."""
+"""Number of examples in a test that sets no number."""
 
 
 def examples(number):
-    """The number of examples, reduced like the number in the profile relative to `IN_FULL`; at least 5."""
+    """Scale a number of examples by the number in the profile divided by `IN_FULL`, but keep at least 5."""
     return max(min(number, 5), number * hypothesis.settings.default.max_examples // IN_FULL)

@@ -1,4 +1,4 @@
-"""The settings with an addition of conf/optional."""
+"""The settings with an addition from conf/optional."""
 
 import shutil
 import tempfile
@@ -14,7 +14,7 @@ from project import light_conf
 
 @cache
 def with_optional(name):
-    """All settings with ``optional=name``; other tables and findings, slow to compose, are unchanged."""
+    """Compose all settings with ``optional=name``."""
     folder = Path(tempfile.mkdtemp())
     try:
         light = yaml.load(compose([f"optional={name}"], conf=light_conf(folder / "conf")), Loader=Loader)

@@ -1,4 +1,4 @@
-"""A copy of the project in a folder of its own, for tests that run DVC for real."""
+"""A copy of the project in a separate folder, for tests that really run DVC."""
 
 import os
 import re
@@ -14,7 +14,7 @@ from sketch import draw_homes
 
 ROOT = Path(__file__).resolve().parents[1]
 
-# Four small drawn homes, small frames and small codebooks: every stage runs, quickly.
+# With four drawn homes, small frames and small codebooks, every stage runs quickly.
 HOMES = "data/drawn"
 DRAWN = {"frames_per_room": 6, "width": 320, "height": 180}
 SITES = {"university": "data/drawn_university", "apartments": "data/drawn_apartments"}
@@ -48,10 +48,10 @@ SMALL = [
             "test=[Home3]",
         )
     ),
-    # Four homes train and two are tested: the others get a reason instead of a number.
+    # Only two of the four homes are tested; the others have a reason instead of a number.
     "protocol.test_homes=[Home1,Home3]",
     "protocol.extra.sequences=[Home1]",
-    # Small sheets of patches.
+    # The sheets of patches are small.
     "figures.clusters.patches=4",
     "toy.training=200",
     "toy.testing=500",
@@ -69,7 +69,7 @@ def light_conf(folder):
 
 
 def _lighten(*folders):
-    """Shorten the trials, in copies of the files that define them: fewer rounds of learning."""
+    """Reduce training rounds, iterations and clusters in copies of definitions, so that trials are short."""
     for path in (path for folder in folders for path in folder.rglob("*.yaml")):
         text = re.sub(r"n_rounds: \d+", "n_rounds: 4", path.read_text())
         if path.name == "rvm.yaml":
@@ -80,24 +80,24 @@ def _lighten(*folders):
 
 
 def rendered():
-    """Folders of the videos that come with the project, relative to it: what the stage `render` makes."""
+    """List the folders of the videos from the stage `render`, relative to the project."""
     render = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]["render"]
     outs = [next(iter(out)) for out in render["outs"]]
     return [out for out in outs if not out.endswith(".jpg")]
 
 
 def environment(**extra):
-    """This test's environment, with the Python that runs it first on the path and one thread for BLAS."""
+    """Return the environment of this test, with its own Python first on the path."""
     here = str(Path(sys.executable).parent)
     own = {"PATH": os.pathsep.join([here, os.environ["PATH"]]), "MLFLOW_DISABLE_TELEMETRY": "true"}
-    # `dvc init` would start a process that reports it.
+    # Otherwise, `dvc init` would start a process that reports its use.
     own["DVC_NO_ANALYTICS"] = "true"
     clean = {name: value for name, value in os.environ.items() if not name.startswith("GIT_")}
     return clean | own | extra
 
 
 def run(folder, *command, check=True, **extra):
-    """Run a command in the copy; its output is on the result."""
+    """Run a command in the copy; the result contains its output."""
     result = subprocess.run(
         command, cwd=folder, env=environment(**extra), capture_output=True, text=True, check=False
     )
@@ -107,7 +107,7 @@ def run(folder, *command, check=True, **extra):
 
 
 def init(folder):
-    """Begin a repository of git and DVC."""
+    """Initialise git and DVC in a folder."""
     run(folder, "git", "init", "-q")
     run(folder, "dvc", "init", "-q")
     shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
@@ -130,9 +130,9 @@ def commit(folder):
 
 
 def copy_project(folder, overrides=SMALL):
-    """Copy what git holds of the pipeline, draw small homes, compose small settings, and initialise DVC.
+    """Copy the pipeline from git, draw small homes, compose small settings, and initialise DVC.
 
-    The videos are not copied: empty folders stand for what the frozen stage `render` once made.
+    The videos are not copied; empty folders stand for the output of the frozen stage `render`.
     """
     for name in ("conf", "src"):
         shutil.copytree(
@@ -160,7 +160,7 @@ def copy_project(folder, overrides=SMALL):
 
 
 def repro(folder, *arguments, check=True, **extra):
-    """`dvc repro`; gives the names of the stages that ran, and the result."""
+    """Run `dvc repro`; return the names of the stages that ran, and the result."""
     result = run(folder, "dvc", "repro", *arguments, check=check, **extra)
     lines = result.stdout.splitlines()
     ran = [line.split("'")[1] for line in lines if line.startswith("Running stage '")]
@@ -168,7 +168,7 @@ def repro(folder, *arguments, check=True, **extra):
 
 
 def contents(folder, *parts):
-    """Bytes of every file below some paths."""
+    """Return the bytes of every file below the given paths."""
     found = {}
     for part in parts:
         root = folder / part

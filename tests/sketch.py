@@ -1,7 +1,7 @@
 """Small homes in the VPC-2009 layout, drawn with lines and boxes, for tests that run the project.
 
 Each room is a wide wall with furniture; the camera pans along it. Colours and the choice, place and size of
-furniture are random for every home and room, from the same ranges for every class, so only objects
+furniture are random for every home and room. Their ranges are the same for all classes, so only objects
 distinguish classes. The drawings test the workflow. Accuracies on them say nothing about real homes.
 """
 
@@ -24,7 +24,7 @@ _JPEG = (cv2.IMWRITE_JPEG_QUALITY, 90)
 
 
 class Pen:
-    """Draws shapes with an outline on a canvas, (H, W, 3) uint8 BGR, in random colours."""
+    """Draws outlined shapes in random colours on a canvas, (H, W, 3) uint8 BGR."""
 
     def __init__(self, canvas: Image, rng: np.random.Generator) -> None:
         self.canvas = canvas
@@ -32,11 +32,11 @@ class Pen:
         self._palette = [_colour(rng) for _ in range(4)]
 
     def colour(self) -> Colour:
-        """Choose a colour of this room."""
+        """Choose a colour from the palette of this room."""
         return self._palette[int(self.rng.integers(len(self._palette)))]
 
     def box(self, x: float, y: float, w: float, h: float, colour: Colour, edge: int = 2) -> None:
-        """Draw a rectangle from its upper left corner."""
+        """Draw a rectangle, given its upper left corner."""
         corners = (round(x), round(y)), (round(x + w), round(y + h))
         cv2.rectangle(self.canvas, *corners, colour, -1)
         if edge:
@@ -45,7 +45,7 @@ class Pen:
     def oval(
         self, x: float, y: float, w: float, h: float, colour: Colour, arc: tuple[int, int] = (0, 360)
     ) -> None:
-        """Draw an ellipse, or a filled part of one, around its centre."""
+        """Draw an ellipse or a filled part of one, given its centre."""
         where = (round(x), round(y)), (max(1, round(w / 2)), max(1, round(h / 2)))
         cv2.ellipse(self.canvas, *where, 0, *arc, colour, -1, cv2.LINE_AA)
         cv2.ellipse(self.canvas, *where, 0, *arc, shade(colour, 0.55), 2, cv2.LINE_AA)
@@ -62,17 +62,17 @@ class Pen:
 
 
 Thing = Callable[[Pen, float, float, float], None]
-"""Draws one object: pen, left edge, floor height, scale."""
+"""A function that draws one object, given the pen, left edge, floor height and scale."""
 
 
 def draw_homes(
     out: Path, *, homes: int = 6, frames_per_room: int = 16, width: int = 640, height: int = 360
 ) -> None:
-    """Draw homes in the layout that `placecat.sequences.vpc2009` reads; equal arguments give equal bytes.
+    """Draw homes in the layout that `placecat.sequences.vpc2009` reads; equal arguments produce equal bytes.
 
-    Each home shows kitchen, bathroom, living room, dining room and bedroom, two of them a second time, a
-    corridor and the transitions between them. One home has two floors. `frames_per_room`, at least 2, are
-    those of a first visit; a second visit and the corridor have half as many.
+    Each home has a kitchen, a bathroom, a living room, a dining room, a bedroom and a corridor, and shows the
+    transitions between them. Two of the rooms are visited twice. One home has two floors. A first visit to a
+    room has `frames_per_room` frames, at least 2. A second visit or the corridor has half as many.
     """
     grain = np.random.default_rng(derive("sketch", 0, "noise"))
     film = _Film(width, height, grain.normal(0, 2.2, (height + 64, width + 64, 3)).astype(np.int16))
@@ -81,7 +81,7 @@ def draw_homes(
 
 
 def draw_room(room: str, rng: np.random.Generator) -> Image:
-    """Draw the wall of a room, a key of `ROOMS`: (WALL_HEIGHT, WALL_WIDTH, 3) uint8 BGR."""
+    """Draw the wall of a room, (WALL_HEIGHT, WALL_WIDTH, 3) uint8 BGR; `room` is a key of `ROOMS`."""
     canvas = np.empty((WALL_HEIGHT, WALL_WIDTH, 3), dtype=np.uint8)
     pen = Pen(canvas, rng)
     _shell(pen)
@@ -100,7 +100,7 @@ def draw_room(room: str, rng: np.random.Generator) -> Image:
         x += size * scale + float(rng.uniform(10, 50))
         if x > WALL_WIDTH:
             break
-    # Uneven light: a few broad lamps, the same for every class.
+    # A few broad lamps make the light uneven, in the same way for all classes.
     field = rng.uniform(0.72, 1.12, (3, 8)).astype(np.float32)
     light = cv2.resize(field, (WALL_WIDTH, WALL_HEIGHT), interpolation=cv2.INTER_CUBIC)
     return np.clip(canvas * light[:, :, None], 0, 255).astype(np.uint8)
@@ -114,14 +114,14 @@ class _Film:
         self._noise = noise
 
     def span(self, zoom: float) -> tuple[float, float]:
-        """Size of the view on the canvas."""
+        """Return the size of the view on the canvas."""
         high = _VIEW * zoom
         return high * self._size[0] / self._size[1], high
 
     def shoot(
         self, wall: Image, x: float, y: float, zoom: float, light: float, smear: int, rng: np.random.Generator
     ) -> Image:
-        """Cut out a view by its upper left corner; blur, brighten, add noise."""
+        """Cut out a view at its upper left corner, blur and brighten it, and add noise."""
         width, height = self._size
         step = self.span(zoom)[1] / height
         view = np.array([[step, 0, x], [0, step, y]])
@@ -152,7 +152,7 @@ def _draw_home(folder: Path, film: _Film, stay: int, storeys: bool, number: int)
 
 
 def _tour(rng: np.random.Generator, storeys: bool) -> list[list[tuple[str, bool]]]:
-    """Order the visits of each floor, as (room, whether it is the first visit)."""
+    """Choose the order of visits on each floor, as pairs of a room and whether this is its first visit."""
     day = ["living_room", "dining_room", "kitchen"]
     night = ["bedroom", "bathroom"]
     floors = [day, night] if storeys else [day + night]
@@ -232,7 +232,7 @@ def _colour(rng: np.random.Generator) -> Colour:
 
 
 def _shell(pen: Pen) -> None:
-    """Wall, skirting and floor, from the same kinds for every class."""
+    """Draw wall, skirting board and floor, with the same variety for every class."""
     wall, ground = shade(_colour(pen.rng), 1.15), _colour(pen.rng)
     pen.canvas[:FLOOR] = wall
     pen.canvas[FLOOR:] = ground
@@ -260,7 +260,7 @@ def _tiles(pen: Pen, x: float, base: float, s: float) -> None:
 
 
 def _handles(pen: Pen, x: float, y: float, w: float, h: float, count: int) -> None:
-    """Cupboard doors side by side."""
+    """Draw cupboard doors side by side."""
     colour = pen.colour()
     for i in range(count):
         left = x + i * w / count
@@ -442,7 +442,7 @@ def _armchair(pen: Pen, x: float, base: float, s: float) -> None:
 
 
 def _chair(pen: Pen, x: float, base: float, s: float, colour: Colour, turn: int) -> None:
-    """A chair from the side; `turn` 1 has its back on the left, -1 on the right."""
+    """Draw a chair from the side. Its back is on the left if `turn` is 1, and on the right if it is -1."""
     for dx in (0, 44):
         pen.line(x + turn * dx * s, base, x + turn * dx * s, base - 75 * s, colour, 6)
     pen.line(x, base - 75 * s, x - turn * 8 * s, base - 165 * s, colour, 7)
@@ -617,4 +617,4 @@ ROOMS: dict[str, tuple[list[tuple[Thing, int]], list[tuple[Thing, int]], Thing |
         None,
     ),
 }
-"""Room to the objects it always has, objects it may have (with widths), and the cover of its wall."""
+"""Maps each room to the objects it always has, objects it may have (with widths), and its wall covering."""

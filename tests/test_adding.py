@@ -1,4 +1,4 @@
-"""docs/adding.md, followed word for word: a cue, a classifier, a table, a layout, on tiny drawn homes."""
+"""The additions in docs/adding.md (a cue, a classifier, a table and a layout) on tiny drawn homes."""
 
 import copy
 import importlib
@@ -26,13 +26,13 @@ from placecat.training.cue import Cue, train
 from project import light_conf
 
 TEXT = (Path(__file__).resolve().parents[1] / "docs/adding.md").read_text()
-# Path to text: the first line of a block is its path.
+# Maps the path in the first line of each block to the text of the block.
 BLOCKS = dict(re.findall(r"```(?:python|yaml)\n# (\S+)\n(.*?)```", TEXT, re.DOTALL))
 RESULT = "cues/brightness/5-5-1"
 
 
 def draw(root, homes, places):
-    """Nine small frames of every place in every home, in the layout of the page, as bright as the place."""
+    """Draw nine small frames of every place in every home. Each place has a different brightness."""
     rng = np.random.default_rng(0)
     for folder in (root / home / place for home in homes for place in places):
         folder.mkdir(parents=True)
@@ -44,10 +44,10 @@ def draw(root, homes, places):
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
-    """A project after all steps of the page, with composed settings and drawn homes."""
+    """A project after all steps on the page, with composed settings and drawn homes."""
     folder = tmp_path_factory.mktemp("adding")
     conf = light_conf(folder / "conf")
-    # One cue is enough and is composed in a quarter of the time.
+    # One cue is enough, and composing takes only a quarter of the time.
     for group in ("codebook", "cue", "descriptor/local", "descriptor/holistic", "filter", "split", "system"):
         shutil.rmtree(conf / group)
         (conf / group).mkdir()
@@ -78,7 +78,7 @@ def project(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def results(project):
-    """The cue's decisions in every home, after training on the others."""
+    """Decisions of the cue in every home, after training on the others."""
     list_homes(project["dataset"], paths.SEQUENCES, "dataset")
     options = feature_options(project, {"local": {}, **project["descriptors"]})
     for home in project["dataset"]["homes"]:
@@ -99,7 +99,7 @@ def results(project):
     )
 
 
-def test_the_text_has_all_files_and_is_short():
+def test_the_page_has_all_files_and_is_short():
     folders = [str(Path(path).parent) for path in BLOCKS]
     assert folders == [
         "src/placecat/vision/holistic",
@@ -130,14 +130,14 @@ def test_the_settings_come_from_the_module_and_the_files(project):
     assert classifier["scheme"]["name"] == "one_against_all"
 
 
-def test_the_cue_tells_places_apart_and_the_table_has_its_accuracy(project, results):
+def test_the_cue_discriminates_places_and_the_table_has_its_accuracy(project, results):
     table = {**definitions.tables(project)["addition_brightness"], "name": "addition_brightness"}
     published = pd.DataFrame(columns=["table", "group", "row", "column", "value"])
     filled = tables.fill_table(table, results, published, project["dataset"], {})
     assert list(filled["column"]) == ["Home 1", "Home 2", "Home 3", "Home 4", "Average"]
     expected = results.of(RESULT).by_home()[0]
     np.testing.assert_allclose(filled["measured"], [*expected, expected.mean()], atol=0.011)
-    # Chance is 20; two means cannot separate a place of medium brightness.
+    # Chance is 20 %. Two means cannot separate a place of medium brightness.
     assert expected.mean() > 50
 
 

@@ -1,4 +1,4 @@
-"""The rendered videos that come with the project: their properties, read like in the pipeline."""
+"""Check the rendered videos that come with the project. They are read in the same way as in the pipeline."""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -19,18 +19,18 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("data")]
 SIZES = {"homes": {(1280, 720)}, "university": {(640, 480)}, "apartments": {(640, 480), (1280, 720)}}
 """Frame sizes of each data set, as (width, height)."""
 EVERY = 9
-"""Step between the frames that are judged for shortcuts: consecutive ones carry the same information."""
+"""Step between judged frames; the frames between them would add no information."""
 
 
 def settings():
-    """The data sets of conf/dataset in the repository, by name."""
+    """Return the data sets in conf/dataset that are in the repository, by name."""
     paths = sorted((ROOT / "conf/dataset").glob("*.yaml"))
     found = {path.stem: yaml.safe_load(path.read_text()) for path in paths}
     return {name: dataset for name, dataset in found.items() if dataset["root"] in rendered()}
 
 
 class Undecoded(Recording):
-    """Lists the frames of a sound video without decoding them."""
+    """A recording that lists the frames of an intact video without decoding them."""
 
     def pictures(self, first=1):
         shown = next(super().pictures())
@@ -40,7 +40,7 @@ class Undecoded(Recording):
 
 @pytest.fixture(scope="module")
 def looks():
-    """What shortcuts may use of the frames that are judged, by video and position; `homes` fills it."""
+    """The features that shortcuts may use in judged frames, by video and position; `homes` fills them in."""
     found = {}
 
     def ask(root, frames):
@@ -66,10 +66,10 @@ def judged():
 
 @pytest.fixture(scope="module")
 def homes(tmp_path_factory, looks):
-    """The output of the stage `sequences` for each data set: frames with labels and facts, by home."""
+    """The output of the stage `sequences` for each data set: labels and facts, by home."""
 
     class Looking(Recording):
-        """Shows what it decodes to the test of shortcuts, which then need not decode it again."""
+        """A recording that passes decoded frames to the shortcut test, so that they are decoded only once."""
 
         def pictures(self, first=1):
             for picture in super().pictures(first):
@@ -80,7 +80,7 @@ def homes(tmp_path_factory, looks):
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(video, "Recording", Looking)
-        # Other processes would not look.
+        # Frames that are decoded in other processes would be missed.
         patch.setenv("PLACECAT_WORKERS", "1")
         return {name: read(name, tmp_path_factory.mktemp(name), patch) for name in settings()}
 
@@ -90,7 +90,7 @@ def read(name, folder, patch):
     (folder / "data").mkdir()
     for out in rendered():
         (folder / out).symlink_to(ROOT / out)
-    # All that the stage reads. tests/config/test_compose.py composes with each data set.
+    # The stage reads no other settings. tests/config/test_compose.py composes each data set.
     Path("params.yaml").write_text(yaml.safe_dump({"dataset": settings()[name]}))
     sequences.main()
     found = {}
@@ -112,7 +112,7 @@ def test_every_video_is_used_and_has_labels_and_was_rendered():
     assert there == {f"{name}.{ending}" for name in used for ending in ("mp4", "csv")}
 
 
-def test_together_they_are_small():
+def test_the_videos_are_small_in_total():
     assert 0 < sum(path.stat().st_size for out in rendered() for path in (ROOT / out).rglob("*")) < 60e6
 
 
@@ -126,7 +126,7 @@ def test_frames_are_as_listed(homes, name):
         assert labels["label"].notna().all(), home
 
 
-def test_no_shortcut_tells_the_rooms_of_the_homes(homes, looks, monkeypatch):
+def test_no_shortcut_predicts_the_rooms(homes, looks, monkeypatch):
     monkeypatch.setattr(video, "Recording", Undecoded)
     monkeypatch.setattr(shortcuts, "read_frames", frames_of)
     monkeypatch.setattr(shortcuts, "_look", looks.__getitem__)
@@ -141,7 +141,7 @@ def test_homes_are_long_enough_to_compare_with_real_ones(homes):
     assert min(len(labels) for labels, _ in homes["homes"].values()) >= 600
 
 
-def test_each_home_shows_every_room_and_the_ways_between(homes):
+def test_each_home_shows_every_room_and_the_transitions(homes):
     for home, (labels, _) in homes["homes"].items():
         classes = settings()["homes"]["classes"]
         assert {*classes, "transition"} <= set(labels["label"]) <= {*classes, "corridor", "transition"}, home
@@ -154,7 +154,7 @@ def classes_of(homes, *names):
 
 
 def test_the_university_is_passed_twice_and_tested_in_other_rooms(homes):
-    """The sequences of thesis 4.9: for the cues, for the integration (the other pass), and for testing."""
+    """Thesis 4.9 has sequences for the cues, for the integration (a second pass) and for testing."""
     university = homes["university"]
     seen = classes_of(university, *university)
     assert set.union(*seen.values()) == set(settings()["university"]["classes"])
@@ -167,7 +167,7 @@ def test_the_university_is_passed_twice_and_tested_in_other_rooms(homes):
 
 
 def test_the_apartments_train_and_test_all_classes_with_other_cameras(homes):
-    """The sequences of thesis 4.10."""
+    """These are the sequences of thesis 4.10."""
     apartments = homes["apartments"]
     seen = classes_of(apartments, *apartments)
     classes = set(settings()["apartments"]["classes"])
@@ -177,7 +177,7 @@ def test_the_apartments_train_and_test_all_classes_with_other_cameras(homes):
 
 
 def test_the_extra_data_is_the_flat_of_the_robot_filmed_by_hand(homes):
-    """Thesis 4.5; in 4.10 nothing trains on that flat, since it is tested there."""
+    """This is for thesis 4.5. In 4.10, this flat is used for testing, so nothing is trained on it."""
     listed = render.listed()
     flip, downstairs, robot = (listed[f"apartments/{name}"] for name in ("flip", "flip_downstairs", "robot"))
     assert (downstairs["plan"], downstairs["building"]) == (robot["plan"], robot["building"])

@@ -1,4 +1,4 @@
-"""`placecat demo`."""
+"""The command `placecat demo`."""
 
 import shutil
 
@@ -23,7 +23,7 @@ PER_ROOM, SIZE = 60, (320, 180)
 
 
 def film_home(root, name):
-    """A drawn home as a video with labels, like those that come with the project."""
+    """Write a drawn home as a video with labels, like those that come with the project."""
     rows = []
     with Film(root / f"{name}.mp4", 5.0, SIZE) as film:
         for place in PLACES:
@@ -36,7 +36,7 @@ def film_home(root, name):
     pd.DataFrame(rows, columns=["start", "end", "label"]).to_csv(root / f"{name}.csv", index=False)
 
 
-def test_a_first_walk(tmp_path, monkeypatch, capsys, two_workers):
+def test_the_demo_classifies_a_walk(tmp_path, monkeypatch, capsys, two_workers):
     shutil.copytree(ROOT / "conf", tmp_path / "conf")
     few = [value for value in SMALL if value.startswith(("codebooks.", "cues."))]
     few.append(f"dataset.homes=[{','.join(HOMES)}]")
@@ -51,7 +51,7 @@ def test_a_first_walk(tmp_path, monkeypatch, capsys, two_workers):
     assert sorted(path.name for path in out.iterdir()) == sorted(command.FILES)
     table = pd.read_csv(out / command.TABLE, index_col="result")
     assert len(table) == 7 and table.iloc[:, 0].between(0, 100).all()
-    # The drawn rooms are easy.
+    # The drawn rooms are easy to classify.
     assert table.iloc[-1, 0] > 40
     frames = pd.read_csv(out / "frames.csv")
     assert len(frames) == len(PLACES) * PER_ROOM // 10
@@ -63,7 +63,7 @@ def test_a_first_walk(tmp_path, monkeypatch, capsys, two_workers):
     )
 
 
-def test_it_replaces_only_its_files(tmp_path):
+def test_the_demo_replaces_only_its_own_files(tmp_path):
     folder = tmp_path / "demo"
     command._check(folder)
     folder.mkdir()

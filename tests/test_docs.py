@@ -1,4 +1,4 @@
-"""README.md and docs/: existing commands, numbers from result files, working links."""
+"""README.md and docs/ have only existing commands, numbers from result files and working links."""
 
 import importlib.util
 import json
@@ -29,14 +29,14 @@ _SPEC.loader.exec_module(fill)
 
 PAGES = {name: (ROOT / name).read_text(encoding="utf-8") for name in (*fill.PAGES, "CONTRIBUTING.md")}
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-# External commands, which a test cannot run.
+# External commands that a test cannot run, and why.
 ELSEWHERE = {
-    "dask": "starts a server of Dask, and reads only the name of the command",
-    "git": "changes a repository; its words are git's own",
-    "mkdir": "makes a folder for data that is downloaded",
-    "tar": "unpacks data that is downloaded",
-    "unzip": "reads a trained model, which `make repro` leaves",
-    "pre-commit": "is installed by those who want it",
+    "dask": "starts a Dask server",
+    "git": "changes a repository",
+    "mkdir": "makes a folder for downloaded data",
+    "tar": "unpacks downloaded data",
+    "unzip": "reads a trained model, which `make repro` writes",
+    "pre-commit": "is optional",
     "ruff": "is run by `make lint`",
     ".": "activates .venv",
 }
@@ -45,7 +45,7 @@ MAKEFILE = (ROOT / "Makefile").read_text()
 
 
 def commands():
-    """Page and command: every line of a shell block, and commands in running text."""
+    """Return pairs of a page and a command: each line of a shell block, and commands in running text."""
     found = []
     for page, text in PAGES.items():
         lines = [line for kind, block in FENCE.findall(text) if kind == "sh" for line in block.splitlines()]
@@ -63,7 +63,7 @@ def commands():
 
 
 def check_settings(overrides):
-    """A choice has a file, a value a setting: in params.yaml, or in another chosen file."""
+    """Check that every chosen file exists, and that every setting is in params.yaml or in a chosen file."""
     params = settings.load(ROOT / "params.yaml")
     pairs = [one.partition("=")[::2] for one in overrides if one != "..."]
     files = {
@@ -146,11 +146,11 @@ def check_python(words):
 @pytest.mark.parametrize(
     ("page", "words"), commands(), ids=lambda one: one if isinstance(one, str) else "_".join(one)
 )
-def test_every_command_is_one(page, words, monkeypatch):
+def test_every_command_exists(page, words, monkeypatch):
     monkeypatch.chdir(ROOT)
     words = words or ["."]
     name = words[0].removeprefix(".venv/bin/")
-    # tests/test_adding.py tries the additions of docs/adding.md.
+    # tests/test_adding.py tests the additions in docs/adding.md.
     if name in ELSEWHERE or (page == "docs/adding.md" and words[-1] in ADDED):
         return
     {
@@ -163,7 +163,7 @@ def test_every_command_is_one(page, words, monkeypatch):
     }[name](words[1:])
 
 
-def test_blocks_are_of_kinds_that_a_test_reads():
+def test_every_code_block_has_a_tested_language():
     kinds = {(page, kind) for page, text in PAGES.items() for kind, _ in FENCE.findall(text)}
     assert {kind for _, kind in kinds} <= {"sh", "python", "yaml", "text"}
     # tests/test_adding.py follows docs/adding.md.
@@ -177,7 +177,7 @@ def blocks(page):
 
 
 def test_the_learners_and_the_vision_are_used_as_the_page_says():
-    """tests/training/test_system.py runs its first block of Python."""
+    """The first Python block on the page is run by tests/training/test_system.py."""
     _, code = blocks("docs/usage.md")
     rng = np.random.default_rng(0)
     y = np.repeat([0, 1], 20)
@@ -210,12 +210,12 @@ def test_a_robot_feeds_frames_as_the_page_says(monkeypatch, capsys):
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 3 + len(categorizer.visits())
     assert all(line.split()[0] in (*CLASSES, "unknown") for line in lines)
-    # The first frame, as if it had been passed here.
+    # The categorizer has the same result for the first frame if it is called directly.
     categorizer.reset()
     assert lines[0].split()[2] == categorizer.update(frames(1)[0]).place
 
 
-# Not results: versions, sections of the thesis, requested shares, settings.
+# Numbers that are not results, such as versions, sections of the thesis, requested shares and settings.
 GIVEN = {
     "README.md": "3.11 3.13 4.0",
     "data/README.md": "4.0 4.1 4.8 4.9 4.10 4.5 6 2 20 35 128 300 8,500",
@@ -224,18 +224,18 @@ GIVEN = {
     "docs/cluster.md": "452 430 3.5 25 105 71",
     "docs/own-data.md": "4.9 2.2 25.9 32,937 8,200 69,455 17,400 10.7",
     "docs/results.md": "2 3.3 0.7 1.4",
-    # From simulations, see tests/replication.
+    # These are from simulations; see tests/replication.
     "docs/replication.md": "2 3 0.8 1.63 4.89 1.7 4,000 2.6 1.2 3.5 1.4 6.3 3.8 4.3 2.3 5.8 3.2 8.7 5.5 11.2 "
     "7.4 7.9 0.6 2.5 30.4 4 5 35 20",
 }
-# Looks like a result: with a point, a comma or a unit.
+# A number with a point, a comma or a unit looks like a result.
 RESULT = re.compile(
     r"(?<![\w.,:/-])-?(?:\d+\.\d+|\d{1,3},\d{3}|\d+(?= (?:%|s|min|h|hours|minutes|points|GiB|frames/s)\b))"
 )
 
 
 def told(text):
-    """The text without code, links, and numbers that name their source."""
+    """Return the text without code, links, and numbers that name their source."""
     for pattern in (FENCE, fill._BLOCK, fill._NUMBER, re.compile(r"`[^`]*`"), re.compile(r"\]\([^)]*\)")):
         text = pattern.sub(" ", text)
     return text
@@ -252,14 +252,14 @@ def test_numbers_match_the_result_files(page):
 
 
 @pytest.mark.parametrize("page", fill.PAGES)
-def test_no_number_of_a_result_is_without_its_file(page):
+def test_every_result_names_its_file(page):
     found = [
         number for number in RESULT.findall(told(PAGES[page])) if number not in GIVEN.get(page, "").split()
     ]
     assert found == [], "name the file as docs/fill.py says, or say in GIVEN that it is no result"
 
 
-def test_a_number_that_a_file_does_not_have_is_filled():
+def test_outdated_numbers_are_corrected():
     text = '1.00<!-- = table("table_26", ALL, "HMM") --> and 99<!-- = verdicts("holds") -->'
     first, second = fill._NUMBER.findall(fill.fill(text))
     assert first[0] == f"{fill.table('table_26', fill.ALL, 'HMM'):.2f}" != "1.00"
@@ -276,7 +276,7 @@ def test_there_is_one_version():
     assert f"\n## {placecat.__version__} " in (ROOT / "CHANGELOG.md").read_text()
 
 
-def test_the_public_checks_run_every_python_that_the_project_takes():
+def test_the_public_checks_run_every_supported_python():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     versions = re.findall(r"Python :: (3\.\d+)", " ".join(project["classifiers"]))
     job = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text())["jobs"]["test"]
@@ -293,7 +293,7 @@ def test_the_devcontainer_runs_a_target_of_make():
 
 def test_make_help_names_every_target_in_one_line():
     targets = re.search(r"^\.PHONY: (help .*)$", MAKEFILE, re.MULTILINE)[1].split()
-    # `make test` says that it enters a folder.
+    # Within `make test`, make would also print the folder that it enters.
     for command in (["make", "--no-print-directory", "help"], ["make", "--no-print-directory"]):
         shown = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
         assert sorted(line.split()[1] for line in shown.splitlines()) == sorted(targets)
@@ -306,7 +306,7 @@ def anchors(text):
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_links_lead_somewhere(page):
+def test_links_have_targets(page):
     for link in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", PAGES[page])):
         if "://" in link:
             continue

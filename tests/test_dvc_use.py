@@ -18,13 +18,13 @@ IDENTITY = {
     for what, at in (("NAME", ""), ("EMAIL", "@example.org"))
 }
 OWN_HOMES = ("dataset=my_homes", "dataset.root=data/drawn", "dataset.homes=[Home1,Home2,Home3,Home4]")
-# Checksums of dependencies are also columns of `dvc exp show`.
+# Without this option, `dvc exp show` also has columns with the checksums of dependencies.
 WITHOUT_CHECKSUMS = ("--drop", r"(conf|data|reports|src)/|params\.yaml$")
 
 
 @pytest.fixture(scope="module")
 def clone(reproduced, tmp_path_factory):
-    """A clone of the committed pipeline that has pulled the outputs of the first run from a directory."""
+    """A clone of the committed pipeline, with the outputs of the first run pulled from a directory."""
     folder, _, _ = reproduced
     base = tmp_path_factory.mktemp("remote")
     first, second = base / "first", base / "second"
@@ -34,7 +34,7 @@ def clone(reproduced, tmp_path_factory):
     run(first, "dvc", "push", "-q")
     run(base, "git", "clone", "-q", "first", "second")
     for out in rendered():
-        # The project's videos are in git, but git does not store the empty folders of this copy.
+        # In the project, the videos are in git, but git does not store the empty folders of this copy.
         (second / out).mkdir()
     assert not (second / "data/features").exists()
     run(second, "dvc", "pull", "-q")
@@ -57,7 +57,7 @@ def test_after_a_pull_everything_is_there_and_nothing_has_to_run(clone):
 
 @pytest.fixture(scope="module")
 def experiments(tmp_path_factory):
-    """The stage `sequences` on drawn homes, run and committed."""
+    """A project in which the stage `sequences` has run on drawn homes and was committed."""
     folder = tmp_path_factory.mktemp("experiments")
     conf = light_conf(folder / "conf")
     stages = read_yaml(ROOT / "dvc.yaml")["stages"]
@@ -76,7 +76,7 @@ def experiments(tmp_path_factory):
 
 
 def test_an_experiment_is_composed_run_and_shown(experiments):
-    """`dvc exp run` composes conf/ as `placecat params` does: only the overridden setting differs."""
+    """Since `dvc exp run` composes conf/ as `placecat params` does, only the overridden setting differs."""
     overrides = [argument for override in OWN_HOMES for argument in ("-S", override)]
     fast = ("-n", "fast", *overrides, "-S", "dataset.fps=10.0")
     run(experiments, "dvc", "exp", "run", *fast, **IDENTITY)
@@ -88,7 +88,7 @@ def test_an_experiment_is_composed_run_and_shown(experiments):
     baseline = run(experiments, "git", "branch", "--show-current").stdout.strip()
     fps = {name: float(row["dataset.fps"]) for name, row in rows.items()}
     assert fps == {"workspace": 10, baseline: 30, "fast": 10}
-    # None of the thousands of other settings.
+    # None of the thousands of other settings is shown.
     always = {"Experiment", "rev", "typ", "parent", "Created", "State", "Executor"}
     assert rows["fast"].keys() - always == {"dataset.fps"}
     difference = json.loads(run(experiments, "dvc", "exp", "diff", "HEAD", "fast", "--json").stdout)

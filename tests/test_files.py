@@ -78,7 +78,7 @@ def test_only_an_ordinary_file_is_replaced(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["pipe"]
 
 
-def test_a_place_to_write_to_is_tried_before_the_work(tmp_path):
+def test_unwritable_targets_are_found_in_advance(tmp_path):
     (tmp_path / "file").write_text("")
     for path, why in [(tmp_path / "file/x", "a file is where"), (tmp_path / ("x" * 255), "a shorter name")]:
         with pytest.raises(PlacecatError, match=f"cannot write .*{why}"):
@@ -100,7 +100,7 @@ def test_csv_keeps_empty_text(tmp_path):
     assert files.read_table(tmp_path / "t.csv", ["label"])["label"].tolist() == ["", "x"]
 
 
-def test_a_table_of_text_and_numbers_keeps_them_apart(tmp_path):
+def test_text_columns_are_not_read_as_numbers(tmp_path):
     path = tmp_path / "table.csv"
     path.write_text("row,section,measured\n46,4.10,1.5\n,NA,\n")
     table = files.read_table(path, ["row", "section", "note"])

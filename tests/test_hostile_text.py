@@ -1,4 +1,4 @@
-"""User text in every medium: it is shown literally, and nothing executes it."""
+"""User text is shown literally in every medium, and is never executed."""
 
 import csv
 import io
@@ -45,7 +45,7 @@ def text(request):
     return HOSTILE[request.param]
 
 
-def test_a_figure_shows_it(text, tmp_path):
+def test_a_figure_shows_the_text(text, tmp_path):
     def draw():
         figure = Figure(figsize=(3, 1.5))
         axes = figure.subplots()
@@ -62,13 +62,13 @@ def test_a_figure_shows_it(text, tmp_path):
     assert (tmp_path / "figure.png").stat().st_size > 1000
 
 
-def test_a_picture_shows_it(text):
+def test_a_picture_shows_the_text(text):
     drawn = mask(text, 12)
     assert drawn.ndim == 2
     assert 0 < drawn.shape[1] < 4000
 
 
-def test_a_terminal_executes_none_of_it(text):
+def test_terminal_output_is_escaped(text):
     for coding in ("utf-8", "ascii"):
         target = io.TextIOWrapper(io.BytesIO(), encoding=coding)
         terminal = Terminal(target)
@@ -80,7 +80,7 @@ def test_a_terminal_executes_none_of_it(text):
     assert printable("H\u00e4user $1 <b>") == "H\u00e4user $1 <b>"
 
 
-def test_the_page_shows_it(text):
+def test_the_page_shows_the_text(text):
     shown = (
         environment("placecat.report").from_string('<p title="{{ text }}">{{ text }}</p>').render(text=text)
     )
@@ -88,7 +88,7 @@ def test_the_page_shows_it(text):
     assert unescape(shown) == f'<p title="{text}">{text}</p>'
 
 
-def test_latex_prints_it(text):
+def test_latex_prints_the_text(text):
     shown = latex(text)
     for escaped in (*(f"\\{one}" for one in "&%$#_{}"), r"\textbackslash{}", "{[}"):
         shown = shown.replace(escaped, "")
@@ -96,14 +96,14 @@ def test_latex_prints_it(text):
     assert not set("\\&%$#_{}~^\n") & set(shown)
 
 
-def test_markdown_shows_it(text):
+def test_markdown_shows_the_text(text):
     shown = markdown(text)
     assert "\n" not in shown
     for character in "|`<[*$":
         assert f"\\{character}" in shown or character not in text
 
 
-def test_mlflow_takes_it_as_a_key(text):
+def test_mlflow_accepts_the_text_as_a_key(text):
     from mlflow.utils.validation import _validate_metric_name
 
     name = key("accuracy", text)
@@ -112,14 +112,14 @@ def test_mlflow_takes_it_as_a_key(text):
 
 
 @pytest.mark.parametrize("parts", [("a", ".."), ("..", "b"), ("a//b", "/"), (".", "a"), ("a", "/b/")])
-def test_no_key_is_a_path_elsewhere(parts):
+def test_mlflow_accepts_keys_that_look_like_paths(parts):
     from mlflow.utils.validation import _validate_metric_name
 
     _validate_metric_name(key("accuracy", *parts))
 
 
-def test_a_table_of_values_gives_it_back(text, tmp_path):
-    """As data, not for a spreadsheet: a text that begins with = is unchanged."""
+def test_csv_files_preserve_the_text(text, tmp_path):
+    """The table is for data, not for spreadsheets, so text that begins with = is unchanged."""
     if not text.isascii() or "\x00" in text:
         return
     path = tmp_path / "table.csv"

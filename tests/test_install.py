@@ -1,4 +1,4 @@
-"""The installer of `make`: moved, misled by the environment, called twice at once."""
+"""The installer of `make`, when moved, misled by the environment, or called twice at once."""
 
 import os
 import shutil
@@ -10,7 +10,7 @@ import pytest
 
 from project import ROOT, run
 
-# Replaces pip and records its calls.
+# A replacement for pip that records its calls.
 PIP = """
 import os, sys, time
 from pathlib import Path
@@ -25,7 +25,7 @@ LINES_OF_ONE = 2
 
 @pytest.fixture
 def folder(tmp_path):
-    """A project to install, whose virtual environments get a fake pip."""
+    """A project to install, with a fake pip in its virtual environments."""
     folder = tmp_path / "my project"
     folder.mkdir()
     shutil.copy(ROOT / "install.py", folder)
@@ -37,7 +37,7 @@ def folder(tmp_path):
     return folder
 
 
-# Replaces the module venv, which takes seconds to unpack pip.
+# A replacement for the module venv, which takes seconds to unpack pip.
 VENV = """
 import shutil
 import sys
@@ -56,7 +56,7 @@ configuration.write_text(text + f"command = python -m venv {target.absolute()}\\
 
 
 def install(folder, **extra):
-    # The folder of install.py comes first, so `-m venv` runs the module above.
+    # The folder of install.py comes first on the path, so `-m venv` runs the module above.
     command = [sys.executable, "install.py", "requirements.lock", ".venv/.installed"]
     return subprocess.Popen(command, cwd=folder, env=os.environ | extra, stderr=subprocess.PIPE, text=True)
 
@@ -97,7 +97,7 @@ def test_a_moved_project_is_installed_again(folder):
     assert run(moved, "make", "-q", ".venv/.installed", check=False).returncode == 0
 
 
-def test_the_linked_environment_of_another_folder_was_not_moved(folder):
+def test_a_linked_environment_does_not_count_as_moved(folder):
     assert install(folder).wait(60) == 0
     linked = folder.with_name("linked")
     linked.mkdir()

@@ -1,4 +1,4 @@
-"""Ctrl-C in the middle of feature extraction, through real DVC, and going on afterwards."""
+"""Ctrl-C during feature extraction with real DVC, and resuming afterwards."""
 
 import os
 import shutil
@@ -15,7 +15,7 @@ from project import ROOT, contents, environment, init, repro, run
 from sketch import draw_homes
 
 HOMES = ("Home1", "Home2", "Home3")
-# A terminal's programs heed Ctrl-C, whatever ran the tests.
+# Programs react to Ctrl-C as in a terminal, however the tests were started.
 HEED = (
     "import os,signal,sys; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execvp(sys.argv[1], sys.argv[1:])"
 )
@@ -24,7 +24,7 @@ PLACECAT_REPRO = ("python", "-c", "import sys; from placecat.runs import repro; 
 
 @pytest.fixture
 def project(tmp_path):
-    """The stages `sequences` and `features` on drawn homes, with few descriptors, before the first run."""
+    """A project with the stages `sequences` and `features` on drawn homes, before its first run."""
     folder = tmp_path / "project"
     folder.mkdir()
     shutil.copytree(ROOT / "src", folder / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
@@ -41,14 +41,14 @@ def project(tmp_path):
         "holistic": {"gist": descriptors["holistic"]["gist"]},
     }
     (folder / "params.yaml").write_text(yaml.safe_dump(own))
-    # More frames than a task takes, so that both workers are busy.
+    # There are more frames than fit into one task, so that both workers are busy.
     draw_homes(folder / "data/drawn", homes=3, frames_per_room=8, width=480, height=270)
     init(folder)
     return folder
 
 
 def interrupt(folder, home, *command):
-    """Run a command, press Ctrl-C once the home before `home` is complete; return its status and output."""
+    """Run a command and press Ctrl-C once the home before `home` is complete; return status and output."""
     log = folder.parent / f"{home}.log"
     with log.open("w") as output:
         process = subprocess.Popen(
@@ -63,7 +63,7 @@ def interrupt(folder, home, *command):
             before = folder / "data/features" / HOMES[HOMES.index(home) - 1]
             wait_for(lambda: before.exists() or process.poll() is not None)
             assert process.poll() is None, log.read_text()
-            # As a terminal does: to every process of the command.
+            # Send the signal to every process of the command, as a terminal does.
             os.killpg(process.pid, signal.SIGINT)
             status = process.wait(60)
             wait_for(lambda: not running(process.pid))
@@ -82,7 +82,7 @@ def wait_for(condition, seconds=60):
 
 
 def running(group):
-    """Whether a process of a group is alive; the dead that nobody has collected do not count."""
+    """Return whether any process of a group is alive; zombies do not count."""
     listed = subprocess.run(["ps", "-eo", "pgid=,stat="], capture_output=True, text=True, check=True).stdout
     return any(
         int(of) == group and not state.startswith("Z") for of, state in map(str.split, listed.splitlines())
@@ -90,7 +90,7 @@ def running(group):
 
 
 @pytest.mark.slow
-def test_a_run_goes_on_after_ctrl_c_and_ends_in_the_same_bytes(project, tmp_path):
+def test_a_run_resumes_after_ctrl_c_and_produces_the_same_bytes(project, tmp_path):
     whole = tmp_path / "whole"
     shutil.copytree(project, whole, symlinks=True)
     ran, _ = repro(whole, PLACECAT_WORKERS="1")
@@ -107,7 +107,7 @@ def test_a_run_goes_on_after_ctrl_c_and_ends_in_the_same_bytes(project, tmp_path
         done = [name for name in HOMES if name < home]
         assert sorted(path.name for path in (project / "data/features").iterdir()) == done
 
-    # What a stage leaves that had no time to tidy up, as when the power fails.
+    # Imitate the leftovers of a stage that had no time to clean up, for example after a power failure.
     left = project / "data/features/.Home3.0123abcd.partial"
     left.mkdir()
     (left / "local_hog.npy").write_bytes(b"half")

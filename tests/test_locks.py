@@ -1,4 +1,4 @@
-"""The lock files: for running, for tests and rendering, and for `make bench`."""
+"""The lock files for running, for tests and rendering, and for `make bench`."""
 
 import re
 import tomllib
@@ -11,7 +11,7 @@ LOCKS = ("requirements.lock", "requirements-test.lock", "requirements-bench.lock
 
 
 def pinned(lock):
-    """Maps each pinned package, with its condition, to the hashes of its files."""
+    """Map each pinned package, with its condition, to the hashes of its files."""
     blocks = re.split(r"\n(?=\S)", (ROOT / lock).read_text())
     return {block.split(" \\")[0]: set(re.findall(r"--hash=(\S+)", block)) for block in blocks}
 
@@ -40,13 +40,13 @@ def test_each_lock_has_its_extras_and_no_others():
     assert not (extras["deep"] | extras["bench-torch"]) & bench
 
 
-def test_peers_bring_no_deep_learning_framework():
+def test_peers_need_no_deep_learning_framework():
     assert not {"torch", "tensorflow", "jax"} & names(pinned("requirements-bench.lock"))
 
 
 @pytest.mark.parametrize("lock", LOCKS)
 def test_every_python_has_the_same_version_of_a_package(lock):
-    """Otherwise results could differ between versions of Python, and only one of them is tested."""
+    """Otherwise, results could differ between versions of Python, and only one of these is tested."""
     packages = [line.partition("==")[0] for line in pinned(lock)]
     assert len(packages) == len(set(packages))
 
@@ -61,7 +61,7 @@ def test_everything_is_pinned_by_hash_and_no_address_is_given(lock):
 
 @pytest.mark.xdist_group("together")
 def test_tests_of_a_group_stay_together(request):
-    """pytest-xdist finds groups by the end of a test's name; another pytest may prevent this."""
+    """This may fail with another pytest, since pytest-xdist recognizes groups by the end of a test name."""
     if not getattr(request.config.option, "loadgroup", False):
         pytest.skip("without --dist loadgroup")
     assert request.node.nodeid.endswith("@together")

@@ -1,4 +1,4 @@
-"""Names in the settings lead to modules; their settings are read from the source as Python sees them."""
+"""Names in the settings refer to modules. The settings of a module are read from its source."""
 
 import importlib
 import inspect
@@ -15,7 +15,7 @@ from placecat.schema.signatures import CUES, LEARNING
 
 @pytest.fixture
 def shapes(tmp_path, monkeypatch):
-    """A package for this test."""
+    """A package made for this test."""
     package = tmp_path / "shapes_for_test"
     package.mkdir()
     (package / "__init__.py").touch()
@@ -48,7 +48,7 @@ def test_an_unknown_module_is_refused_with_a_list(shapes, name):
     assert ("did you mean 'square'?" in str(caught.value)) == ("squar" in str(name))
 
 
-def test_a_module_that_is_no_python_or_lacks_a_package_is_no_traceback(shapes):
+def test_invalid_python_and_missing_packages_raise_placecat_errors(shapes):
     with pytest.raises(
         PlacecatError, match="shape 'lacking' cannot be imported: No module named 'no_such_package'"
     ):
@@ -58,7 +58,7 @@ def test_a_module_that_is_no_python_or_lacks_a_package_is_no_traceback(shapes):
         lookup.names(shapes.name, "describe")
 
 
-def test_nothing_is_imported_to_know_the_settings(shapes):
+def test_settings_are_listed_without_importing_the_module(shapes):
     assert lookup.parameters(shapes.name, "square", "describe") == {
         "unit": (True, Any),
         "scale": (False, Any),

@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 from placecat.stages import sequences
 from project import ROOT, commit, init, light_conf, run
 
-# One worker runs the small project of these tests once.
+# One worker runs all of these tests, so that their small project runs only once.
 pytestmark = pytest.mark.xdist_group("main")
 
 
@@ -29,14 +29,14 @@ def test_params_writes_the_composed_settings(folder):
 def test_params_without_overrides_are_the_committed_ones(folder):
     shutil.rmtree(folder / "conf")
     shutil.copytree(ROOT / "conf", folder / "conf")
-    # The list is written again.
+    # The command writes the list again.
     (folder / "conf/found.yaml").unlink()
     main(["params"])
     assert (folder / "conf/found.yaml").read_text() == (ROOT / "conf/found.yaml").read_text()
     assert (folder / "params.yaml").read_text() == (ROOT / "params.yaml").read_text()
 
 
-def test_a_mistake_ends_with_one_message(folder):
+def test_a_user_error_ends_with_one_message(folder):
     with pytest.raises(SystemExit) as caught:
         main(["params", "smoothing.delay_secondss=0.5"])
     assert str(caught.value).startswith("placecat: the settings cannot be composed: ")
@@ -46,7 +46,7 @@ def test_a_mistake_ends_with_one_message(folder):
 def test_outside_the_project_it_says_so(tmp_path):
     result = run(tmp_path, "placecat", "params", check=False)
     assert result.returncode == 1
-    assert "run placecat in the project's folder" in result.stderr
+    assert "run placecat in the project folder" in result.stderr
     assert "Traceback" not in result.stderr
 
 
@@ -89,7 +89,7 @@ def test_without_a_model_predict_says_how_to_make_one(folder):
     assert "\n" not in str(caught.value)
 
 
-# A quick pipeline: a stage that loops over homes, and one that writes two tables.
+# A quick pipeline with a stage that loops over homes, and a stage that writes two tables.
 CONF = """
 dataset:
   name: made
@@ -193,7 +193,7 @@ def ran(tmp_path_factory):
 
 @pytest.fixture
 def committed(ran, tmp_path):
-    """A copy of it with everything in git."""
+    """A copy of the project with everything in git."""
     folder = tmp_path / "copy"
     shutil.copytree(ran[0], folder, symlinks=True)
     commit(folder)
@@ -206,7 +206,7 @@ def placecat(folder, *arguments, **extra):
 
 @pytest.fixture
 def inside(committed, monkeypatch, capsys):
-    """Run `placecat` in this process, which starts sooner: in the copy or another folder."""
+    """Return a function that runs `placecat` in this process, which is faster than starting one."""
 
     def call(*arguments, folder=committed):
         monkeypatch.chdir(folder)
@@ -218,7 +218,7 @@ def inside(committed, monkeypatch, capsys):
             status = end.code
         out, err = capsys.readouterr()
         if isinstance(status, str):
-            # As Python does.
+            # Python does the same.
             status, err = 1, f"{err}{status}\n"
         return subprocess.CompletedProcess(arguments, status, out, err)
 
@@ -248,7 +248,7 @@ def test_the_first_run_has_table_26_and_times_and_nothing_to_compare_with(ran):
     assert complete["facts"]["total"] > sum(one["seconds"] for one in complete["by_stage"]) >= 0.4
 
 
-def test_a_second_run_is_equal_and_counts_no_stage(committed):
+def test_a_second_run_changes_nothing_and_runs_no_stage(committed):
     before = (committed / "data/times.json").read_bytes()
     result = placecat(committed, "repro")
     assert result.returncode == 0, result.stderr
@@ -283,7 +283,7 @@ def test_a_large_difference_ends_with_status_3_until_it_is_kept(committed, insid
     assert inside("compare", "HEAD~1").returncode == 3
 
 
-def test_other_settings_are_no_failure(committed):
+def test_changed_settings_are_not_a_failure(committed):
     result = placecat(committed, "repro", "probabilities.bins=17")
     assert result.returncode == 0, result.stderr
     assert "1 of 2 cells equal" in result.stdout
@@ -320,7 +320,7 @@ def test_force_runs_everything_except_frozen_stages(committed, inside):
     assert json.loads((committed / "data/times.json").read_text())["facts"]["stages"] == 2
 
 
-def test_mistakes_of_compare_give_one_message(committed, inside, tmp_path):
+def test_user_errors_in_compare_give_one_message(committed, inside, tmp_path):
     refused(inside("compare", "nowhere"), "git has no revision 'nowhere'")
     shutil.copytree(committed, tmp_path / "bare", ignore=shutil.ignore_patterns(".git", ".dvc"))
     refused(inside("compare", folder=tmp_path / "bare"), "this folder is not in a git repository")

@@ -1,4 +1,4 @@
-"""Names with a special meaning in a shell, a URL or a parser, through real DVC."""
+"""Names with a special meaning in a shell, a URL or a parser, with real DVC."""
 
 import pytest
 
@@ -9,7 +9,7 @@ NAMES = ["Flat A", "o'hara & Söhne", "$HOME", "home 1;touch PWNED"]
 
 
 @pytest.mark.slow
-def test_homes_may_have_names_that_a_shell_would_read(tmp_path):
+def test_homes_may_have_names_with_shell_syntax(tmp_path):
     folder = copy_project(tmp_path / "project folder")
     for number, name in enumerate(NAMES, 1):
         (folder / HOMES / f"Home{number}").rename(folder / HOMES / name)

@@ -1,4 +1,4 @@
-"""A cue is one module and one file of conf/cue: in a copy of the project, real DVC needs nothing else."""
+"""A cue needs only one module and one file in conf/cue, as shown in a copy of the project with real DVC."""
 
 import shutil
 
@@ -60,7 +60,7 @@ descriptor:
 classifier:
   clusters: 16
 """
-# The cue of docs/adding.md and its classifier.
+# The cue from docs/adding.md and its classifier.
 FOLLOWED = {
     name: text
     for name, text in BLOCKS.items()
@@ -81,13 +81,13 @@ SETTINGS = [
 
 def own(folder, *command, check=True):
     """Run a command with the package of the copy, not the installed one."""
-    # One worker starts faster than two for little work.
+    # One worker is faster than two if there is little work.
     return run(folder, *command, check=check, PYTHONPATH=str(folder / "src"), PLACECAT_WORKERS="1")
 
 
 @pytest.fixture(scope="module")
 def before(tmp_path_factory):
-    """A copy with small homes in git; one of them has features."""
+    """A copy of the project with small homes in git; one home has features."""
     folder = tmp_path_factory.mktemp("project")
     shutil.copytree(ROOT / "src", folder / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
     shutil.copytree(ROOT / "conf", folder / "conf")
@@ -105,7 +105,7 @@ def before(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def after(before, tmp_path_factory):
-    """The copy with two more cues, and its earlier features."""
+    """The copy with two additional cues, its earlier features, and the stages that ran."""
     features = contents(before, "data/features/Home1")
     for name, text in ADDED.items():
         (before / name).write_text(text)
@@ -135,12 +135,12 @@ def test_nothing_else_changes_in_git(after):
     assert sorted(lines) == sorted([*(f" M {name}" for name in written), *(f"?? {name}" for name in ADDED)])
 
 
-def test_descriptors_that_were_there_keep_their_bytes(after):
+def test_existing_descriptors_keep_their_bytes(after):
     folder, features, _ = after
     now = contents(folder, "data/features/Home1")
     place = "data/features/Home1"
     assert set(now) - set(features) == {f"{place}/holistic_brightness.npy", f"{place}/local_thumbnail.npy"}
-    # The lists of modules and files are longer now.
+    # Only the lists of modules and files have changed.
     changed = {name for name in features if now[name] != features[name]}
     lists = {name for name in features if name.endswith("/descriptors.json")}
     assert changed == lists | {f"{place}/manifest.json"}
@@ -158,7 +158,7 @@ def test_settings_are_the_defaults_of_the_module_and_of_the_clustering(after):
     assert params["codebooks"]["thumbnail_y"] == like
 
 
-def test_the_tests_of_all_descriptors_test_a_new_one(after):
+def test_the_descriptor_tests_include_new_descriptors(after):
     folder, _, _ = after
     files = [ROOT / f"tests/vision/{kind}/test_{kind}_descriptors.py" for kind in ("holistic", "local")]
     command = ("pytest", "-v", "-p", "no:cacheprovider", "-k", "brightness or thumbnail", *files)

@@ -1,4 +1,4 @@
-"""Additions of conf/optional: each changes its settings and nothing else."""
+"""Each addition in conf/optional changes its own settings and nothing else."""
 
 import inspect
 
@@ -21,15 +21,15 @@ from placecat.vision import discovery
 from project import ROOT
 
 NAMES = sorted(path.stem for path in (ROOT / "conf/optional").glob("*.yaml"))
-# Other data in place of the data of a split.
+# Additions that replace the data of a split.
 DATA = ["cold"]
 EVERY = pytest.mark.parametrize("name", NAMES)
-# One worker for all, so that each addition is composed once.
+# One worker runs all of these tests, so that each addition is composed only once.
 pytestmark = pytest.mark.xdist_group("optional")
 
 
 def differences(one, other, where=""):
-    """Dotted names of settings that `one` lacks or that differ from `other`."""
+    """Yield the dotted names of settings in `other` that `one` lacks or has with another value."""
     for key, value in other.items():
         name = f"{where}{key}"
         if isinstance(value, dict) and isinstance(one.get(key), dict):
@@ -40,7 +40,7 @@ def differences(one, other, where=""):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in DATA])
-def test_everything_that_was_there_stays(name):
+def test_existing_settings_do_not_change(name):
     extended = with_optional(name)
     references.check(extended)
     assert set(differences(extended, PARAMS)) <= {"smoothing.cues", "model.system"}
@@ -62,7 +62,7 @@ def test_all_settings_are_known_and_given(name):
 
 
 @EVERY
-def test_its_tables_show_results_that_there_are_and_are_additions(name):
+def test_new_tables_are_additions_with_existing_results(name):
     extended = with_optional(name)
     results, known, before = made(extended), sources(extended), tables_of(PARAMS, ROOT)
     for table_name, table in tables_of(extended, ROOT).items():
@@ -89,7 +89,7 @@ def test_the_embedding_is_one_more_cue_and_system():
 
 
 def test_cold_is_the_university_with_the_sequences_of_the_thesis():
-    """Thesis 4.9: Saarbruecken for north, Freiburg for south."""
+    """In thesis 4.9, north is Saarbruecken and south is Freiburg."""
     extended = with_optional("cold")
     references.check(extended)
     changed = {"dataset", "cue_parts", "integration_parts", "test"}

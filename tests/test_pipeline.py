@@ -1,4 +1,4 @@
-"""The pipeline from nothing, through real DVC."""
+"""The complete pipeline, run from scratch with real DVC."""
 
 import json
 import shutil
@@ -27,7 +27,7 @@ TABLES = {f"table_{number:02d}" for number in range(1, 32)} | {
     "addition_toy",
     "addition_votes",
 }
-# The small homes have too few frames for the clusters or components of these, or no sixth home.
+# Tables for which the homes are too small, or too few.
 TOO_SMALL = {1, 2, 4, 22}
 RANDOM_TABLES = {5, 8, 11, 12, 13, *range(16, 29), 30, 31}
 
@@ -36,7 +36,7 @@ def test_every_stage_runs_once_and_every_cell_has_a_number_or_a_reason(reproduce
     folder, ran, _ = reproduced
     listed = run(folder, "dvc", "stage", "list", "--name-only").stdout.split()
     assert sorted([*ran, "render"]) == sorted(listed)
-    # DVC takes longer with each; see dvc.yaml.
+    # Each stage makes DVC slower; see dvc.yaml.
     assert len(ran) == 20
     assert {path.stem for path in (folder / "reports/tables").glob("*.csv")} == TABLES
     published = files.read_table(ROOT / "data/thesis/published_tables.csv", KEY)
@@ -85,7 +85,7 @@ def test_findings_figures_metrics_and_numbers_in_the_text_are_there(reproduced):
 
 
 def numbers_in(content):
-    """Every number in nested mappings."""
+    """Yield every number in nested mappings."""
     if isinstance(content, dict):
         for value in content.values():
             yield from numbers_in(value)
@@ -95,7 +95,7 @@ def numbers_in(content):
 
 @pytest.fixture
 def copy(reproduced, tmp_path):
-    """A copy of what was reproduced, to change."""
+    """A copy of the reproduced folder that may be changed."""
     return shutil.copytree(reproduced[0], tmp_path / "copy", symlinks=True)
 
 
@@ -129,7 +129,7 @@ def test_a_second_repro_has_nothing_to_do(reproduced):
 
 
 def test_the_videos_are_checked_and_never_rendered(reproduced, copy):
-    """Neither another video nor another renderer starts the frozen stage, which takes hours."""
+    """Neither a new video nor a changed renderer starts the frozen stage, which takes hours."""
     _, _, output = reproduced
     assert "Verifying outputs in frozen stage: 'render'" in output
     (copy / rendered()[0] / "other.mp4").write_bytes(b"")
@@ -142,13 +142,13 @@ def test_the_videos_are_checked_and_never_rendered(reproduced, copy):
     assert (copy / rendered()[0] / "other.mp4").exists()
 
 
-# It only reads what was reproduced, so the other worker can do it.
+# This test only reads the reproduced folder, so the other worker can run it.
 @pytest.mark.xdist_group("later")
-def test_two_runs_from_nothing_give_the_same_bytes(reproduced, tmp_path):
-    """On more workers, with more threads, and whatever kernels OpenBLAS would choose by itself, too."""
+def test_two_runs_from_scratch_give_the_same_bytes(reproduced, tmp_path):
+    """This also holds with more workers, more threads and the kernels that OpenBLAS chooses on its own."""
     folder, _, _ = reproduced
     again = copy_project(tmp_path)
-    # The page has the checksum of the data, which DVC writes there.
+    # The page shows the checksum of the data, which is in dvc.lock.
     shutil.copy(folder / "dvc.lock", again)
     other = {"PLACECAT_WORKERS": "2", "OPENBLAS_NUM_THREADS": "2", "OMP_NUM_THREADS": "2"}
     run(again, "python", ROOT / "tests/every_stage.py", OPENBLAS_CORETYPE="", **other)
@@ -161,7 +161,7 @@ def test_two_runs_from_nothing_give_the_same_bytes(reproduced, tmp_path):
 
 @pytest.mark.parametrize("system", ["das_551_best", "das_451_all", "das_551_tracked", "das_551_extra"])
 def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, monkeypatch, system):
-    """A system trained without a home and read from its file names that home's frames as the stages do."""
+    """A saved system that was trained without a home classifies the frames of this home as the stages do."""
     from placecat import settings
     from placecat.categorizer import Categorizer, model_file
     from placecat.categorizer.train import train
@@ -189,10 +189,10 @@ def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, mon
         np.testing.assert_array_equal([getattr(one, attribute) for one in decisions], expected)
 
 
-def test_changing_one_cue_runs_that_cue_and_what_follows_only(copy):
+def test_changing_one_cue_recomputes_only_what_depends_on_it(copy):
     overrides = [*SMALL, "cues.hog_tracked.classifier.base.alpha=0.5"]
     (copy / "params.yaml").write_text(compose(overrides, conf=copy / "conf"))
-    # Stages of which DVC knows only that params.yaml has changed find that none of their items has.
+    # DVC runs these stages because params.yaml has changed, but they find few or no items to recompute.
     stages = ("codebooks", "site_features", "cues", "integration", "trials")
     before = inodes(copy, *stages)
     ran, _ = repro(copy, "integration", "trials")
@@ -202,7 +202,7 @@ def test_changing_one_cue_runs_that_cue_and_what_follows_only(copy):
     assert changed == {"hog_tracked", "das_551_tracked"}
 
 
-def test_changing_one_home_describes_that_home_only(copy):
+def test_changing_one_home_recomputes_only_its_features(copy):
     frame = next((copy / HOMES / "Home2").rglob("*.jpg"))
     content = next((copy / HOMES / "Home3").rglob("*.jpg")).read_bytes()
     frame.unlink()
@@ -218,7 +218,7 @@ def test_changing_one_home_describes_that_home_only(copy):
 
 
 def inodes(folder, *stages):
-    """The manifest of each item with its inode: one that was written anew has another."""
+    """Map the manifest of each item to its inode, which changes if the manifest is written again."""
     found = [path for stage in stages for path in (folder / "data" / stage).glob("*/manifest.json")]
     return {path: path.stat().st_ino for path in found}
 
@@ -267,7 +267,7 @@ def light(tmp_path_factory):
     ("override", "stage", "message", "workers"),
     [
         ("cues.gist.classifier.base.nu=1.5", "cues", "nu=1.5: it must be less than or equal to 1", "1"),
-        # From a worker process, too. One worker starts faster where there is little to do.
+        # This error is raised in a worker process. The other cases use one worker, which is faster.
         (
             "cues.gist.classifier.base={nu_policy: refuse, nu: 0.9}",
             "cues",
@@ -280,7 +280,7 @@ def light(tmp_path_factory):
         ("codebooks.hog_y.tree.max_clusters=40", "codebooks", "31 ", "1"),
     ],
 )
-def test_impossible_settings_give_one_message_and_leave_nothing(
+def test_invalid_settings_give_one_message_and_leave_nothing(
     reproduced, light, tmp_path, override, stage, message, workers
 ):
     folder, _, _ = reproduced
@@ -288,7 +288,7 @@ def test_impossible_settings_give_one_message_and_leave_nothing(
     for part in (folder / "data").iterdir():
         if part.name != stage:
             (tmp_path / "data" / part.name).symlink_to(part)
-    # What is there need not be made again, as in the folder where it was made.
+    # Copy the existing items, so that they are not made again.
     shutil.copytree(folder / "data" / stage, tmp_path / "data" / stage, symlinks=True)
     shutil.copy(folder / "dvc.yaml", tmp_path)
     (tmp_path / "src").symlink_to(folder / "src")
@@ -314,7 +314,7 @@ def drop_line(file, number):
 
 
 def check_refused(result, message):
-    """One line that names the thing, no traceback, a status that is not 0."""
+    """Check that the status is 1 and that one line without a traceback contains the message."""
     assert result.returncode == 1
     lines = [line for line in result.stderr.splitlines() if line.startswith("placecat: ")]
     assert len(lines) == 1

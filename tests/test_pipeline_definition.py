@@ -1,4 +1,4 @@
-"""What dvc.yaml and params.yaml say, against conf/ and the code."""
+"""Compare dvc.yaml and params.yaml with conf/ and the code."""
 
 import ast
 import inspect
@@ -17,7 +17,7 @@ from project import light_conf
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE = ROOT / "src"
 PIPELINE = read_yaml(ROOT / "dvc.yaml")["stages"]
-# What every stage uses to find code and settings, read, write and loop; it decides no number.
+# Modules for finding code and settings, for files and for loops. They affect no numbers.
 PLUMBING = (
     "compute",
     "errors",
@@ -37,7 +37,7 @@ PLUMBING = (
 
 
 def program(stage):
-    """The module that a stage runs: ``python -m MODULE``."""
+    """Return the module that a stage runs with ``python -m MODULE``."""
     module = PIPELINE[stage]["cmd"].split()[2]
     return f"{module}.__main__" if module_file(module).name == "__init__.py" else module
 
@@ -49,7 +49,7 @@ def module_file(module):
 
 @cache
 def imports(module):
-    """Modules of the project that a module imports anywhere in its text."""
+    """Return all modules of the project that a module imports anywhere."""
     found = set()
     for node in ast.walk(ast.parse(module_file(module).read_text())):
         if isinstance(node, ast.Import):
@@ -91,7 +91,7 @@ def test_every_stage_but_the_frozen_one_is_a_module_of_its_name():
 
 
 @pytest.mark.parametrize("stage", list(PIPELINE))
-def test_what_a_stage_depends_on_exists(stage):
+def test_the_dependencies_of_a_stage_exist(stage):
     for dep in PIPELINE[stage]["deps"]:
         if dep.startswith(("src/", "conf/")):
             assert (ROOT / dep).exists(), dep
@@ -111,7 +111,7 @@ OWN = {
 
 
 def schemes_compared():
-    """Where the thesis compares the two schemes: the settings of both."""
+    """Yield the settings of both schemes wherever the thesis compares them."""
     params = read_yaml(ROOT / "params.yaml")
     cues = params["cues"]
     whole = {
@@ -128,7 +128,7 @@ def schemes_compared():
 
 
 @pytest.mark.parametrize("compared", ["table_29", "toy", "conf/classifier"])
-def test_the_two_schemes_differ_in_the_scheme_alone(compared):
+def test_the_two_schemes_differ_only_in_the_scheme(compared):
     parallel, sequential = next((one, other) for name, one, other in schemes_compared() if name == compared)
     own = []
     for name, settings in (("parallel", parallel), ("sequential", sequential)):
@@ -139,7 +139,7 @@ def test_the_two_schemes_differ_in_the_scheme_alone(compared):
     assert own[0] == own[1]
 
 
-def test_changed_settings_of_the_parallel_scheme_are_those_of_the_sequential_one():
+def test_the_sequential_scheme_follows_changes_to_the_parallel_one():
     changed = "cues.spatial_pact.classifier.scheme.sigmoid_weights=balanced"
     nu = "cues.spatial_pact.classifier.base.nu=0.1"
     cue = _composed(changed, nu)["cues"]["spatial_pact_sequential"]
@@ -149,20 +149,20 @@ def test_changed_settings_of_the_parallel_scheme_are_those_of_the_sequential_one
 
 @pytest.mark.parametrize("stage", list(PIPELINE))
 def test_no_setting_reaches_a_shell(stage):
-    """DVC would write it into the command unquoted: a home `home 1;touch X` would run touch."""
+    """DVC inserts settings into commands without quotes, so a home `home 1;touch X` would run touch."""
     assert "$" not in PIPELINE[stage]["cmd"]
 
 
 def test_there_are_few_stages():
-    # DVC's time for a stage grows with their number, and each starts Python anew.
+    # The time that DVC takes per stage grows with their number, and each stage starts Python again.
     assert len(PIPELINE) <= 21
     assert not any("foreach" in body for body in PIPELINE.values())
     assert len((ROOT / "dvc.yaml").read_text().splitlines()) <= 250
     assert (ROOT / "params.yaml").stat().st_size <= 26 * 1024
 
 
-def test_everything_in_conf_is_used_because_it_is_there(tmp_path):
-    """A cue is found without a line anywhere else."""
+def test_new_files_in_conf_are_found(tmp_path):
+    """A cue is found without being listed anywhere."""
     conf = tmp_path / "conf"
     shutil.copytree(ROOT / "conf", conf)
     shutil.copy(conf / "cue/hog_y.yaml", conf / "cue/hog_again.yaml")
@@ -172,7 +172,7 @@ def test_everything_in_conf_is_used_because_it_is_there(tmp_path):
     assert composed["cues"]["hog_again"] == params["cues"]["hog_y"]
 
 
-def test_what_git_holds_lists_what_is_there():
+def test_found_yaml_in_git_is_up_to_date():
     assert (ROOT / "conf/found.yaml").read_text() == compose.found(ROOT / "conf"), "run `placecat params`"
 
 
@@ -186,7 +186,7 @@ def _composed(*overrides):
 
 
 def settings_in_code():
-    """Each part of params.yaml with the function or class whose settings it holds, and what is no setting."""
+    """Yield each part of params.yaml, the function or class with these settings, and its other parameters."""
     from placecat.cues import estimators
     from placecat.evaluation.quality import home_quality
     from placecat.fusion.smoothing import fit
@@ -227,12 +227,12 @@ def settings_in_code():
     }
     for file, content in read.items():
         options = content.get("base") if file.startswith("classifier/") else content
-        # A file without is a variant of another.
+        # A file without a name is a variant of another one.
         if options and "name" in options:
             estimator = type(estimators.build({"name": options["name"]}, file))
             settings = {key: value for key, value in options.items() if key not in ("name", "defaults")}
             given = {"n_values", "n_jobs", "base", "codebook", "n_clusters", "seed"}
-            # The size of libsvm's cache affects only speed.
+            # The cache size of libsvm affects only the speed.
             yield file, settings, estimator, given | {"cache_mb"}
     given = {"n_classes"}
     given |= {f"training_{part}" for part in ("sequences", "frame_rates", "proba", "truth")}
@@ -246,13 +246,13 @@ def settings_in_code():
 @pytest.mark.parametrize(
     ("name", "values", "function", "given"), [pytest.param(*part, id=part[0]) for part in settings_in_code()]
 )
-def test_every_constant_of_the_method_is_a_setting_and_none_is_unknown(name, values, function, given):
+def test_settings_match_the_parameters_in_the_code(name, values, function, given):
     names = set(inspect.signature(function).parameters) - given
     assert set(values) == names, name
 
 
 def test_no_setting_has_a_name_that_dvc_leaves_out_of_its_run_cache():
-    """It takes them for sizes of files there, so that another value would get the results of this one."""
+    """DVC takes these names for file sizes, so a changed value would get the results of the old one."""
 
     def names(content):
         for name, inner in content.items() if isinstance(content, dict) else ():

@@ -21,7 +21,7 @@ print("done", flush=True)
 
 
 def in_terminal(program, columns):
-    """Output of a program to a terminal of a given width."""
+    """Return the output of a program to a terminal of the given width."""
     import fcntl
     import struct
     import termios
@@ -34,7 +34,7 @@ def in_terminal(program, columns):
     try:
         while part := os.read(ours, 4096):
             written += part
-    # A terminal after its programs have ended.
+    # Reading from a terminal fails after its programs have ended.
     except OSError:
         pass
     os.close(ours)
@@ -43,7 +43,7 @@ def in_terminal(program, columns):
 
 
 @pytest.mark.parametrize("columns", [110, 60])
-def test_in_a_terminal_it_stays_one_line_and_is_gone_at_the_end(columns):
+def test_a_terminal_shows_one_line_that_disappears_at_the_end(columns):
     written = in_terminal(LOOP, columns)
     before, _, after = written.rpartition("done")
     assert after == "\r\n"
@@ -58,7 +58,7 @@ def test_in_a_terminal_it_stays_one_line_and_is_gone_at_the_end(columns):
     assert before.endswith("\r") and not before.split("\r")[-2].strip()
 
 
-def test_in_a_log_it_is_a_line_now_and_then():
+def test_a_log_contains_occasional_lines():
     result = subprocess.run([sys.executable, "-c", LOOP], capture_output=True, text=True, check=True)
     lines = result.stderr.splitlines()
     assert 2 <= len(lines) < 40
@@ -73,7 +73,7 @@ def test_a_short_loop_leaves_no_line_in_a_log():
     assert (result.stdout, result.stderr) == ("done\n", "")
 
 
-def test_without_a_total_it_counts():
+def test_without_a_total_the_steps_are_counted():
     program = LOOP.replace("total=40", "total=None")
     result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert re.match(r"frames of a home with a long name: \d+ tasks, [\d.]+ tasks/s\n", result.stderr)

@@ -1,4 +1,4 @@
-"""Every setting has a type and a range: impossible values are refused at once."""
+"""Every setting has a type and a range, so invalid values are rejected immediately."""
 
 import math
 
@@ -9,7 +9,7 @@ from changed_settings import changed as changed_at
 from placecat import schema
 from placecat.schema import signatures
 
-# Their entries have the same settings.
+# In these groups, all entries have the same settings.
 GROUPS = ("codebooks", "cues", "systems", "filters", "splits", "variants", "schemes", "local", "holistic")
 # Settings that may be null, and the meaning of null.
 MAY_BE_NULL = {
@@ -39,12 +39,12 @@ def leaves(content, place=()):
 
 
 def numbers():
-    """Each number once: the first entry represents its group."""
+    """Map each number to its place in the settings; the first entry of a group represents all others."""
     found = {}
     for place in leaves(PARAMS):
         in_group = [number > 0 and place[number - 1] in GROUPS for number in range(len(place))]
         general = tuple("*" if grouped else part for part, grouped in zip(place, in_group, strict=True))
-        # Other classifiers have other settings.
+        # Different classifiers have different settings.
         found.setdefault(general, place)
     return {".".join(map(str, general)): ".".join(map(str, place)) for general, place in found.items()}
 
@@ -53,24 +53,24 @@ NUMBERS = numbers()
 
 
 def check(params):
-    """For some sections only; other tests check references."""
+    """Check some sections; references are checked in other tests."""
     schema.check(params)
     signatures.check(params)
 
 
 def changed(name, value):
-    """The section of a setting, with another value."""
+    """Return the section of a setting, with another value for it."""
     section = name.partition(".")[0]
     return changed_at(name, value, {section: PARAMS[section]})
 
 
-def test_there_are_numbers_and_no_exception_is_superfluous():
+def test_every_nullable_setting_is_a_known_number():
     assert len(NUMBERS) > 90
     assert set(MAY_BE_NULL) < set(NUMBERS)
 
 
 @pytest.mark.parametrize("name", NUMBERS)
-def test_a_number_is_refused_that_cannot_be_meant(name):
+def test_invalid_numbers_are_rejected(name):
     place = NUMBERS[name]
     section = place.partition(".")[0]
     check({section: PARAMS[section]})
@@ -92,7 +92,7 @@ def test_null_is_allowed_where_it_means_something(name):
 
 
 def values():
-    """Wrong values of settings that are not numbers, with the message."""
+    """Yield invalid values for settings that are not numbers, with the expected message."""
     yield "dataset.homes", "banana", "list"
     yield "dataset.homes", [], "at least 1"
     yield "dataset.homes", ["home_1", "home_2", "home_1"], "'home_1' twice"
@@ -131,7 +131,7 @@ def values():
 
 
 @pytest.mark.parametrize(("name", "value", "message"), list(values()))
-def test_another_setting_is_refused_that_cannot_be_meant(name, value, message):
+def test_other_invalid_values_are_rejected(name, value, message):
     assert len(refused(check, changed(name, value), message)) < 300
 
 

@@ -1,4 +1,4 @@
-"""Disk full or no permission: one message that names the file, and no incomplete file."""
+"""On a full disk or without permission, one message names the file, and no incomplete file is left."""
 
 import errno
 import os
@@ -28,7 +28,7 @@ WRITERS = {
 
 @pytest.fixture
 def small_files():
-    """No file may grow above 100 kB, which fails like a full disk."""
+    """Limit files to 100 kB; larger ones fail as on a full disk."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, before[1]))
@@ -58,7 +58,7 @@ def test_a_failed_write_names_the_file_and_leaves_the_old_one(tmp_path, name, sm
         (errno.ENAMETOOLONG, "shorter name"),
     ],
 )
-def test_system_errors_are_one_message(number, remedy):
+def test_system_errors_give_one_message(number, remedy):
     with pytest.raises(SystemExit) as caught, exiting():
         raise OSError(number, os.strerror(number), "some/file.csv")
     assert str(caught.value).startswith(f"placecat: some/file.csv: {os.strerror(number)}; ")
@@ -83,7 +83,7 @@ def test_a_closed_pipe_ends_silently():
 
 
 @pytest.mark.parametrize("suffix", [".mp4", ".webm"])
-def test_a_film_that_is_not_written_to_its_end_is_refused(tmp_path, suffix, small_files):
+def test_an_incomplete_video_raises_an_error(tmp_path, suffix, small_files):
     pictures = np.random.default_rng(0).integers(0, 255, (50, 120, 160, 3)).astype(np.uint8)
     path = tmp_path / f"film{suffix}"
     film = Film(path, 10.0, (160, 120))

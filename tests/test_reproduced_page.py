@@ -1,4 +1,4 @@
-"""The report page of a whole run, in a real browser."""
+"""The report page of a complete run, in a real browser."""
 
 import json
 import re
@@ -42,7 +42,7 @@ def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(page, tm
     assert {f"table-{number}" for number in range(1, 32)} <= set(found["tables"])
     for cells in found["tables"].values():
         assert cells
-        # A number, or the letter of the footnote that explains why it is missing.
+        # Each cell has a number, or the letter of a footnote that explains why the number is missing.
         assert all(re.fullmatch(r"\d{1,3}\.\d\d", number) or mark for number, mark in cells)
     assert sum(number != "" for cells in found["tables"].values() for number, _ in cells) > 500
     figures = json.loads((page.parent / "figures/figures.json").read_text())
@@ -50,7 +50,7 @@ def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(page, tm
     anchors = [f"figure-{one['number']}" for one in figures if one["number"] is not None]
     assert sorted(found["figures"]) == sorted([*anchors, *added])
     assert found["images"] == sum(figure["file"] is not None for figure in figures) > 0
-    # The chart of the benchmarks in git.
+    # This is the chart of the benchmarks in git.
     assert found["charts"] == 1
     assert found["findings"] == 34
 
@@ -72,7 +72,7 @@ def test_the_page_says_that_the_data_differ(page):
 
 def test_the_page_needs_no_server(page):
     links = re.findall(r'(?:src|href)="(?!#|data:)([^"]*)"', page.read_text())
-    # The page is complete without them.
+    # The page is complete without these links.
     assert sorted(links) == sorted(f"figures/{path.name}" for path in (page.parent / "figures").glob("*.pdf"))
 
 

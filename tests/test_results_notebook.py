@@ -1,4 +1,4 @@
-"""docs/results.ipynb, executed."""
+"""Execute docs/results.ipynb."""
 
 import json
 
@@ -19,7 +19,7 @@ def test_outputs_are_stripped():
 
 
 @pytest.mark.skipif(not (made_report.ROOT / paths.RESULTS).is_file(), reason="the stage report has not run")
-def test_it_runs(monkeypatch):
+def test_the_notebook_runs(monkeypatch):
     monkeypatch.chdir(NOTEBOOK.parent)
     monkeypatch.setenv("MPLBACKEND", "agg")
     names = {}

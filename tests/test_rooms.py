@@ -1,4 +1,4 @@
-"""Dependencies between the packages, and between the rooms of placecat, run one way."""
+"""Dependencies between packages, and between the subpackages ("rooms") of placecat, run one way."""
 
 import ast
 from graphlib import TopologicalSorter
@@ -8,7 +8,7 @@ import pytest
 
 SOURCE = Path(__file__).resolve().parents[1] / "src"
 PACKAGE = SOURCE / "placecat"
-# The packages, and the others that each may import.
+# Maps each package to the other packages that it may import.
 MAY_USE = {
     "placecat": set(),
     "placecat_homes": {"placecat"},
@@ -16,8 +16,8 @@ MAY_USE = {
     "hydra_plugins": {"placecat"},
 }
 WRITERS = {"thesis", "provenance", "explain", "report", "mlflow_log"}
-# Modules that a room must not import, anywhere in its text.
 COMPUTING = ("vision", "learning", "fusion", "cues", "training", "evaluation", "categorizer")
+# Maps each room to the rooms that it must not import anywhere.
 NEVER = dict.fromkeys(COMPUTING, WRITERS | {"results", "drawing"}) | {
     "predict": WRITERS | {"results"},
     "panoramas": WRITERS | {"results", "drawing", "stages"},
@@ -29,12 +29,12 @@ NEVER = dict.fromkeys(COMPUTING, WRITERS | {"results", "drawing"}) | {
     "mlflow_log": {"explain", "stages"},
     "stages": {"explain"},
 }
-# These stages write what people read; all others compute.
+# These stages present results; all others compute them.
 WRITING_STAGES = {"tables", "findings", "figures", "report", "tracking"}
 
 
 def imported(path):
-    """Dotted names of all imports in the text of a module."""
+    """Yield the dotted names of all imports in a module."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
@@ -43,7 +43,7 @@ def imported(path):
 
 
 def rooms_used(path):
-    """Rooms that a module imports from."""
+    """Return the rooms from which a module imports."""
     return {name.split(".")[1] for name in imported(path) if name.startswith("placecat.")}
 
 
@@ -59,17 +59,17 @@ def test_the_method_imports_neither_the_renderer_nor_the_benchmarks(package):
 
 
 @pytest.mark.parametrize("room", NEVER)
-def test_arrows_run_one_way(room):
+def test_rooms_import_in_one_direction(room):
     for path in (PACKAGE / room).rglob("*.py"):
         assert not NEVER[room] & rooms_used(path), path.relative_to(PACKAGE)
 
 
-def test_rooms_have_no_circle():
+def test_rooms_have_no_import_cycle():
     rooms = {}
     for path in PACKAGE.rglob("*.py"):
         room = path.relative_to(PACKAGE).parts[0].removesuffix(".py")
         rooms.setdefault(room, set()).update(rooms_used(path) - {room})
-    # Raises CycleError, which names the rooms of a circle.
+    # If there is a cycle, this raises a CycleError that names its rooms.
     TopologicalSorter(rooms).prepare()
     assert len(rooms) > 20
 

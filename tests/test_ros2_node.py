@@ -1,4 +1,4 @@
-"""The node of docs/, with stand-ins for the modules of ROS."""
+"""The ROS node in docs/, with stubs for the ROS modules."""
 
 import array
 import runpy
@@ -70,7 +70,7 @@ def test_the_node_publishes_the_decisions_of_the_categorizer(node):
     topic, see = node.subscribed
     assert topic == "image"
     see(message(images[0], 100.0))
-    # Late, and in an unsupported encoding.
+    # The next message is late, and the one after it has an unsupported encoding.
     see(message(images[1], 99.5))
     see(message(images[1], 100.2, "mono16"))
     see(message(images[1], 100.5))
@@ -85,13 +85,13 @@ def test_the_node_publishes_the_decisions_of_the_categorizer(node):
     assert places == list(dict.fromkeys(decision.name for decision in expected))
 
 
-def test_an_unsure_place_is_published_as_unknown(node):
+def test_an_uncertain_place_is_published_as_unknown(node):
     node.categorizer.threshold = 1.1
     node.subscribed[1](message(frames(1)[0], 100.0))
     assert [one.data for name, one in node.sent if name == "place"] == ["unknown"]
 
 
-def test_of_a_frame_of_4_to_3_the_middle_is_taken(node):
+def test_frames_with_another_aspect_ratio_are_cropped(node):
     (image,) = frames(1)
     tall = np.pad(image, ((30, 30), (0, 0), (0, 0)))
     node.subscribed[1](message(tall, 100.0))
@@ -100,13 +100,13 @@ def test_of_a_frame_of_4_to_3_the_middle_is_taken(node):
     assert np.array_equal([result.score for result in sent.results], expected)
 
 
-def test_a_clock_that_goes_back_resets_it(node):
+def test_a_clock_that_goes_back_resets_the_node(node):
     images = list(frames(2))
     for image, seconds in ((images[0], 100.0), (images[1], 3.0), (images[0], 2.5), (images[0], 3.2)):
         node.subscribed[1](message(image, seconds))
     assert not node.said
     sent = [one for name, one in node.sent if name == "classification"]
-    # The third is late; the first is forgotten.
+    # The third message is late, and the first one is forgotten.
     assert [one.header.stamp.sec for one in sent] == [100, 3, 3]
     expected = Categorizer(make_system()).update(images[1]).proba
     assert np.array_equal([result.score for result in sent[1].results], expected)

@@ -1,4 +1,4 @@
-"""A shortcut that is planted in made homes is detected; test_data.py judges the rendered homes."""
+"""Shortcuts planted in artificial homes are detected. The rendered homes are judged in test_data.py."""
 
 import cv2
 import numpy as np
@@ -14,19 +14,19 @@ from project import ROOT
 
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
 STAY = 30
-"""Frames of each room of a made home."""
+"""Number of frames per room in an artificial home."""
 
 
 def data_set(name):
-    """A data set of conf/dataset, with its root made absolute."""
+    """Return a data set from conf/dataset with an absolute root."""
     content = settings.read_yaml(ROOT / f"conf/dataset/{name}.yaml")
     return content | {"root": ROOT / content["root"]}
 
 
 def view(rng, *, tint=0.0, light=0.0, grain=0.0):
-    """A picture of random patches: its mean colour and its brightness are its own.
+    """Return a picture of random patches with a random mean colour and brightness.
 
-    A tint leaves the brightness as it is.
+    A tint does not change the brightness.
     """
     patches = rng.uniform(60, 190, (6, 8, 3)) + rng.uniform(-20, 20, 3)
     image = cv2.resize(patches, (160, 120), interpolation=cv2.INTER_LINEAR)
@@ -35,7 +35,7 @@ def view(rng, *, tint=0.0, light=0.0, grain=0.0):
 
 
 def made_homes(root, planted):
-    """Four homes whose rooms differ only in planted features: room number to options of `view`."""
+    """Make four homes whose rooms differ only in the options of `view` that `planted` returns for each."""
     rng = np.random.default_rng(3)
     homes = ["a", "b", "c", "d"]
     for home in homes:
@@ -73,7 +73,7 @@ def assert_found(table, found):
 
 
 def test_the_size_of_each_frame_is_read_in_the_order_of_showing(tmp_path):
-    """A grey frame takes few bytes, a noisy one many; also with frames that refer to later ones."""
+    """A grey frame takes few bytes and a noisy one takes many, even if frames refer to later ones."""
     av = pytest.importorskip("av")
     rng = np.random.default_rng(5)
     noisy = rng.random(40) < 0.4
@@ -96,7 +96,7 @@ def test_the_size_of_each_frame_is_read_in_the_order_of_showing(tmp_path):
 
 @pytest.mark.slow
 def test_the_command_judges_the_homes_in_a_folder(tmp_path, capsys, monkeypatch):
-    """Planted brightness is found and ends it with status 1; the numbers equal `measure`."""
+    """The command finds planted brightness, ends with an error, and prints the numbers from `measure`."""
     tables = []
 
     def measured(*arguments):

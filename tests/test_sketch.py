@@ -23,7 +23,7 @@ def drawn(tmp_path_factory):
     return out
 
 
-def test_the_reader_reads_them(drawn):
+def test_the_layout_reader_reads_the_drawn_homes(drawn):
     for name in ("Home1", "Home2", "Home3", "Home4"):
         home = open_home("vpc2009", drawn, name, fps=5.0)
         labels = home.frames["label"]
@@ -36,7 +36,7 @@ def test_the_reader_reads_them(drawn):
         assert min(float(frame.std()) for frame in frames) > 5
 
 
-def test_every_frame_is_another_but_drawn_again_and_on_other_threads_the_same(drawn, tmp_path):
+def test_frames_are_distinct_and_reproducible(drawn, tmp_path):
     first, threads = digests(drawn), cv2.getNumThreads()
     assert len(set(first.values())) == len(first)
     draw_homes(tmp_path / "again", **SMALL)
@@ -52,8 +52,8 @@ def test_every_frame_is_another_but_drawn_again_and_on_other_threads_the_same(dr
 
 
 @pytest.mark.slow
-def test_colours_do_not_tell_classes():
-    # The nearest mean colour of the other homes' classes names few walls correctly (chance 20 %).
+def test_colours_do_not_predict_classes():
+    # The class with the nearest mean colour in the other homes is rarely correct; chance is 20 %.
     homes, rooms = 12, sorted(CLASSES)
     means = np.empty((homes, len(rooms), 3))
     for home, place in np.ndindex(homes, len(rooms)):
@@ -67,6 +67,6 @@ def test_colours_do_not_tell_classes():
 
 
 @pytest.mark.parametrize("room", ROOMS)
-def test_walls_are_of_the_size_given(room):
+def test_walls_have_the_documented_size(room):
     wall = draw_room(room, np.random.default_rng(3))
     assert (wall.shape, wall.dtype) == ((WALL_HEIGHT, WALL_WIDTH, 3), np.uint8)

@@ -1,4 +1,4 @@
-"""The wheel, installed in a separate environment, has everything that the package reads and runs."""
+"""The wheel, installed in a separate environment, contains everything that the package reads and runs."""
 
 import shutil
 import sys
@@ -15,10 +15,10 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """Python of the environment, and its folder of packages. The packages that placecat needs are ours."""
+    """Return the Python and the packages folder of an environment that also uses our packages."""
     folder = tmp_path_factory.mktemp("wheel")
     source, own = folder / "source", folder / "own"
-    # The build writes next to the source.
+    # Copy the source, since the build writes next to it.
     shutil.copytree(ROOT / "src", source / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, source)
@@ -30,12 +30,13 @@ def installed(tmp_path_factory):
     python = own / "bin/python"
     where = "import sysconfig; print(sysconfig.get_path('purelib'))"
     packages = Path(run(folder, python, "-c", where).stdout.strip())
-    # After its packages, and without our editable placecat, since a .pth file in there is not read.
+    # Our packages come after those of the environment. Python ignores the .pth files among them, so it does
+    # not find our editable placecat.
     (packages / "ours.pth").write_text(f"{sysconfig.get_path('purelib')}\n")
     return python, packages
 
 
-def test_it_holds_every_file_of_the_source(installed):
+def test_the_wheel_contains_every_source_file(installed):
     _, packages = installed
     ignored = ("__pycache__", ".egg-info")
     files = [
@@ -46,7 +47,7 @@ def test_it_holds_every_file_of_the_source(installed):
     assert [file for file in wanted if not (packages / file).is_file()] == []
 
 
-# `PYTHONPATH`, if there is one, may have the source.
+# If PYTHONPATH is set, it may contain the source.
 WITHOUT_SOURCE = {"PYTHONPATH": ""}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from contextlib import redirect_stdout
 from pathlib import Path
 
-import placecat.stages  # noqa: F401 must precede NumPy: it chooses OpenBLAS's kernels
+import placecat.stages  # noqa: F401 must precede NumPy: it chooses the OpenBLAS kernels
 from placecat import __version__, footage_commands, paths
 from placecat.config.compose import write_params
 from placecat.errors import PlacecatError, exiting
@@ -22,7 +22,7 @@ _STATUS = (
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run a subcommand. After a user's mistake, print a message and exit with status 1."""
+    """Run a subcommand. After a user error, print a message and exit with status 1."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     with exiting(), redirect_stdout(Terminal(sys.stdout)):
         if given[:1] in (["experiment"], ["search"]):
@@ -40,7 +40,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="placecat",
-        description="Reproducible visual place categorization. Run it in the project's folder.",
+        description="Reproducible visual place categorization. Run it in the project folder.",
     )
     parser.add_argument("--version", action="version", version=f"placecat {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND", title="commands")
@@ -52,16 +52,16 @@ def _parser() -> argparse.ArgumentParser:
         "worker",
         _worker,
         "start worker processes of a Dask cluster (compute=dask)",
-        "Start `dask worker` with settings that give the same bits on every machine: one thread per process, "
-        "common kernels. By default there are as many processes as cores. Ctrl-C ends them.",
+        "Start `dask worker` with settings that produce the same bits on every machine: one thread per "
+        "process and common kernels. By default, there is one process per core. Ctrl-C ends them.",
     )
     address = "address of the scheduler (`dask scheduler`), e.g. tcp://10.0.0.1:8786"
     worker.add_argument("scheduler", metavar="ADDRESS", help=address)
-    further = "further options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB"
+    further = "additional options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB"
     worker.add_argument("options", nargs=argparse.REMAINDER, metavar="OPTION", help=further)
     # Hydra parses the arguments of these two commands.
     commands.add_parser("experiment", help="train and test any descriptor and classifier, or many in a sweep")
-    commands.add_parser("search", help="search settings by their accuracy on training homes")
+    commands.add_parser("search", help="search for the settings with the highest accuracy on training homes")
     return parser
 
 
@@ -77,7 +77,7 @@ def _add_pipeline(commands: Commands) -> None:
         commands,
         "repro",
         _repro,
-        "write params.yaml, run the outdated stages, compare the tables with those in git",
+        "write params.yaml, run outdated stages, and compare the tables with those in git",
         "Compose params.yaml from conf/ and run `dvc repro`. Then print Table 26, the time of each stage "
         "that ran, and how the tables differ from those in git.",
         epilog=_STATUS,
@@ -90,7 +90,7 @@ def _add_pipeline(commands: Commands) -> None:
         commands,
         "replicate",
         _replicate,
-        "run the pipeline on many homes, group by group, and judge the findings on all",
+        "run the pipeline on many homes, group by group, and judge the findings on all of them",
         "Split the homes of a data set into groups of six, run the pipeline on each group, judge the "
         f"findings on all homes, and write the results to {paths.REPLICATION}. Needs the outputs of "
         "`placecat repro`. Continues a killed run.",
@@ -103,8 +103,8 @@ def _add_pipeline(commands: Commands) -> None:
         "mend",
         _mend,
         "clean up after a killed run",
-        "Restore the records of dvc.lock that a killed run cut off, and remove its temporary files. "
-        "`placecat repro` does this first; before `dvc repro`, run it yourself.",
+        "Restore records that are missing from dvc.lock after a killed run, and remove temporary files. "
+        "`placecat repro` does this first. Before using `dvc repro` itself, run this command.",
     )
 
 
@@ -114,8 +114,8 @@ def _add_results(commands: Commands) -> None:
         "compare",
         lambda options: _compare(options.old, options.new, options.html),
         "compare the tables with those in git",
-        "Show how reports/tables, the numbers in the thesis's text and the verdicts on its findings differ "
-        "from the versions in git. Runs nothing.",
+        "Show how reports/tables, the numbers in the text of the thesis and the verdicts on its findings "
+        "differ from the versions in git. No stage is run.",
         epilog=_STATUS,
     )
     sides = "any git revision, or a folder with params.yaml and reports/"
@@ -138,18 +138,18 @@ def _add_results(commands: Commands) -> None:
         "explain",
         _explain,
         "explain where a number comes from",
-        "Explain a number of a table or of the text: what it measures, and the settings, frames, seeds, "
+        "Explain a number in a table or in the text: what it measures, and the settings, frames, seeds, "
         "data, code and stages behind it.",
     )
     cell = "its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 HMM home_3"
     explain.add_argument("cell", nargs="+", metavar="CELL", help=cell)
-    again = "compute it again from the outputs of the stages, and check that every bit agrees"
+    again = "compute it again from stage outputs, and check that every bit agrees"
     explain.add_argument("--again", action="store_true", help=again)
     add_command(
         commands,
         "demo",
         _demo,
-        "a one-minute demo: train on a few frames of five homes, classify a walk through the sixth",
+        "a one-minute demo: train on a few frames of five homes, and classify a walk through the sixth",
         "Train the five-cue system on every 10th frame of five of the project's homes, and name the places "
         "of a walk through the sixth. Writes a timeline, an annotated clip and a page with both to "
         "predictions/demo. Works without a previous `placecat repro`.",
@@ -238,13 +238,13 @@ def _times(options: argparse.Namespace) -> int:
     from placecat.runs import times
 
     by_stage, facts = times.read_complete()
-    print(f"Measured on {facts['data']}, {facts['cores']} cores.")
+    print(f"Measured on {facts['data']}, with {facts['cores']} cores.")
     print(times.text(by_stage, facts["total"]))
     if options.keep:
         times.keep()
         print(
-            f"Copied to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}: run `dvc repro`, which puts them on "
-            "the page, and commit both."
+            f"Copied to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}: run `dvc repro` to show them "
+            "on the page, and commit both."
         )
     return 0
 

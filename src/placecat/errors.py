@@ -1,4 +1,4 @@
-"""Errors that the user can fix, and how they end the program."""
+"""Errors that users can fix, and how they end the program."""
 
 import difflib
 import errno
@@ -22,14 +22,14 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number that cannot be computed from these data with any settings; tables show the reason instead."""
+    """A number cannot be computed from the data, whatever the settings. Tables show the reason instead."""
 
 
 class SettingError(PlacecatError):
-    """A setting that is wrong for any data."""
+    """A setting that is wrong, whatever the data."""
 
 
-# Remedies for errors that come from disks, file systems and system limits.
+# Remedies for errors from disks, file systems and system limits.
 _REFUSED = {
     errno.ENOSPC: "free some space and run again",
     errno.EDQUOT: "free some space and run again",
@@ -80,7 +80,7 @@ def _status(error: BaseException) -> str | int:
 
 
 def printable(text: str) -> str:
-    """Escape unprintable and control characters, for example as ``\\x1b``, except line ends and tabs."""
+    """Escape unprintable and control characters, except line ends and tabs, in the form ``\\x1b``."""
     if text.isprintable():
         return text
     return "".join(
@@ -95,7 +95,7 @@ def one_line(text: object) -> str:
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Turn a system error while reading a user's file, such as a missing permission, into a PlacecatError."""
+    """Turn system errors while reading a user file, such as a missing permission, into PlacecatError."""
     try:
         yield
     except OSError as error:
@@ -106,7 +106,7 @@ def reading(path: Path) -> Iterator[None]:
 
 
 def is_refusal(error: OSError) -> bool:
-    """Return whether the system refused to read or write for a reason that the user can fix."""
+    """Return whether reading or writing failed for a reason that the user can fix."""
     # NumPy reports the number of bytes written, but no error number.
     return error.errno in _REFUSED or (error.errno is None and "requested and" in str(error))
 
@@ -120,6 +120,6 @@ def refusal(error: OSError, path: object = None) -> str:
 
 
 def did_you_mean(name: object, valid: Iterable[str]) -> str:
-    """Suggest the nearest valid name as a question after a semicolon; return "" if no name is near."""
+    """Return ``; did you mean NAME?`` with the most similar valid name, or "" if none is similar."""
     nearest = difflib.get_close_matches(str(name), list(valid), n=1)
     return f"; did you mean {nearest[0]!r}?" if nearest else ""

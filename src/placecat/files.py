@@ -1,6 +1,6 @@
-"""Read and write result files. Writes are atomic, and the same content always gives the same bytes.
+"""Read and write result files. Writes are atomic, and the same content always produces the same bytes.
 
-NumPy and pandas are imported late, since commands that only write settings must start quickly.
+NumPy and pandas are imported late, because commands that only write settings must start quickly.
 """
 
 import hashlib
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 @contextmanager
 def replacing(target: Path) -> Iterator[Path]:
-    """Yield a temporary path beside `target`; if the block succeeds, rename it to `target`, else remove it.
+    """Yield a temporary path next to `target`; rename it to `target` if the block succeeds, else remove it.
 
     The block creates a file or a folder at that path. Either may replace a file at `target`, but only a
-    folder may replace a folder. Raises PlacecatError if :func:`check_target` does, if a file would replace
-    a folder, or if writing fails, for example because the disk is full.
+    folder may replace a folder. Raises PlacecatError if :func:`check_target` does, if a file would replace a
+    folder, or if writing fails, for example because the disk is full.
     """
     target = Path(target)
     check_target(target)
@@ -79,8 +79,8 @@ def check_writable(target: Path) -> None:
 
 
 def _temporary(target: Path) -> Path:
-    # The suffix stays last, since NumPy and pandas use it to choose the format. The name is unique;
-    # placecat.runs.mend removes the leftovers of a killed process.
+    # The suffix stays last, since NumPy and pandas use it to choose the format. The name is unique.
+    # placecat.runs.mend removes such files if a process was killed.
     return target.with_name(f".{target.stem}.{secrets.token_hex(4)}.partial{target.suffix}")
 
 
@@ -92,14 +92,14 @@ def _remove(path: Path) -> None:
 
 
 def existing(path: Path) -> Path:
-    """Return the path of a stage's output; raise PlacecatError if the stage has not run."""
+    """Return the path of a stage output; raise PlacecatError if the stage has not run."""
     if not path.exists():
         raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
     return path
 
 
 def checksum(path: Path) -> str:
-    """Return a file's SHA-256 in hexadecimal digits."""
+    """Return the SHA-256 checksum of a file in hexadecimal digits."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
@@ -174,7 +174,7 @@ def read_table(path: Path, text: Collection[str] = ()) -> "pd.DataFrame":
 
 
 def read_cells(path: Path) -> "pd.DataFrame":
-    """Read a CSV file and keep every cell as text, since names of homes can look like numbers."""
+    """Read a CSV file and keep every cell as text, since home names can look like numbers."""
     import pandas as pd
 
     return pd.read_csv(existing(path), dtype=str, keep_default_na=False)

@@ -38,14 +38,14 @@ def _add_train(commands: Commands) -> None:
         _train,
         "train a system and write it as one file",
         "Train a system, from features to smoothing, on the homes that `placecat repro` has described, and "
-        "write it as one file for `placecat predict`. For the model card, the system is also trained without "
-        "each home in turn and tested on that home.",
+        "write it as one file for `placecat predict`. For the model card, each home is also left out once, "
+        "to test a system that is trained on the others.",
     )
-    system = "a system of conf/system; by default model.system"
+    system = "a system in conf/system; by default model.system"
     train.add_argument("system", nargs="?", metavar="SYSTEM", help=system)
-    without = "leave a home out of all training, to test on it; may be repeated"
+    without = "a home to leave out of all training, for testing on it; may be repeated"
     train.add_argument("--without", action="append", default=[], metavar="HOME", help=without)
-    train.add_argument("--seed", type=int, help="a seed of protocol.seeds; by default model.seed")
+    train.add_argument("--seed", type=int, help="a seed in protocol.seeds; by default model.seed")
     output = f"by default {paths.MODEL}; with SYSTEM, --without or --seed, a file in {paths.MODELS}"
     train.add_argument("--output", type=Path, metavar="FILE", help=output)
 
@@ -61,7 +61,7 @@ def _add_predict(commands: Commands) -> None:
     )
     source = (
         "a video, a folder of images, a ROS bag, camera, camera:NUMBER, the address of a stream, or "
-        "home:NAME (a home of the data set, with its floors and labels)"
+        "home:NAME (a home in the data set, with its floors and labels)"
     )
     predict.add_argument("source", metavar="SOURCE", help=source)
     model = f"by default {paths.MODEL}"
@@ -71,9 +71,9 @@ def _add_predict(commands: Commands) -> None:
     film = predict.add_mutually_exclusive_group()
     mp4 = "also write an annotated video: place, confidence, probabilities, salient regions"
     film.add_argument("--video", dest="film", action="store_const", const=".mp4", help=mp4)
-    webm = "also write it as WebM, which browsers can play; slower"
+    webm = "also write this video as WebM, which browsers can play; slower"
     film.add_argument("--webm", dest="film", action="store_const", const=".webm", help=webm)
-    resize = "scale frames to a size used in training; crop frames of another shape to their middle"
+    resize = "scale frames to a size used in training; crop frames with another aspect ratio at the edges"
     predict.add_argument("--resize", action="store_true", help=resize)
     labels = "a CSV file of the true places (start,end,label) to compare the predictions with"
     predict.add_argument("--labels", type=Path, metavar="CSV", help=labels)
@@ -85,16 +85,18 @@ def _add_predict(commands: Commands) -> None:
     predict.add_argument("--ignore", action="append", default=[], metavar="LABEL", help=ignored)
     every = "use every Nth frame, which is faster; 1 by default"
     predict.add_argument("--every", type=int, default=1, metavar="N", help=every)
-    seconds = "use only the first S seconds; a camera stops then"
+    seconds = "use only the first S seconds of the footage or camera"
     predict.add_argument("--seconds", type=float, metavar="S", help=seconds)
-    predict.add_argument("--fps", type=float, help="frames/s of the footage, if missing or wrong in the file")
-    predict.add_argument("--topic", help="the topic of the pictures in a bag, if several have pictures")
+    predict.add_argument(
+        "--fps", type=float, help="frame rate of the footage, if missing or wrong in the file"
+    )
+    predict.add_argument("--topic", help="the image topic in a bag, if there are several")
     mcap = "also write annotated pictures and probabilities as ROS 2 messages"
     predict.add_argument("--mcap", type=Path, metavar="FILE", help=mcap)
     rerun = "also write frames, regions and probabilities for Rerun (.rrd)"
     predict.add_argument("--rerun", type=Path, metavar="FILE", help=rerun)
     force = (
-        "replace files that --mcap and --rerun wrote, and predictions that were edited or come from another "
+        "replace files from --mcap and --rerun, and predictions that were edited or are from another "
         "source; an edited table is kept as NAME.edited.csv"
     )
     predict.add_argument("--force", action="store_true", help=force)
@@ -104,7 +106,7 @@ def _add_import(commands: Commands) -> None:
     kinds = commands.add_parser(
         "import",
         help="make homes from other kinds of pictures",
-        description="From other kinds of pictures, make homes that `placecat repro` can read.",
+        description="Convert other kinds of pictures into homes that `placecat repro` can read.",
     ).add_subparsers(required=True, metavar="KIND", title="kinds")
     panoramas = add_command(
         kinds,

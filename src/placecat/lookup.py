@@ -1,7 +1,7 @@
-"""Find the code that a setting names: a module in a package, and what the module defines.
+"""Find the code named in a setting: a module in a package, and the definitions in the module.
 
-Settings use module names, so a new file need not be registered. Signatures are read from the source, since
-imports take seconds (scikit-learn) and composing the settings must be quick.
+Settings use module names, so new files need no registration. Signatures are read from the source, because
+imports such as scikit-learn take seconds, but composing the settings must be quick.
 """
 
 import ast
@@ -32,7 +32,7 @@ class _Definition(NamedTuple):
 
 
 def names(package: str, *defining: str) -> list[str]:
-    """List a package's modules that define all of `defining`; raise PlacecatError for invalid Python."""
+    """List the modules in a package that define all of `defining`; raise PlacecatError for invalid Python."""
     found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
     return [name for name in found if _defines(package, name, defining)]
 
@@ -40,10 +40,10 @@ def names(package: str, *defining: str) -> list[str]:
 def require(package: str, name: object, what: str, *defining: str) -> str:
     """Return `name` if that module exists.
 
-    `package` and `defining` are as for `names`. Otherwise, raises a PlacecatError that suggests the nearest
-    name and lists all names. In this message, `what` describes `name`, e.g. as ``classifier.model``.
+    If not, raises a PlacecatError that suggests the nearest name and lists all names. In this message, `what`
+    describes `name`, for example as ``classifier.model``. `package` and `defining` are as for `names`.
     """
-    # Try this module first, since listing all takes time.
+    # Try this module first, since listing all of them takes time.
     if not _defines(package, name, defining):
         valid = names(package, *defining)
         question = did_you_mean(name, valid)
@@ -56,7 +56,7 @@ def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
 
     Raises PlacecatError if `require` does, or if the import fails.
     """
-    # Look here first, since this is called for every frame.
+    # Look in sys.modules first, since this is called for every frame.
     there = sys.modules.get(f"{package}.{name}")
     if there is not None and all(hasattr(there, one) for one in defining):
         return there
@@ -68,7 +68,7 @@ def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
 
 
 def estimator(package: str, name: object, what: str) -> str:
-    """Return the name of a module's only estimator.
+    """Return the name of the only estimator in a module.
 
     Raises PlacecatError if `require` does, or if the module does not define exactly one estimator.
     """
@@ -90,11 +90,11 @@ def estimator(package: str, name: object, what: str) -> str:
 def parameters(package: str, name: str, definition: str) -> dict[str, tuple[bool, Any]]:
     """List the settings of a function or class without importing it.
 
-    A function's settings are its keyword-only parameters; a class's are all parameters of ``__init__``.
-    Maps each setting, in source order, to a pair: whether the setting is required, and its type. The result
-    is empty if the module lacks `definition`. A type includes its range, if any (:mod:`placecat.ranges`). It
-    is Any if the annotation uses anything but Python's types, :mod:`typing`, the ranges, and names defined
-    in this package's modules.
+    The settings of a function are its keyword-only parameters; those of a class are all parameters of
+    ``__init__``. Maps each setting, in source order, to a pair: whether the setting is required, and its
+    type. The result is empty if the module lacks `definition`. A type includes its range, if any
+    (:mod:`placecat.ranges`). It is Any if the annotation uses anything but built-in types, :mod:`typing`, the
+    ranges, and names defined in modules of placecat.
     """
     found = _taking(package, name, definition)
     if found is None:
@@ -108,8 +108,8 @@ def parameters(package: str, name: str, definition: str) -> dict[str, tuple[bool
 def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
     """List the entries of a dictionary such as ``FIGURES`` in all modules.
 
-    An entry's value is a tuple that ends in a function; other values are skipped. Maps each key to the names
-    of its module and its function. A lambda, which has no settings, gets the name "".
+    Only entries whose value is a tuple that ends with a function are listed. Maps each key to the names of
+    its module and its function. A lambda has no settings and gets the name "".
     """
     listed = {}
     for name in names(package, dictionary):
@@ -149,7 +149,7 @@ def _file(package: str, name: object) -> Path | None:
 
 
 def _statements(full_name: str) -> dict[str, ast.stmt]:
-    """Map names to a module's top-level definitions, assignments and imports."""
+    """Map names to the top-level definitions, assignments and imports in a module."""
     package, _, name = full_name.rpartition(".")
     file = _file(package, name)
     return _parsed(file, file.stat().st_mtime_ns) if file is not None else {}
@@ -212,13 +212,13 @@ def _is_estimator(full_name: str, name: str) -> bool:
 
 
 def _is_abstract(node: ast.ClassDef) -> bool:
-    # Not all of the class, since this is called for every model that is built.
+    # Do not walk the entire class, since this is called for every model that is built.
     decorators = [one for item in node.body for one in getattr(item, "decorator_list", ())]
     return any(isinstance(one, ast.Name) and one.id == "abstractmethod" for one in decorators)
 
 
 def _taking(package: str, name: str, definition: str) -> _Definition | None:
-    """Return the function whose parameters are the settings: the function itself or ``__init__``."""
+    """Return the function whose parameters are the settings, which is ``__init__`` for a class."""
     found = _resolve(f"{package}.{name}", definition)
     if found is None or isinstance(found.node, ast.FunctionDef):
         return found
@@ -242,7 +242,7 @@ def _settings(found: _Definition) -> Iterator[tuple[ast.arg, bool]]:
 
 
 class _Names(dict[str, Any]):
-    """Maps names in annotations to types, ranges and this package's constants."""
+    """Maps names in annotations to types, ranges and constants of placecat."""
 
     def __init__(self, module: str) -> None:
         super().__init__(vars(typing) | vars(abc) | vars(builtins) | vars(annotated_types) | vars(ranges))
@@ -251,7 +251,7 @@ class _Names(dict[str, Any]):
     def __missing__(self, name: str) -> Any:
         node = _statements(self.module).get(name)
         if isinstance(node, ast.Assign):
-            # A dictionary's keys are names; its values may be anything.
+            # The keys of a dictionary are names; its values may be anything.
             if isinstance(node.value, ast.Dict):
                 return [_value(key, self) for key in node.value.keys]
             return _value(node.value, self)

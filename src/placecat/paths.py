@@ -1,4 +1,4 @@
-"""Paths relative to the project's folder, in which every stage runs."""
+"""Paths relative to the project folder, in which every stage runs."""
 
 from pathlib import Path
 
@@ -67,26 +67,26 @@ REPLICATED_FINDINGS = Path("reports/replication/findings.csv")
 
 # Seed name for results that are not random.
 NO_SEED = "no-seed"
-# Within a home's features folder: the folder of a region variant, and that folder's list of frames.
+# Within the features folder of a home: the folder of a region variant, and its list of frames.
 VARIANT = "variant_{}"
 VARIANT_FRAMES = "frames.npy"
 
 
 def sequences(home: str) -> Path:
-    """Return the folder of frames and labels for a home (``home_1``) or sequence (``university/north_2``)."""
+    """Return the folder for frames and labels of a home (``home_1``) or sequence (``university/north_2``)."""
     return (SITE_SEQUENCES if "/" in home else SEQUENCES) / home
 
 
 def features(home: str) -> Path:
-    """Return the folder of a home's descriptors; `home` is as for :func:`sequences`."""
+    """Return the folder with the descriptors of a home; `home` is as for :func:`sequences`."""
     return (SITE_FEATURES if "/" in home else FEATURES) / home
 
 
 def seed_name(seed: int | None) -> str:
-    """Return the part of a file name that states the seed: `seed-0`, or `no-seed` if nothing is random."""
+    """Return the part of a file name for the seed: `seed-0`, or `no-seed` if nothing is random."""
     return NO_SEED if seed is None else f"seed-{seed}"
 
 
 def codebook(name: str, training_set: str, seed: int) -> Path:
-    """Return a codebook's file for one training set (see :class:`placecat.training.plan.Plan`) and seed."""
+    """Return the codebook file for a training set (see :class:`placecat.training.plan.Plan`) and a seed."""
     return CODEBOOKS / name / f"{training_set}.{seed_name(seed)}.npz"

@@ -1,4 +1,4 @@
-"""Show a loop's progress: one updated line in a terminal, occasional lines in a log."""
+"""Show the progress of a loop: one updated line in a terminal, occasional lines in a log."""
 
 import sys
 from collections.abc import Callable, Iterable
@@ -6,7 +6,7 @@ from typing import Any
 
 from tqdm import tqdm
 
-# Seconds between lines in a log, and before the first.
+# Seconds between two lines in a log, and before the first line.
 IN_LOG = 30.0
 _IN_TERMINAL = 0.2
 _COUNT = "{desc}: {n_fmt}{unit}, {rate_fmt}{postfix}"
@@ -19,7 +19,7 @@ class Progress(tqdm):
 
     In a terminal, it is a single line that disappears at the end. Elsewhere, a line is written every `IN_LOG`
     seconds, so short loops write nothing. `iterable` is None if the caller uses :meth:`update` instead.
-    `total` is None if unknown. `unit` is the plural noun for the steps.
+    `total` is None if unknown. `unit` is a plural noun for the steps.
     """
 
     def __init__(

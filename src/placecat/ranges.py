@@ -10,13 +10,13 @@ from typing import Annotated, Any
 
 from annotated_types import Interval
 
-# Larger values are typos and could overflow.
+# Larger values are probably typos and could overflow.
 _MOST, _LARGEST = 2**31 - 1, 1e12
 
 Count = Annotated[int, Interval(ge=1, le=_MOST)]
 """One or more."""
 Index = Annotated[int, Interval(ge=0, le=_MOST)]
-"""A position or count, 0 or more."""
+"""A position or count, at least 0."""
 Seed = Annotated[int, Interval(ge=0, le=2**32 - 1)]
 """A seed for NumPy."""
 Two = Annotated[int, Interval(ge=2, le=_MOST)]
@@ -37,7 +37,7 @@ PartShare = Annotated[float, Interval(gt=0, lt=1)]
 
 @dataclass(frozen=True)
 class OneOf:
-    """A string that must be in a tuple of names or a dictionary's keys."""
+    """A string that must be in a tuple of names or among the keys of a dictionary."""
 
     names: Collection[str]
 

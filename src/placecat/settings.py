@@ -11,13 +11,13 @@ import yaml
 from placecat import paths
 from placecat.errors import PlacecatError, SettingError, did_you_mean
 
-# libyaml's loader is ten times faster; not every PyYAML has it.
+# The loader of libyaml is ten times faster, but not every PyYAML has it.
 Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def load(path: Path = paths.PARAMS) -> dict[str, Any]:
-    """Read the composed settings; raises the same errors as :func:`read_yaml`."""
-    return read_yaml(path, "run `placecat params` in the project's folder to write it")
+    """Read the composed settings. Raises the same errors as :func:`read_yaml`."""
+    return read_yaml(path, "run `placecat params` in the project folder to write it")
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
@@ -34,7 +34,7 @@ def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]
 
 
 def get(params: Mapping[str, Any], name: str) -> Any:
-    """Look up a setting by its dotted name; if it is missing, raise a PlacecatError with the valid names."""
+    """Look up a setting by its dotted name; raise a PlacecatError with the valid names if it is missing."""
     value: Any = params
     walked: list[str] = []
     for part in name.split("."):
@@ -73,9 +73,9 @@ def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], 
 
 
 def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, where: str) -> dict[str, Any]:
-    """Return a copy of nested settings with new values for those that dotted names select.
+    """Return a copy of nested settings, with new values for the settings with the given dotted names.
 
-    For an unknown setting, the PlacecatError begins with `who`, e.g. ``table_12 changes``, and says that
+    For an unknown setting, the PlacecatError begins with `who`, such as ``table_12 changes``, and says that
     `where` has no such setting.
     """
     result = copy.deepcopy(dict(content))
@@ -92,7 +92,7 @@ def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, 
 
 
 def flatten(settings: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
-    """Map each setting's dotted name to its value as text: ``cues.gist.classifier.base.nu`` to ``0.2``."""
+    """Map dotted names of settings to their values as text: ``cues.gist.classifier.base.nu`` to ``0.2``."""
     flat: dict[str, str] = {}
     for name, value in settings.items():
         if isinstance(value, Mapping):

@@ -1,4 +1,4 @@
-"""Terminal output that may contain text from the user."""
+"""Terminal output that may contain user text."""
 
 import io
 from typing import TextIO
@@ -7,7 +7,7 @@ from placecat.errors import printable
 
 
 class Terminal(io.TextIOBase):
-    """An output stream that neutralises control characters in titles and file names."""
+    """An output stream that escapes control characters in titles and file names."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream

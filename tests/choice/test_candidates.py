@@ -9,7 +9,7 @@ TRIES = "conf/choice.yaml tries"
 
 
 def table(rows):
-    """Rows of (data, candidate, accuracy, log-loss), each on two test homes that differ by 2 points."""
+    """Make two rows for each (data, candidate, accuracy, log-loss): test homes that differ by 2 points."""
     return pd.DataFrame(
         [
             (data, "cues", "gist", candidate, home, accuracy + shift, loss, 99.0, 0.0)
@@ -28,7 +28,7 @@ def test_the_log_loss_decides_among_similar_accuracies():
     assert choose(table(rows), margin=0.0).set_index("candidate")["chosen"].to_dict()["sure"]
 
 
-def test_data_sets_weigh_the_same():
+def test_data_sets_have_equal_weight():
     rows = [
         ("one", "x", 50.0, 1.0),
         ("one", "y", 40.0, 1.0),

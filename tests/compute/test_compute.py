@@ -1,4 +1,4 @@
-"""The settings `compute`: what they choose, and wrong ones, which are refused before anything runs."""
+"""What the `compute` settings choose. Invalid settings are rejected before anything runs."""
 
 import sys
 
@@ -35,11 +35,11 @@ def test_this_machine_needs_no_dask(params, monkeypatch, own):
         assert parallel.workers() == 1
 
 
-def test_settings_are_not_read_without_being_asked(params):
+def test_settings_are_read_only_when_needed(params):
     params(compute=DASK)
     assert squares() == [0, 1, 4]
     with compute.as_set():
-        # Nor if a task has to write files.
+        # The settings are not read either if a task must write files.
         assert parallel.in_parallel(abs, [(-1,)], "", locally=True) == [1]
 
 
@@ -55,7 +55,7 @@ def test_settings_are_not_read_without_being_asked(params):
         (DASK | {"wait": 0.2}, r"no scheduler answers .*compute=local"),
     ],
 )
-def test_impossible_settings_are_refused_in_one_line(params, own, message):
+def test_invalid_settings_are_rejected_in_one_line(params, own, message):
     params(compute=own)
     with pytest.raises(PlacecatError, match=message) as caught, compute.as_set():
         squares()
@@ -73,7 +73,7 @@ def test_without_dask_the_extra_is_named(params, monkeypatch):
 
 
 @pytest.mark.parametrize("value", ["0", "-1", "abc", "1.5", "2000", "9" * 5000, "\u0662"])
-def test_a_number_of_processes_that_is_none_is_refused(monkeypatch, value):
+def test_invalid_numbers_of_processes_are_rejected(monkeypatch, value):
     monkeypatch.setenv("PLACECAT_WORKERS", value)
     with pytest.raises(PlacecatError, match=r"PLACECAT_WORKERS=.* is not a number of processes"):
         compute.local_workers()

@@ -1,4 +1,4 @@
-"""A real scheduler and two workers: one is killed half-way, and the bytes are those of a local run."""
+"""A real scheduler and two workers. One is killed midway, and the results equal those of a local run."""
 
 import os
 import shutil
@@ -19,14 +19,14 @@ from project import ROOT, contents, environment
 from sketch import draw_homes
 
 HOMES = ("Home1", "Home2", "Home3")
-# As Dask names them.
+# The name that Dask gives to the tasks.
 TASKS = "perform"
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("cluster")]
 
 
 def parameters():
-    """The project's settings, cut down to two descriptors, one cue and three drawn homes."""
+    """Return the project's settings, reduced to two descriptors, one cue and three drawn homes."""
     params = read_yaml(ROOT / "params.yaml")
     own = {
         name: params[name] for name in ("attention", "regions", "region_variants", "information", "protocol")
@@ -45,13 +45,13 @@ def parameters():
 
 @pytest.fixture(scope="module")
 def local(tmp_path_factory):
-    """What the stages make on this machine."""
+    """A project after the stages have run on this machine."""
     folder = tmp_path_factory.mktemp("local")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
         patch.setenv("PLACECAT_WORKERS", "1")
         files.write_text(folder / "params.yaml", yaml.safe_dump(parameters()))
-        # Home1, which is described on the cluster, has several tasks for each worker.
+        # Home1 is described on the cluster and has several tasks for each worker.
         size = {"width": 320, "height": 180}
         draw_homes(folder / "data/drawn", homes=1, frames_per_room=18, **size)
         draw_homes(folder / "data/small", homes=3, frames_per_room=4, **size)
@@ -64,22 +64,22 @@ def local(tmp_path_factory):
 
 
 class Processes:
-    """The cluster's processes, and what its scheduler says."""
+    """The processes of a cluster, and queries to its scheduler."""
 
     def __init__(self, folder):
         self.folder = folder
-        # Far from the project: where a worker was started is nothing that matters.
+        # Start all processes outside the project, since it must not matter where a worker is started.
         self.scheduler = self.start("distributed.cli.dask_scheduler", *["--host", "127.0.0.1", "--port", "0"])
         log = folder / "0.log"
         wait_for(lambda: "Scheduler at:" in log.read_text())
         self.address = log.read_text().split("Scheduler at:")[1].split()[0]
         options = ("worker", self.address, "--nworkers", "1", "--no-nanny")
-        # The processes of two commands, so that the one that is killed is not started again.
+        # Two separate commands start the workers, so that a killed worker is not restarted.
         self.workers = [self.start("placecat", *options) for _ in range(2)]
         self.client = None
 
     def connect(self):
-        """Wait until both workers are there."""
+        """Wait until both workers have joined."""
         from distributed import Client
 
         self.client = Client(self.address, set_as_default=False)
@@ -98,7 +98,7 @@ class Processes:
             )
 
     def is_executing(self, process):
-        """Whether a worker has a task under way."""
+        """Return whether a worker is running a task."""
 
         def count(dask_worker):
             return len(dask_worker.state.executing)
@@ -107,7 +107,7 @@ class Processes:
         return self.client.run(count, workers=[worker])[worker] > 0
 
     def has_tasks_of(self, process):
-        """Whether the scheduler waits for a worker."""
+        """Return whether the scheduler is waiting for a worker."""
 
         def count(address, dask_scheduler):
             return len(dask_scheduler.workers[address].processing)
@@ -115,7 +115,7 @@ class Processes:
         return self.client.run_on_scheduler(count, self.worker_of[process.pid]) > 0
 
     def done(self):
-        """Tasks that were done, by key, and whether each was first taken from a worker."""
+        """Map the key of each finished task to whether the task was first taken away from a worker."""
 
         def read(name, dask_scheduler):
             taken, done = set(), {}
@@ -130,7 +130,7 @@ class Processes:
         return self.client.run_on_scheduler(read, TASKS)
 
     def tasks(self):
-        """Number of tasks that the scheduler knows."""
+        """Return the number of tasks known to the scheduler."""
         return self.client.run_on_scheduler(lambda dask_scheduler: len(dask_scheduler.tasks))
 
     def end(self):
@@ -150,7 +150,7 @@ def cluster(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def project(cluster, local, tmp_path_factory):
-    """The same project, set to the cluster, before Home1 is described; the cluster starts meanwhile."""
+    """A copy of the project without cues and without features of Home1, set up for the cluster."""
     cluster.connect()
     folder = tmp_path_factory.mktemp("cluster") / "project"
     shutil.copytree(local, folder)
@@ -177,7 +177,7 @@ def stage(folder, name):
         stderr=subprocess.STDOUT,
         text=True,
         start_new_session=True,
-        # Where the tests run in a shell's background SIGINT is ignored, and that is inherited.
+        # If the tests run in the background of a shell, they ignore SIGINT, and child processes inherit this.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
 
@@ -195,13 +195,13 @@ def test_ctrl_c_cancels_the_tasks_on_the_cluster(cluster, project):
 
 def test_a_worker_killed_half_way_leaves_the_bytes_of_a_local_run(cluster, project, local):
     doomed, other = cluster.workers
-    # What was cancelled has ended.
+    # Wait until cancelled tasks have ended.
     wait_for(lambda: not any(map(cluster.is_executing, cluster.workers)))
     before = cluster.done()
     process = stage(project, "features")
     while True:
         wait_for(lambda: cluster.is_executing(doomed) or process.poll() is not None)
-        # Stopped, it can neither end its task nor say so while the other one goes on.
+        # While it is stopped, it can neither finish its task nor report it, but the other worker continues.
         doomed.send_signal(signal.SIGSTOP)
         wait_for(lambda: len(cluster.done()) > len(before) or process.poll() is not None)
         if cluster.has_tasks_of(doomed) or process.poll() is not None:
@@ -222,12 +222,12 @@ def test_one_worker_trains_a_cue_with_the_bytes_of_a_local_run(cluster, project,
     before = cluster.done()
     with compute.as_set():
         cues.main()
-    # A fold a task, and none in this process.
+    # Each fold is a task, and none of them runs in this process.
     assert len(cluster.done()) == len(before) + len(HOMES)
     assert contents(project, "data/cues") == contents(local, "data/cues")
 
 
-def test_a_worker_of_another_environment_is_named(cluster, project, monkeypatch):
+def test_a_worker_in_another_environment_is_named(cluster, project, monkeypatch):
     monkeypatch.chdir(project)
     own = connection.fingerprint() | {"numpy": "1.0"}
     monkeypatch.setattr(connection, "fingerprint", lambda: own)
@@ -247,7 +247,7 @@ def test_a_worker_of_another_environment_is_named(cluster, project, monkeypatch)
 
 
 def test_a_task_that_kills_workers_ends_with_one_message(cluster, project, monkeypatch):
-    """The last test: no worker is left."""
+    """This must be the last test, since it leaves no workers."""
     monkeypatch.chdir(project)
     settings = {"scheduler": cluster.address, "wait": 1}
     cluster.client.run_on_scheduler(lambda dask_scheduler: setattr(dask_scheduler, "allowed_failures", 0))
@@ -256,8 +256,8 @@ def test_a_task_that_kills_workers_ends_with_one_message(cluster, project, monke
         PlacecatError, match=r"1 workers? died while running the same task, the last one tcp://"
     ):
         list(one.run(os._exit, [(9,)]))
-    with pytest.raises(PlacecatError, match="the cluster has had no worker for 1 s: start some"):
+    with pytest.raises(PlacecatError, match="the cluster has had no workers for 1 s: start some"):
         list(one.run(os.getpid, [()]))
     one.close()
-    with pytest.raises(PlacecatError, match=f"the cluster of {cluster.address} has no worker"):
+    with pytest.raises(PlacecatError, match=f"the cluster of {cluster.address} has no workers"):
         connection.Cluster(**settings)

@@ -1,4 +1,4 @@
-"""A process ends with the one that started it."""
+"""A process ends together with the process that started it."""
 
 import signal
 import subprocess

@@ -1,4 +1,4 @@
-"""Loops whose processes die."""
+"""Loops in which processes die."""
 
 import os
 import signal
@@ -25,13 +25,13 @@ def _want_too_much(number):
     raise MemoryError
 
 
-def test_a_killed_worker_is_one_message_that_names_the_task(two_workers):
+def test_a_killed_worker_gives_one_message_that_names_the_task(two_workers):
     with pytest.raises(PlacecatError, match=r"features of home_1: a worker process was killed.*WORKERS=1"):
         parallel.in_parallel(_die, [(number,) for number in range(4)], "features of home_1")
 
 
 @pytest.mark.parametrize(("jobs", "remedy"), [(1, "with more memory"), (2, "PLACECAT_WORKERS=1")])
-def test_a_task_without_memory_is_one_message_that_names_the_task(two_workers, jobs, remedy):
+def test_a_task_without_memory_gives_one_message_that_names_the_task(two_workers, jobs, remedy):
     with pytest.raises(PlacecatError, match=rf"features of home_1: memory ran out.*{remedy}"):
         parallel.in_parallel(_want_too_much, [(1,), (2,)], "features of home_1", n_jobs=jobs)
 

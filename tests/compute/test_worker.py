@@ -1,4 +1,4 @@
-"""Which workers are refused, and why."""
+"""Which workers are rejected, and why."""
 
 import os
 import pickle
@@ -32,7 +32,7 @@ def expected(tmp_path):
     worker._seen.clear()
 
 
-def test_a_worker_like_this_process_is_taken(expected):
+def test_a_worker_like_this_process_is_accepted(expected):
     assert worker.objection(expected(), FITTING) is None
 
 
@@ -50,24 +50,24 @@ def test_a_worker_with_several_threads_is_refused(expected):
     assert "has 4 threads" in worker.objection(expected(), several)
 
 
-def test_a_folder_of_the_same_name_that_is_another_is_refused(expected, tmp_path):
+def test_a_different_folder_is_rejected(expected, tmp_path):
     (tmp_path / "copy").mkdir()
     said = worker.objection(expected(folder=tmp_path / "copy"), FITTING)
-    assert f"does not see this project's folder {tmp_path / 'copy'}" in said
+    assert f"does not see the project folder {tmp_path / 'copy'}" in said
 
 
 def test_the_kernels_in_use_are_compared():
-    """Not what was asked for: it may have come too late, or not be there."""
+    """The requested kernels do not count: the request may come too late, or they may be unavailable."""
     assert os.environ.get("OPENBLAS_CORETYPE", "") in fingerprint()["BLAS"]
     assert np.__version__ == fingerprint()["numpy"]
 
 
 def where():
-    """The folder, and the threads or processes that a loop within a task runs in."""
+    """Return the working directory, and the processes in which a loop within a task runs."""
     return Path.cwd(), set(Parallel(n_jobs=None)(delayed(os.getpid)() for _ in range(3)))
 
 
-def test_a_task_runs_in_the_project_s_folder_and_keeps_loops_to_itself(expected, tmp_path, monkeypatch):
+def test_a_task_runs_in_the_project_folder_and_in_one_process(expected, tmp_path, monkeypatch):
     monkeypatch.setattr("distributed.get_worker", lambda: FITTING)
     before = Path.cwd()
     found = pickle.loads(worker.perform(expected(), pickle.dumps((where, ()))))

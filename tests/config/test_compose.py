@@ -17,7 +17,7 @@ CONF = ROOT / "conf"
 @pytest.fixture(scope="module")
 def composed(tmp_path_factory):
     conf = light_conf(tmp_path_factory.mktemp("light") / "conf")
-    # One cue is enough here and is composed in a quarter of the time.
+    # One cue is enough here, and composing takes only a quarter of the time.
     for folder in ("codebook", "cue", "descriptor/local", "filter", "split", "system"):
         for path in (conf / folder).glob("*.yaml"):
             if path.stem != "gist":
@@ -67,13 +67,13 @@ def test_every_data_set_composes_and_names_a_reader(composed, path):
 
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
 def test_every_classifier_builds(composed, path):
-    """Every classifier's configuration names a model and estimators with valid settings."""
+    """Every classifier configuration names a model and estimators with valid settings."""
     from placecat.cues import estimators
 
     found = composed(f"classifier@cues.gist.classifier={path.stem}")["cues"]["gist"]["classifier"]
     assert found["model"] in lookup.names("placecat.cues", "fit")
     if "cue" in found:
-        # A model that lets another one decide.
+        # This model lets another one decide.
         assert found["clusters"] == found["cue"]["clusters"]
         found = found["cue"]
         assert found["model"] in lookup.names("placecat.cues", "fit")
@@ -93,7 +93,7 @@ def test_a_failing_composition_keeps_the_old_params(tmp_path):
 
 @pytest.fixture
 def own_conf(tmp_path):
-    """Cues and their descriptors, to add to."""
+    """A copy of the cues and their descriptors, to which tests add others."""
     for folder in ("cue", "codebook", "descriptor"):
         shutil.copytree(CONF / folder, tmp_path / "conf" / folder)
     return tmp_path / "conf"
@@ -113,13 +113,13 @@ def own_conf(tmp_path):
         ("{kind: holistic", r"cue/new\.yaml is not valid YAML"),
     ],
 )
-def test_a_cue_of_a_descriptor_that_is_not_there_is_refused_with_its_file(own_conf, descriptor, message):
+def test_a_cue_with_a_missing_descriptor_is_rejected_with_its_file(own_conf, descriptor, message):
     (own_conf / "cue/new.yaml").write_text(f"codebook: null\ndescriptor: {descriptor}\n")
     refused(found, own_conf, message)
 
 
 def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
-    """Without its file, a used descriptor is listed with its defaults; an unused one is not listed."""
+    """Without its file, a descriptor is listed with its defaults if it is used, and not at all otherwise."""
     assert "_self_" not in found(own_conf)
     for name in ("gist", "gist_raw", "centrist", "centrist_full"):
         (own_conf / f"descriptor/holistic/{name}.yaml").unlink()
@@ -143,7 +143,7 @@ def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
         ("cues.gist.descriptor", None, r"cue/gist\.yaml: descriptor needs kind"),
         ("cues.hog_y.codebook", "hog", r"cue/hog_y\.yaml: there is no codebook 'hog'"),
         ("cues.hog_tracked.schemes", ["4-5-1"], r"cue/hog_tracked\.yaml.*for the scheme '4-5-1'.* 5-5-1"),
-        ("cues.color_mv_y.extra", True, r"cue/color_mv_y\.yaml has extra.*split/apartments.* no local desc"),
+        ("cues.color_mv_y.extra", True, r"split/apartments.*color_mv_y\.yaml .extra.* no local desc"),
         (
             "codebooks.hog_y.descriptor.color",
             "colour",
@@ -160,13 +160,13 @@ def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
         ("smoothing.filtered", ["informative/gits"], r"smoothing\.filtered: .* 'informative/gits'"),
         ("tracking.descriptors", ["surf"], r"tracking\.descriptors: there is no local descriptor 'surf'"),
         ("splits.university.systems.three", ["gits"], r"split/university\.yaml: there is no cue 'gits'"),
-        ("splits.university.descriptors.holistic", ["gist"], r"the cue spatial_pact, but .* 'centrist'"),
+        ("splits.university.descriptors.holistic", ["gist"], r"the cue spatial_pact: .* 'centrist'"),
         ("model.system", "best", r"model\.system: there is no system 'best'"),
-        ("model.seed", 7, r"model\.seed: there is no seed of protocol\.seeds 7 \(there are: 0"),
+        ("model.seed", 7, r"model\.seed must be in protocol\.seeds: there is no seed 7 \(there are: 0"),
         ("protocol.extra.split", "flats", r"protocol\.extra\.split: there is no split 'flats'"),
     ],
 )
-def test_a_name_of_nothing_is_refused_before_any_stage_runs(setting, value, message):
+def test_missing_references_are_rejected_before_any_stage_runs(setting, value, message):
     refused(references.check, changed(setting, value), message)
 
 
@@ -175,20 +175,20 @@ def test_an_opinion_pool_needs_cues_that_are_cross_validated():
     params = changed("systems.das_551_best.integrator", pool)
     references.check(params)
     params = changed("cues.sift_y.cross_validate", False, params)
-    refused(references.check, params, r"has method: log_pool: there is no cue with cross.* 'sift_y'")
+    refused(references.check, params, r"\(method: log_pool\): there is no cross-validated cue 'sift_y'")
 
 
 @pytest.mark.parametrize("section", ["protocol", "smoothing", "tracking", "descriptors", "dataset"])
-def test_a_section_without_settings_names_nothing(section):
+def test_a_section_without_settings_has_no_references(section):
     references.check({section: None})
 
 
-def test_names_of_something_pass():
+def test_valid_references_pass():
     for params in (PARAMS, {}, {"protocol": {"extra": None}}):
         references.check(params)
 
 
-def test_params_with_a_name_of_nothing_are_not_written(tmp_path, monkeypatch):
+def test_params_with_a_missing_reference_are_not_written(tmp_path, monkeypatch):
     light_conf(tmp_path / "conf")
     monkeypatch.chdir(tmp_path)
     with pytest.raises(PlacecatError, match=r"cue/gist\.yaml: there is no holistic descriptor 'gits'"):
@@ -203,7 +203,8 @@ def test_the_same_settings_are_composed_once(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     calls = []
     monkeypatch.setattr(module, "compose", lambda overrides: calls.append(overrides) or "figures: {}\n")
-    # A file that changes, the overrides, and the number of compositions so far; the environment may change.
+    # Each case has a changed file, the overrides, and the number of compositions so far. In the last two
+    # cases, settings come from the environment, which may change.
     for file, text, overrides, expected in (
         ("conf/config.yaml", "verdict: {}\n", [], 1),
         (None, None, [], 1),

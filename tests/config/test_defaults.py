@@ -25,14 +25,14 @@ CHOICES = [
     ("classifier@cues.gist.classifier", "nu_svm_sequential"),
     ("classifier@systems.das_551_best.integrator.classifier", "knn"),
     ("cue@cues.hog_y", "sift_tracked"),
-    # Against the `override` of nu_svm_sequential.
+    # This contradicts the `override` in nu_svm_sequential.
     ("scheme@cues.spatial_pact_sequential.classifier.scheme", "parallel"),
     ("clustering@codebooks.hog_tracked.tree", "flat_kmeans"),
     ("optional", "embedding"),
 ]
 
 
-# Only a few, since Hydra takes seconds for each.
+# There are only a few cases, since Hydra takes seconds for each.
 @pytest.mark.slow
 @pytest.mark.parametrize("choices", [[], CHOICES], ids=["as it is", "with choices"])
 def test_conf_is_merged_as_hydra_merges_it(choices):
@@ -41,7 +41,7 @@ def test_conf_is_merged_as_hydra_merges_it(choices):
 
 @pytest.fixture
 def small(tmp_path):
-    """A small conf/; returns a function that writes its files."""
+    """Make a small conf/; return a function that writes its files."""
 
     def write(**files):
         for name, text in files.items():
@@ -65,7 +65,7 @@ def small(tmp_path):
         {},
         {"config": "defaults:\n- _self_\n- kind: one\nkind: {list: [3], deep: null, nothing: {a: 1}}\n"},
         {"config": "defaults:\n- kind: three\n- /kind/two@a.b\n- /kind@c: one\n- extra: []\n- none: null\n"},
-        # The header counts where the defaults list does not say where the content goes.
+        # The header counts only if the defaults list does not say where the content goes.
         {"kind__one": "# @package _global_\ndefaults:\n- two\n- /kind/two@a\n- _self_\nlist: [1]\n"},
         {"kind__two": "# @package _global_\na: 1\n"},
         {"kind__one": "defaults:\n- /kind/two@inner\n- _self_\ninner: {deep: {a: '???', c: '${kind}'}}\n"},
@@ -106,8 +106,8 @@ def test_rare_and_wrong_cases_are_left_to_hydra(small, files, choices):
         defaults.merge(small(**files), choices)
 
 
-def test_all_of_conf_is_usual(tmp_path):
-    """Otherwise composing would take seconds."""
+def test_conf_has_no_unusual_cases(tmp_path):
+    """Otherwise, composing would take seconds."""
     conf = shutil.copytree(CONF, tmp_path / "conf")
     groups = (
         "dataset",

@@ -1,4 +1,4 @@
-"""Overrides that Hydra cannot read are refused, with the setting's name and the necessary quotes."""
+"""Overrides that Hydra cannot read are rejected, with the name of the setting and the necessary quotes."""
 
 import re
 import shlex
@@ -38,7 +38,7 @@ def refused(*given):
 
 
 def shown(message):
-    """The spellings of the override in the message: for a shell, for make."""
+    """Return the spellings of the override in the message, for a shell and for make."""
     return re.search(r"write (.*), and with make (SET=.*)$", message).groups()
 
 
@@ -50,7 +50,7 @@ def test_readable_overrides_pass(override):
 
 
 @pytest.mark.parametrize("value", [*UNREAD, "a!b"])
-def test_a_value_is_shown_as_shell_and_make_need_it(value, tmp_path):
+def test_values_are_quoted_for_shell_and_make(value, tmp_path):
     message = refused("verdict.level=0.9", f"dataset.root={value}")
     assert message.startswith(f"Hydra cannot read the value {value!r} of dataset.root")
     for_shell, for_make = shown(message)
@@ -67,7 +67,7 @@ def test_only_items_that_need_quotes_get_them():
     assert for_shell == "\"dataset.homes=[home_1,'H\u00e4user','R&D']\""
 
 
-def test_a_word_without_a_value_may_belong_to_the_one_before():
+def test_a_word_without_a_value_may_belong_to_the_previous_one():
     message = refused("dataset.root=my", "homes")
     assert message.startswith("the override 'homes' has no value: if it belongs to 'dataset.root=my', write")
     assert shown(message)[0] == "\"dataset.root='my homes'\""

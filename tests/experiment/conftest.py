@@ -3,13 +3,13 @@ from pathlib import Path
 
 import pytest
 
-# For made_experiments.
+# Make made_experiments importable.
 sys.path.insert(0, str(Path(__file__).parent))
 
 
 @pytest.fixture(scope="session")
 def made_project(tmp_path_factory):
-    """Tests that change it make another one."""
+    """A project shared by all tests. A test that changes its project makes a separate one."""
     from made_experiments import make_project
 
     return make_project(tmp_path_factory.mktemp("experiment") / "made")
@@ -17,6 +17,6 @@ def made_project(tmp_path_factory):
 
 @pytest.fixture
 def project(made_project, monkeypatch):
-    """The made project, as the working folder."""
+    """The generated project as the working directory."""
     monkeypatch.chdir(made_project)
     return made_project

@@ -1,4 +1,4 @@
-"""A made project, and conf/experiment.yaml composed as the application does."""
+"""A generated project, and conf/experiment.yaml composed as in the application."""
 
 import copy
 from pathlib import Path
@@ -13,12 +13,12 @@ from placecat.experiment import options, sweep
 from placecat.experiment.combination import resolve
 
 CONF = Path(__file__).resolve().parents[2] / "conf"
-# For the made features: few regions, few clusters.
+# The generated features need few regions and few clusters.
 SMALL = ("descriptor.max_regions=4", "codebook.tree.branching=4", "classifier.clusters=13")
 
 
 def make_project(folder, **options):
-    """A project with made features of four homes, and the settings in git."""
+    """Make a project with generated features of four homes and the settings in git."""
     params = copy.deepcopy(PARAMS)
     params["dataset"]["title"] = "made homes"
     folder.mkdir(parents=True, exist_ok=True)
@@ -38,7 +38,7 @@ def resolved(*overrides, **changed):
 
 
 def swept(*overrides):
-    """The experiments and combinations of a sweep, checked."""
+    """Return the checked experiments and the combinations of a sweep."""
     options.register()
     with initialize_config_dir(str(paths.CONF.resolve()), version_base="1.3"):
         config = compose("experiment", return_hydra_config=True)

@@ -15,10 +15,10 @@ from placecat import __main__, files
 from placecat.experiment import summary
 from placecat.experiment.running import compute, made_from
 
-# One worker for all tests, so the sweep runs once.
+# All tests run on one worker, so the sweep runs only once.
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("experiment")]
 
-# Half of it fails: there are fewer clusters.
+# Half of the experiments fail, because there are fewer than 1000 clusters.
 SWEPT = ("descriptor=gist", "classifier=knn", "classifier.base.n_neighbors=1,1000", "test_home=h1,H_2")
 CLUSTERS = SMALL[1:]
 
@@ -42,7 +42,7 @@ def sweep(tmp_path_factory):
     return folder, run(folder, "-m", *SWEPT, *CLUSTERS, "hydra.sweep.dir=swept")
 
 
-def test_a_failed_experiment_does_not_lose_the_others(sweep):
+def test_a_failed_experiment_does_not_affect_the_others(sweep):
     folder, result = sweep
     assert result.returncode == 1
     assert "Traceback" not in result.stderr + result.stdout
@@ -57,7 +57,7 @@ def test_a_failed_experiment_does_not_lose_the_others(sweep):
             assert "failed: n_neighbors=1000 exceeds n_clusters=" in line
 
 
-def test_two_workers_give_the_bytes_of_one(sweep, tmp_path, monkeypatch):
+def test_two_workers_produce_the_same_bytes_as_one(sweep, tmp_path, monkeypatch):
     folder, _ = sweep
     monkeypatch.chdir(folder)
     for number, home in enumerate(("h1", "H_2")):
@@ -68,7 +68,7 @@ def test_two_workers_give_the_bytes_of_one(sweep, tmp_path, monkeypatch):
         ).read_bytes()
 
 
-def test_a_sweep_is_one_run_of_mlflow_with_a_run_below_for_each_experiment(sweep):
+def test_a_sweep_is_an_mlflow_run_with_nested_experiments(sweep):
     from mlflow import MlflowClient
 
     folder, result = sweep
@@ -99,7 +99,7 @@ def test_a_sweep_is_one_run_of_mlflow_with_a_run_below_for_each_experiment(sweep
 
 
 def test_the_same_experiment_runs_on_another_launcher(sweep):
-    """submitit as on a cluster, with a process on this machine."""
+    """Submitit works as on a cluster, but starts a process on this machine."""
     pytest.importorskip("hydra_plugins.hydra_submitit_launcher")
     folder, _ = sweep
     result = run(
@@ -118,7 +118,7 @@ def test_the_same_experiment_runs_on_another_launcher(sweep):
 
 
 def main_with(monkeypatch, *words):
-    """The application in this process."""
+    """Run the application in this process."""
     monkeypatch.setattr(sys, "argv", sys.argv)
     try:
         __main__.main(["experiment", *words])
@@ -140,15 +140,15 @@ def test_a_single_experiment_is_reported_by_home_and_place(sweep, monkeypatch, c
     assert f"H2: {own['homes']['H2']['accuracy']:.2f} % (seed-0 " in printed
     quality = f"Log-loss {own['log_loss']:.3f} nats, calibration error {own['calibration_error']:.2f} %"
     assert quality in printed.splitlines()
-    assert "in percent of the frames of the true place" in printed
+    assert "in percent of the frames of each true place" in printed
 
 
-def test_a_wrong_combination_computes_nothing(sweep, monkeypatch):
+def test_an_invalid_combination_computes_nothing(sweep, monkeypatch):
     folder, _ = sweep
     monkeypatch.chdir(folder)
     words = ("-m", "descriptor=gist", "classifier.clusters=13,14", "codebook.tree.branching=4")
     message = main_with(monkeypatch, *words)
-    assert message.startswith("placecat: 1 of 2 combinations are refused")
+    assert message.startswith("placecat: 1 of 2 combinations are invalid")
     assert not (folder / "multirun").exists()
 
 
@@ -173,7 +173,7 @@ def test_help_is_our_own(project, monkeypatch, capsys):
     assert max(map(len, printed.splitlines())) <= 120
 
 
-def test_results_are_kept_though_mlflow_is_down(sweep, monkeypatch, capsys):
+def test_results_are_kept_if_mlflow_is_down(sweep, monkeypatch, capsys):
     folder, _ = sweep
     monkeypatch.chdir(folder)
     monkeypatch.setenv("MLFLOW_TRACKING_URI", "http://127.0.0.1:9")

@@ -1,4 +1,4 @@
-"""A killed sweep resumes, with the table of an undisturbed one. Its jobs are trivial."""
+"""A killed sweep resumes and produces the same table as an uninterrupted one. The jobs are trivial."""
 
 import os
 import random
@@ -18,14 +18,14 @@ from placecat.errors import PlacecatError
 from placecat.experiment import combination, job, jobs, output, running, summary, sweep
 from placecat.runs import lock
 
-# Jobs that fail, and jobs whose process is killed each time.
+# Number of the job that fails, and of the job whose process is always killed.
 FAILS, IS_KILLED = 3, 5
 WORKERS = 2
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 
 
 class Sweep:
-    """A sweep over `number` in a folder, whose workers are forks of this process."""
+    """A sweep over `number` in a folder. Its workers are forks of this process."""
 
     def __init__(self, folder, count):
         self.folder = folder
@@ -39,12 +39,12 @@ class Sweep:
             return summary.tell(folder, self.combinations, log=None)
 
     def launch(self, lines):
-        """Like joblib: two workers, and if one is killed, the other is too."""
+        """Run two workers, as joblib does; if one is killed, the other is killed, too."""
         workers = []
         for first in range(WORKERS):
             process = os.fork()
             if not process:
-                # A fork must not go on with the tests, whatever happens.
+                # A fork must never continue with the tests.
                 try:
                     self.work(lines[first::WORKERS])
                     os._exit(0)
@@ -83,7 +83,7 @@ class Sweep:
 
 @pytest.fixture
 def ran(tmp_path, monkeypatch):
-    """File with the numbers of the jobs that were started."""
+    """A file that lists the numbers of all started jobs."""
     log = tmp_path / "ran.txt"
     log.write_text("")
 
@@ -108,7 +108,7 @@ def ran(tmp_path, monkeypatch):
 
 
 def start(one):
-    """A process in a separate group, without output."""
+    """Start a process in a separate group, without output."""
     process = os.fork()
     if not process:
         os.setsid()
@@ -119,14 +119,14 @@ def start(one):
             one.run()
         finally:
             os._exit(1)
-    # Its group cannot be killed before it exists.
+    # The group cannot be killed before it exists.
     while os.getpgid(process) != process:
         time.sleep(0.001)
     return process
 
 
 def wait_for_workers(group):
-    """Workers may finish a job before they notice that the sweep is gone."""
+    """Wait, since workers may finish a job before they notice that the sweep is gone."""
 
     def is_of_group(process):
         try:
@@ -139,7 +139,7 @@ def wait_for_workers(group):
 
 
 @pytest.mark.parametrize(("count", "kills"), [(12, 2), pytest.param(60, 8, marks=pytest.mark.slow)])
-def test_a_killed_sweep_resumes_with_the_undisturbed_result(tmp_path, ran, capsys, count, kills):
+def test_a_killed_sweep_resumes_with_the_uninterrupted_result(tmp_path, ran, capsys, count, kills):
     whole, one = Sweep(tmp_path / "whole", count), Sweep(tmp_path / "one", count)
     assert not whole.run()
     chance = random.Random(count)
@@ -170,7 +170,7 @@ def test_a_killed_sweep_resumes_with_the_undisturbed_result(tmp_path, ran, capsy
     assert f"number={IS_KILLED}: failed: {output.KILLED}" in capsys.readouterr().out
 
 
-def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_path, ran, capfd):
+def test_a_second_sweep_waits_and_finds_all_jobs_finished(tmp_path, ran, capfd):
     one = Sweep(tmp_path / "one", 3)
     one.folder.mkdir()
     with lock.waiting(one.folder / ".lock", ""):

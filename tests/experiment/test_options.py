@@ -9,7 +9,7 @@ from made_experiments import CONF
 from placecat.experiment import options
 
 
-def test_every_descriptor_has_a_name_of_its_own(project):
+def test_descriptor_names_are_unique(project):
     found = options.descriptors()
     files = sorted((CONF / "descriptor").glob("*/*.yaml"))
     assert {(own["kind"], own["name"]) for own in found.values()} == {

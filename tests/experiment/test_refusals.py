@@ -1,4 +1,4 @@
-"""Wrong combinations are refused before anything is computed; messages name valid ones."""
+"""Invalid combinations are rejected before anything is computed; messages name valid ones."""
 
 import pytest
 from hydra.errors import HydraException
@@ -39,7 +39,7 @@ WRONG = (PlacecatError, HydraException)
         ("seeds=[true]", "seeds"),
     ],
 )
-def test_a_wrong_setting_is_refused_with_the_right_ones(project, override, message):
+def test_an_invalid_setting_is_rejected_with_valid_ones(project, override, message):
     small = [one for one in SMALL if override != "descriptor=hog" or not one.startswith("descriptor.")]
     with pytest.raises(WRONG, match=message):
         resolved(*small, override)
@@ -60,7 +60,7 @@ def test_a_wrong_setting_is_refused_with_the_right_ones(project, override, messa
         (["judge=training_homes", "+data=site"], "data"),
     ],
 )
-def test_incompatible_settings_are_refused(project, overrides, message):
+def test_incompatible_settings_are_rejected(project, overrides, message):
     with pytest.raises(WRONG, match=message):
         resolved("descriptor=gist", *overrides)
 
@@ -73,24 +73,24 @@ def test_a_kernel_on_many_regions_needs_a_limit(project):
     resolved(SMALL[0], "classifier=gentle_adaboost", "limits.kernel_rows=50")
 
 
-def test_a_sweep_is_refused_with_all_that_is_wrong_in_it(project):
+def test_a_rejected_sweep_lists_all_invalid_combinations(project):
     with pytest.raises(PlacecatError) as caught:
         swept("descriptor=gist", "classifier=nu_svm,naive_bayes", "classifier.clusters=46,47")
     text = str(caught.value)
-    assert text.startswith("3 of 4 combinations are refused; nothing was computed:")
+    assert text.startswith("3 of 4 combinations are invalid; nothing was computed:")
     assert "use 46 or 61\n    classifier=naive_bayes classifier.clusters=47" in text
     assert "classifier=nu_svm classifier.clusters=46" in text
     assert "classifier=naive_bayes classifier.clusters=46" not in text
 
 
-def test_an_interval_is_for_a_search(project):
+def test_an_interval_requires_a_search(project):
     with pytest.raises(PlacecatError, match="which only a search allows"):
         swept("descriptor=gist", "classifier=nu_svm", "classifier.base.nu=interval(0.1,0.2)")
 
 
 @pytest.mark.parametrize(("last", "used"), [("4", [4]), ("13,4", [13, 4])])
 def test_the_last_values_of_a_key_are_used(project, last, used):
-    """The table does not name values that were not computed."""
+    """The table does not list values that were not computed."""
     words = ("descriptor=gist", "classifier=knn", SMALL[1], "classifier.clusters=13,16")
     experiments, combinations = swept(*words, "test_home=h1", f"classifier.clusters={last}")
     assert [one.settings["classifier"]["clusters"] for one in experiments] == used
@@ -98,7 +98,7 @@ def test_the_last_values_of_a_key_are_used(project, last, used):
     assert combinations == (swept_values if len(used) > 1 else [{}])
 
 
-def test_combinations_are_in_the_order_that_hydra_numbers_them_in(project):
+def test_combinations_are_in_the_order_of_hydra(project):
     experiments, combinations = swept(
         "descriptor=gist", "classifier=knn,naive_bayes", "classifier.clusters=16,46", "track=false"
     )
@@ -112,7 +112,7 @@ def test_combinations_are_in_the_order_that_hydra_numbers_them_in(project):
 
 
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
-def test_every_classifier_goes_with_a_whole_frame_or_is_refused(project, path):
+def test_every_classifier_accepts_whole_frames_or_is_rejected(project, path):
     if path.stem == "discriminative_regions":
         with pytest.raises(PlacecatError, match="needs salient regions, but descriptor gist describes whole"):
             resolved("descriptor=gist", f"classifier={path.stem}", "test_home=all")
@@ -133,7 +133,7 @@ def test_a_home_may_be_spelled_in_any_way(project):
         find_homes(data, ["h1", "H1"])
 
 
-def test_a_training_set_without_one_of_the_places_is_refused(tmp_path, monkeypatch):
+def test_a_training_set_that_lacks_a_place_is_rejected(tmp_path, monkeypatch):
     folder = make_project(tmp_path / "project")
     for home in ("H2", "H3", "H4"):
         path = folder / f"data/sequences/{home}/labels.csv"
@@ -143,9 +143,9 @@ def test_a_training_set_without_one_of_the_places_is_refused(tmp_path, monkeypat
         resolved("descriptor=gist", "test_home=H1")
 
 
-def test_a_wrong_folder_and_missing_features_have_a_remedy(tmp_path, monkeypatch, made_project):
+def test_a_wrong_folder_and_missing_features_are_reported(tmp_path, monkeypatch, made_project):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(PlacecatError, match="run this in the project's folder"):
+    with pytest.raises(PlacecatError, match="run this in the project folder"):
         application.main([])
     (tmp_path / "conf").symlink_to(CONF)
     (tmp_path / "params.yaml").write_text((made_project / "params.yaml").read_text())

@@ -1,4 +1,4 @@
-"""An experiment gives the numbers of the tables and learns nothing from its test home."""
+"""An experiment reproduces the numbers of the tables and learns nothing from its test home."""
 
 import json
 import math
@@ -28,7 +28,7 @@ def confusion(result, home, seed, fold=None):
 
 
 def by_hand(labels, proba):
-    """Log-loss and calibration error of the labelled frames of one home, place by place and bin by bin."""
+    """Compute log-loss and calibration error on the labelled frames of one home, by place and by bin."""
     losses, of_bin = [], {}
     places = sorted(set(labels) - {-1})
     for place in places:
@@ -41,7 +41,7 @@ def by_hand(labels, proba):
     return np.mean(losses), 100 * sum(abs(sum(gaps)) for gaps in of_bin.values()) / len(places)
 
 
-def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
+def test_an_experiment_equals_the_cell_of_a_table(tmp_path, monkeypatch):
     from placecat.stages import trials
 
     monkeypatch.chdir(make_project(tmp_path / "project"))
@@ -67,8 +67,8 @@ def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
         np.testing.assert_array_equal(confusion(svm, home, "no-seed"), cell)
 
 
-def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch):
-    """In decisions, in log-loss and in calibration error."""
+def test_an_experiment_on_a_split_equals_the_cue_of_that_split(tmp_path, monkeypatch):
+    """The experiment and the cue agree in decisions, log-loss and calibration error."""
     from placecat.stages import scores, splits
 
     monkeypatch.chdir(make_project(tmp_path / "project"))
@@ -102,7 +102,7 @@ def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch
 
 @pytest.mark.slow
 def test_training_homes_are_judged_without_the_test_home(tmp_path, monkeypatch):
-    """Neither a marker in it nor its absence changes anything; if it trains, the marker does."""
+    """Marking or removing the test home changes nothing, but the marker has an effect in a training home."""
     found = {}
     for name, marked, home in (
         ("plain", None, "H3"),
@@ -132,7 +132,7 @@ def test_training_homes_are_judged_without_the_test_home(tmp_path, monkeypatch):
 
 
 def test_settings_of_probabilities_are_part_of_the_result(project):
-    """A sweep that resumes after a change of them computes again."""
+    """If these settings change, a resumed sweep computes its results again."""
     one = resolved(*SMALL)
     other = replace(one, probabilities={"bins": 2, "smallest": 0.2})
     assert made_from(one) != made_from(other)
@@ -145,8 +145,8 @@ def test_settings_of_probabilities_are_part_of_the_result(project):
         assert found[name] != changed[name]
 
 
-def test_a_number_written_otherwise_is_the_same_experiment(project):
-    """The seed of the clusters is derived from the descriptor as text."""
+def test_number_format_does_not_change_the_experiment(project):
+    """The seed for clustering is derived from the text of the descriptor."""
     one, other = (
         compute(resolved(*SMALL, f"descriptor.y_weight={weight}", "test_home=H1")) for weight in ("1", "1.0")
     )

@@ -1,4 +1,4 @@
-"""Searches: a made objective without Hydra's launcher, and the real application on made features."""
+"""Searches: an artificial objective without Hydra's launcher, and the real application on random features."""
 
 import csv
 import itertools
@@ -63,7 +63,7 @@ def search(own, objective, **changed):
     batch_size=st.integers(1, 5),
     seed=st.integers(0, 2**32 - 1),
 )
-def test_found_is_at_least_as_good_as_every_start(values, first, batch_size, seed):
+def test_the_result_is_at_least_as_good_as_every_start(values, first, batch_size, seed):
     own = read(cues={"hog_y": cue(y_pos=True)})
     accuracies = iter([*first, *values])
     tried = search(own, lambda one: next(accuracies), batch_size=batch_size, seed=seed)
@@ -91,8 +91,8 @@ def test_choices_are_within_the_space_and_not_run_twice():
     assert [first for first, _ in batches] == list(itertools.accumulate([0, *counts[:-1]]))
 
 
-def test_results_lead_the_search():
-    # The highest is at gamma = 0.1, far from the start.
+def test_later_trials_are_better():
+    # The maximum is at gamma = 0.1, far from the start.
     import math
 
     def objective(one):
@@ -106,14 +106,14 @@ def test_results_lead_the_search():
     assert search(read({GAMMA: PARAMS[GAMMA]}), objective, n_trials=24, seed=1) != tried
 
 
-def test_a_search_without_any_number_ends_early():
+def test_a_search_without_any_accuracy_ends_early():
     asked = []
     with pytest.raises(PlacecatError, match="none of the first 4 experiments"):
         search(read(), lambda one: asked.append(one) or float("nan"))
     assert len(asked) == 4
 
 
-def test_a_start_without_a_number_is_reported(tmp_path):
+def test_a_start_without_an_accuracy_is_reported(tmp_path):
     own = read()
     tried = search(own, lambda one: float("nan") if one[0].endswith("=2.0") else 40.0)
     assert tried[0].accuracy is None
@@ -123,7 +123,7 @@ def test_a_start_without_a_number_is_reported(tmp_path):
     assert "For comparison" not in text
 
 
-def test_a_cue_of_another_descriptor_is_no_start():
+def test_a_cue_with_another_descriptor_is_not_a_start():
     tracked = cue(y_pos=True, tracked=True)
     own = read(cues={"sift_y": cue(name="sift"), "hog": cue(y_pos=False), "hog_tracked": tracked})
     assert list(own.starts) == [space.SETTINGS]
@@ -141,7 +141,7 @@ def test_the_thesis_setting_of_hog_is_a_start():
     assert found == {space.SETTINGS: {CLUSTERS: 91}, "conf/cue/hog_y.yaml": {CLUSTERS: 196}}
 
 
-def test_the_command_line_goes_first():
+def test_the_command_line_takes_precedence():
     own = read(arguments=[f"{GAMMA}=1.0", "test_home=home_1", f"{SCALING}=choice(standard,unit)"])
     assert list(own.distributions) == [SCALING]
     assert own.distributions[SCALING].choices == ("standard", "unit")
@@ -162,7 +162,7 @@ def test_the_command_line_goes_first():
         ({GAMMA: "2.0"}, (), "nothing to search"),
     ],
 )
-def test_impossible_spaces_are_refused(params, arguments, message):
+def test_invalid_spaces_are_rejected(params, arguments, message):
     with pytest.raises(PlacecatError, match=message):
         read(params, arguments)
 
@@ -175,7 +175,7 @@ def test_impossible_spaces_are_refused(params, arguments, message):
         ({"test_home": ["home_1", "home_2"]}, "would use every home"),
     ],
 )
-def test_searches_that_use_the_test_home_are_refused(changed, message):
+def test_searches_that_use_the_test_home_are_rejected(changed, message):
     with pytest.raises(PlacecatError, match=message):
         space.check(config(**changed))
     space.check(config())
@@ -210,7 +210,7 @@ def test_the_commands_test_the_best_and_the_first_settings(tmp_path):
 
 
 def accuracies(text):
-    """The accuracies in a search's summary: those of the starts, then the best."""
+    """Return the accuracies in the summary of a search: those of the starts, then the highest."""
     rows = [line.split("|") for line in text.splitlines() if line.count("|") == 5]
     return [float(row[3]) for row in rows[2:]]
 
@@ -227,7 +227,7 @@ def run(folder, *arguments, **environment):
     )
 
 
-def test_the_application_finds_the_same_with_any_workers_and_any_test_home(tmp_path):
+def test_the_result_does_not_depend_on_workers_or_test_home(tmp_path):
     folder = make_project(tmp_path / "project")
     found = {}
     for workers in (1, 2):
@@ -258,7 +258,7 @@ def test_the_application_finds_the_same_with_any_workers_and_any_test_home(tmp_p
 def test_without_optuna_one_message_names_the_extra(tmp_path):
     folder = make_project(tmp_path / "project")
     (tmp_path / "hidden").mkdir()
-    # Python runs this at its start.
+    # Python runs this file when it starts.
     (tmp_path / "hidden/sitecustomize.py").write_text(
         "import importlib.util as u\nreal = u.find_spec\n"
         "u.find_spec = lambda name, *rest: None if name == 'optuna' else real(name, *rest)\n"

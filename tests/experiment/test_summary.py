@@ -22,7 +22,7 @@ def result(home, *accuracies, **measures):
 
 
 def made(tmp_path):
-    """Two descriptors, cluster numbers and homes; one has no number, one failed, one left nothing."""
+    """Make a sweep over two descriptors, cluster numbers and homes; three experiments have no accuracy."""
     numbers = iter(range(1, 9))
     combinations = [
         dict(zip(SWEPT, (descriptor, clusters, home), strict=True))
@@ -42,7 +42,7 @@ def made(tmp_path):
     return summary.read(tmp_path, [one | {"test_home": one["test_home"].upper()} for one in combinations])
 
 
-def test_a_sweep_reads_as_a_table_does(tmp_path):
+def test_a_sweep_is_shown_as_a_table(tmp_path):
     ran = made(tmp_path)
     expected = pd.DataFrame(
         {
@@ -64,8 +64,8 @@ def test_a_sweep_reads_as_a_table_does(tmp_path):
     assert "failed: the experiment left no result" in text
 
 
-def test_a_search_reads_as_a_list_of_its_experiments(tmp_path):
-    """A table of two keys would be empty outside its diagonal."""
+def test_a_search_is_shown_as_a_list_of_experiments(tmp_path):
+    """A table over both keys would be empty outside its diagonal."""
     combinations = [{"gamma": gamma, "scaling": scaling} for gamma, scaling in (("2", "unit"), ("1", "none"))]
     for number, value in enumerate((40.0, 60.0)):
         files.write_json(tmp_path / str(number) / output.RESULT, result("H1", value))
@@ -74,13 +74,13 @@ def test_a_search_reads_as_a_list_of_its_experiments(tmp_path):
     assert found.index.names == ["gamma", "scaling"]
 
 
-def test_spread_is_the_range_of_the_seeds(tmp_path):
+def test_spread_is_the_range_over_seeds(tmp_path):
     frame = summary.as_frame(made(tmp_path))
     assert frame["spread"].tolist()[0] == 1.0
     assert frame["note"].tolist()[:3] == ["", "too few", "no memory"]
 
 
-def test_homes_alone_are_averaged_below(tmp_path):
+def test_the_average_of_swept_homes_comes_last(tmp_path):
     for number, value in enumerate((40.0, 60.0)):
         files.write_json(tmp_path / str(number) / output.RESULT, result(f"H{number}", value))
     ran = summary.read(tmp_path, [{"test_home": "H0"}, {"test_home": "H1"}])
@@ -89,14 +89,14 @@ def test_homes_alone_are_averaged_below(tmp_path):
 
 
 def of_values(tmp_path, *results):
-    """A sweep over ``value``: accuracy, log-loss, calibration error."""
+    """Make a sweep over ``value`` with these accuracies, log-losses and calibration errors."""
     for number, (accuracy, log_loss, error) in enumerate(results):
         content = result("H1", accuracy, log_loss=log_loss, calibration_error=error)
         files.write_json(tmp_path / str(number) / output.RESULT, content)
     return summary.read(tmp_path, [{"value": f"v{number}"} for number in range(len(results))])
 
 
-def test_log_loss_and_calibration_error_stand_beside_the_accuracy(tmp_path):
+def test_all_measures_are_shown_side_by_side(tmp_path):
     ran = of_values(tmp_path, (40.0, 1.23456, 12.345678), (60.0, 0.5, 1.0))
     files.write_csv(tmp_path / output.SUMMARY, summary.as_frame(ran))
     assert (tmp_path / output.SUMMARY).read_text().splitlines() == [
@@ -117,7 +117,7 @@ def test_log_loss_and_calibration_error_stand_beside_the_accuracy(tmp_path):
 
 @pytest.mark.parametrize("count", [2, 6, 12])
 def test_the_printed_tables_are_at_most_100_columns_wide(tmp_path, count):
-    """Side by side if there is room, else one below the other."""
+    """Tables are side by side if there is room, and otherwise one below the other."""
     combinations = [
         {"descriptor": descriptor, "classifier.clusters": str(196 + clusters), "test_home": home}
         for descriptor in ("holistic_spatial_pact", "hog")
@@ -131,7 +131,7 @@ def test_the_printed_tables_are_at_most_100_columns_wide(tmp_path, count):
     *table, highest = text.splitlines()
     assert highest.startswith("Highest: descriptor=hog")
     assert max(map(len, table)) <= 100
-    # The last experiment, and the average of the last setting.
+    # Check the last experiment and the average of the last setting.
     for number in (len(combinations) - 1, len(combinations) - 1.5):
         for value in (f"{40 + number:.2f}", f"{1 + number:.3f}", f"{10 + number:.2f}"):
             assert value in text.split()

@@ -1,4 +1,4 @@
-"""A real `mlflow server`, used like a user would, and its pages in a real browser."""
+"""A real `mlflow server`, used as a user would, and its pages in a real browser."""
 
 import os
 import socket
@@ -32,10 +32,10 @@ def free_port():
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
-    """Its address; it has a separate database and folder of files, and accepts files over HTTP."""
+    """The address of a server that has its own database and file folder, and accepts files over HTTP."""
     folder, port = tmp_path_factory.mktemp("server"), free_port()
     address = f"http://127.0.0.1:{port}"
-    # Its job runner, of 8 more processes, is for language models.
+    # The job runner needs 8 more processes, and is only for language models.
     environment = {"MLFLOW_SERVER_ENABLE_JOB_EXECUTION": "false", "MLFLOW_DISABLE_TELEMETRY": "true"}
     command = [sys.executable, "-m", "mlflow", "server", "--host", "127.0.0.1", "--port", str(port)]
     command += ["--workers", "1", "--backend-store-uri", "sqlite:///server.db"]
@@ -56,7 +56,7 @@ def server(tmp_path_factory):
             pytest.fail((folder / "log").read_text())
         yield address
     finally:
-        # Its worker inherits this.
+        # This also ends the worker of the server.
         process.terminate()
         process.wait(30)
 
@@ -102,7 +102,7 @@ def runs_of(server):
     return client, experiment, table, [run for run in runs if run is not table]
 
 
-def test_a_server_holds_a_table_once_with_its_rows_and_files(server, logged, tmp_path):
+def test_a_server_stores_a_table_once_with_rows_and_files(server, logged, tmp_path):
     client, _, table, rows = runs_of(server)
     measured = logged[logged["measured"].notna()]
     assert len(rows) == len(logged[["group", "row"]].drop_duplicates())
@@ -123,19 +123,19 @@ def test_a_server_holds_a_table_once_with_its_rows_and_files(server, logged, tmp
 
 
 @needs_chromium
-def test_a_person_sees_table_26_and_its_chart(server, logged, tmp_path):
+def test_the_user_interface_shows_table_26_and_its_chart(server, logged, tmp_path):
     _, experiment, table, _ = runs_of(server)
     runs = f"{server}/#/experiments/{experiment.experiment_id}/runs"
     dom, _ = open_page(f"{runs}?workflowType=machine_learning", tmp_path, "--dump-dom", *WAITING)
     title = "Table 26: Single cues, their integration, and its smoothing"
     assert title in dom
-    # The list leads to it.
+    # The list links to the run.
     assert f"/runs/{table.info.run_id}" in dom
     shown = tmp_path / "shown.png"
     page = f"{runs}/{table.info.run_id}/artifacts/chart.png?workflowType=machine_learning"
     dom, _ = open_page(page, tmp_path, "--dump-dom", f"--screenshot={shown}", *WAITING)
     assert title in dom
-    # The chart is on the screen: it has the blue pixels of its bars, in as many rows.
+    # The chart is on the screen: there are as many blue bars as averages.
     pixels = np.asarray(Image.open(shown).convert("RGB")).astype(int)
     blue = np.abs(pixels - CHART_BLUE).max(axis=2) < 6
     bars = (blue.sum(axis=1) > 60).astype(int)
@@ -144,6 +144,6 @@ def test_a_person_sees_table_26_and_its_chart(server, logged, tmp_path):
     assert blue.sum() > 10_000
 
 
-# The color of the bars, three quarters opaque on white.
+# The bars are 75 % opaque on white.
 CHART_BLUE = np.round(np.array([0x00, 0x72, 0xB2]) * 0.75 + 255 * 0.25).astype(int)
 WAITING = ("--virtual-time-budget=15000", "--window-size=1500,1000")

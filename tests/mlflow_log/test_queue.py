@@ -31,7 +31,7 @@ stages:
 """
 
 
-def test_a_copy_of_dvc_for_a_queued_experiment_is_of_the_project(tmp_path, monkeypatch):
+def test_the_copy_for_a_queued_experiment_belongs_to_the_project(tmp_path, monkeypatch):
     monkeypatch.delenv("MLFLOW_TRACKING_URI", raising=False)
     monkeypatch.setenv("DVC_EXP_NAME", "nu-0.1")
     monkeypatch.chdir(tmp_path)
@@ -53,7 +53,7 @@ def test_a_queued_experiment_logs_to_the_project_and_supersedes_nothing(tmp_path
     (tmp_path / ".gitignore").write_text("/mlflow.db*\n/mlartifacts\n/table.csv\n")
     run(tmp_path, "git", "init", "-q")
     run(tmp_path, "dvc", "init", "-q")
-    # What `dvc repro` runs, in this process, which has imported MLflow.
+    # Run what `dvc repro` would run, but in this process, which has already imported MLflow.
     monkeypatch.delenv("MLFLOW_TRACKING_URI", raising=False)
     monkeypatch.chdir(tmp_path)
     exec(LOG, {})
@@ -61,7 +61,7 @@ def test_a_queued_experiment_logs_to_the_project_and_supersedes_nothing(tmp_path
     run(tmp_path, "git", "-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "all")
     run(tmp_path, "dvc", "exp", "run", "--queue", "-n", "nu-01", "-S", "nu=0.1")
     run(tmp_path, "dvc", "queue", "start")
-    # DVC's worker writes a file when an experiment ends; each call of DVC takes seconds.
+    # Wait for the file that DVC writes when an experiment ends, since each DVC command takes seconds.
     end = time.monotonic() + 200
     while not list((tmp_path / ".dvc/tmp/exps/celery/result").glob("celery-task-meta-*")):
         assert time.monotonic() < end

@@ -14,13 +14,13 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("mlflow")]
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    # The retries take the time.
+    # Retries would take too long.
     monkeypatch.setenv("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "0")
     return tmp_path
 
 
 def uri():
-    """Absolute, since MLflow caches connections by URI."""
+    """Return an absolute URI, since MLflow caches connections by URI."""
     return f"sqlite:///{Path('mlflow.db').resolve()}"
 
 
@@ -68,9 +68,11 @@ def _log_one(number, start, failures):
         failures.put(traceback.format_exc())
 
 
-def test_sixteen_processes_start_at_once_on_a_fresh_database():
-    """Real processes, forked from this one to share its import of MLflow, which would cost each 5 s; nothing
-    of a database is open yet, and a barrier lets all of them go at once."""
+def test_sixteen_processes_can_create_the_database_at_once():
+    """Fork real processes, since importing MLflow in each would take 5 s.
+
+    No database is open yet. A barrier makes all processes start at once.
+    """
     import mlflow  # noqa: F401
 
     context = multiprocessing.get_context("fork")
@@ -124,7 +126,7 @@ def test_names_are_accepted_by_mlflow():
     assert name == "4-5-1 all cues/Ori M/V and y-Pos/Home 1"
 
 
-def test_a_project_that_was_moved_keeps_its_files_with_it(tmp_path, monkeypatch):
+def test_a_moved_project_finds_its_files(tmp_path, monkeypatch):
     before, now = tmp_path / "before", tmp_path / "now"
     before.mkdir()
     for place in (before, now):
@@ -132,7 +134,7 @@ def test_a_project_that_was_moved_keeps_its_files_with_it(tmp_path, monkeypatch)
             shutil.copytree(before, now)
         monkeypatch.chdir(place)
         client = store.connect(uri())
-        # The database also has paths of another project's files, which do not change.
+        # The database also contains paths of files in another project, which must not change.
         if place == before:
             other = client.create_experiment("other", artifact_location=(tmp_path / "files/x").as_uri())
         Path("one.txt").write_text(place.name)
@@ -150,7 +152,7 @@ def test_a_project_that_was_moved_keeps_its_files_with_it(tmp_path, monkeypatch)
     assert client.get_experiment(other).artifact_location == (tmp_path / "files/x").as_uri()
 
 
-def test_files_of_a_database_elsewhere_stay_where_they_are(tmp_path, monkeypatch):
+def test_paths_in_a_database_outside_the_project_do_not_change(tmp_path, monkeypatch):
     (tmp_path / "mine").mkdir()
     client = store.connect(uri())
     places = []
@@ -170,11 +172,11 @@ def test_files_of_a_database_elsewhere_stay_where_they_are(tmp_path, monkeypatch
         ("sqlite:////proc/x/y.db", "MLflow at sqlite:////proc/x/y.db: "),
         (
             "mssql+pyodbc://me:secret@host/db",
-            r"me:\*\*\*@host/db: the database\'s driver is missing \(pyodbc is not",
+            r"me:\*\*\*@host/db: the database driver is missing \(pyodbc is not",
         ),
     ],
 )
-def test_an_address_that_is_none_and_a_missing_driver_are_refused(address, message):
+def test_an_invalid_address_and_a_missing_driver_are_reported(address, message):
     with pytest.raises(PlacecatError, match=message) as caught:
         store.connect(address)
     assert "\n" not in str(caught.value)

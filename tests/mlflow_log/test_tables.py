@@ -27,13 +27,13 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("mlflow")]
 
 @pytest.fixture(scope="module")
 def database(tmp_path_factory):
-    """One for all tests, since a new one takes a second; each test has another experiment."""
+    """A database for all tests, since a new one takes a second; each test has its own experiment."""
     return tmp_path_factory.mktemp("mlflow")
 
 
 @pytest.fixture
 def log(database, request):
-    """Logs two tables, one of them with two rows."""
+    """Return a function that logs two tables, one of which has two rows."""
 
     def write(folder):
         (folder / "table_05.csv").write_text("1")
@@ -75,7 +75,7 @@ def runs(database, request):
     client = store.connect(f"sqlite:///{database / 'mlflow.db'}")
 
     def runs(table="table_05", current=None):
-        """The runs of a table, including its rows; they count as current only if they are finished."""
+        """Return the runs of a table and its rows; only finished runs count as current."""
         experiment = client.get_experiment_by_name(request.node.name)
         found = client.search_runs([experiment.experiment_id])
         return {
@@ -96,7 +96,7 @@ def names(found):
 def test_a_table_is_a_run_and_is_never_logged_twice(log, runs, database):
     first = log(commit="a" * 40)
     before = runs()
-    # Another commit with the same result is not a new result.
+    # The same result from another commit is not a new result.
     assert log(commit="b" * 40) == first
     assert set(runs()) == set(before)
     (table,) = [run for run in before.values() if run.data.tags["placecat.kind"] == "table"]
@@ -114,8 +114,8 @@ def test_a_table_is_a_run_and_is_never_logged_twice(log, runs, database):
     assert len(list((database / "artifacts" / table.info.run_id).rglob("table_05.csv"))) == 1
 
 
-def test_a_row_costs_one_call_to_make_to_fill_and_to_end_it(log, monkeypatch):
-    """Each call is several transactions, plus one for a table's description."""
+def test_a_row_takes_three_calls(log, monkeypatch):
+    """Each call takes several transactions; there is one more call for the description of a table."""
     from mlflow import MlflowClient
 
     log()
@@ -129,7 +129,7 @@ def test_a_row_costs_one_call_to_make_to_fill_and_to_end_it(log, monkeypatch):
 
         monkeypatch.setattr(MlflowClient, name, counted)
     log("31.0, 29.0")
-    # A table and two rows; the tags of the three superseded runs change.
+    # There are a table and two rows; the tags of the three superseded runs change.
     assert calls == {"create_run": 3, "log_batch": 3 + 1 + 3, "set_terminated": 3}
 
 
@@ -146,7 +146,7 @@ def test_a_changed_result_supersedes_and_leaves_others_alone(log, runs):
         assert tags["placecat.current"] == "false"
         assert tags["placecat.superseded_by"] == table
     assert set(runs("table_06")) == other
-    # The old result again is a new run: superseded runs stay superseded.
+    # Logging the old result again makes a new run: superseded runs stay superseded.
     log()
     assert len(runs(current=True)) == 3
     assert len(runs()) == 9
@@ -155,7 +155,7 @@ def test_a_changed_result_supersedes_and_leaves_others_alone(log, runs):
     assert not set(runs("table_06", current=True)) & other
 
 
-def test_a_table_that_there_is_no_more_is_not_current(log, runs):
+def test_a_removed_table_is_not_current(log, runs):
     log()
     log(both=False)
     assert runs("table_06", current=True) == {}
@@ -174,8 +174,8 @@ def _dying(original, calls, last, killed):
     return dying
 
 
-def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time(log, runs, monkeypatch):
-    """Each writing call is once the last one of a process, which leaves the state before it."""
+def test_logging_recovers_from_a_kill_at_any_point(log, runs, monkeypatch):
+    """Abort before each writing call in turn, and continue from the state at this point."""
     from mlflow import MlflowClient
 
     log()
@@ -190,7 +190,7 @@ def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time
         if not killed:
             break
         current = runs(current=True)
-        # From the old result or the new one, never from both, so nothing appears twice.
+        # Current runs are all old or all new, so nothing appears twice.
         assert set(current) <= old or not set(current) & old
         assert len(set(names(current))) == len(current)
         if "Table 5: Gist" in names(current) and not set(current) <= old:
@@ -199,11 +199,10 @@ def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time
         found = runs()
         assert names(runs(current=True)) == ["KNN", "SVM", "Table 5: Gist"]
         assert not set(runs(current=True)) & old
-        # No incomplete run is left.
+        # No incomplete runs are left.
         assert {run.info.status for run in found.values()} == {"FINISHED"}
         assert len(found) == 3 * (last + 1)
-    # The runs of the table and its rows are created, filled and ended; then the tags of old and new runs
-    # change.
+    # The runs of the table and its rows are created, filled and ended, then tags of old and new runs change.
     assert last > 8
 
 
@@ -235,7 +234,7 @@ def gathered(name, results):
     return run, cells
 
 
-def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_path):
+def test_a_row_has_numbers_by_home_and_a_confusion_matrix(results, tmp_path):
     run, cells = gathered("table_26", results)
     by_name = {row.name: row for row in run.rows}
     row = by_name["Table 26: 5-5-1, all cues, Gist"]
@@ -253,7 +252,7 @@ def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_pat
     assert row.params["result"] == "cues/gist/5-5-1"
     assert row.description == "- `cues/gist/5-5-1`: the cue gist (Gist) trained alone, 5-5-1"
     paths = {path.name: path for path in row.files(tmp_path)}
-    # Pictures first, as MLflow sorts them.
+    # MLflow lists pictures first.
     assert sorted(paths) == ["confusion.png", "counts.csv"]
     table = pd.read_csv(paths["counts.csv"])
     measured = results.of("cues/gist/5-5-1")
@@ -262,7 +261,7 @@ def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_pat
         np.testing.assert_array_equal(counts, measured.confusion[:, h, i].sum(axis=0))
 
 
-def test_a_table_of_one_result_and_one_of_probabilities_have_their_numbers_once(results, tmp_path):
+def test_measures_of_probabilities_are_logged_once(results, tmp_path):
     of_one, _ = gathered("table_06", results)
     name = tables_of(made_results.PARAMS, made_results.ROOT)["table_06"]["result"]
     good = results.quality[name].averages()
@@ -273,13 +272,13 @@ def test_a_table_of_one_result_and_one_of_probabilities_have_their_numbers_once(
     expected = results.quality["smoothing/das_551_best"].averages()
     assert row.metrics == pytest.approx(expected, abs=0.0051)
     assert len(run.metrics) == len(cells) == 3 * len(run.rows)
-    # No bars of nats next to percent, but the units of the numbers.
+    # There is no chart, because it would mix nats and percent, but the units are named.
     assert "chart.png" not in {path.name for path in run.files(tmp_path)}
     assert "chart.png" not in run.description and "accuracy in percent" not in run.description
     assert "Log loss in nats" in run.description
 
 
-def test_the_figures_are_one_run_with_added_ones_among_them(tmp_path):
+def test_all_figures_share_one_run(tmp_path):
     entries = [
         {"name": "figure_02", "number": 2, "file": "figure_02.png", "title": "Two.", "reason": None},
         {"name": "figure_20", "number": 20, "file": None, "title": "Twenty.", "reason": "no such data"},
@@ -303,17 +302,17 @@ def test_the_figures_are_one_run_with_added_ones_among_them(tmp_path):
     assert figures_run(tmp_path).digest("v1") != first
 
 
-def test_a_description_has_the_measured_table_and_no_foreign_numbers(results):
+def test_a_description_has_only_measured_numbers(results):
     run, cells = gathered("table_26", results)
     assert "| Gist |" in run.description
     assert f"{cells['measured'].iloc[0]:.2f}" in run.description
-    # They are from other data; none of their footnotes is left.
+    # Published numbers are from other data, so they are left out with their footnotes.
     assert "Published" not in run.description
     assert "the published" not in run.description
     assert len(run.description) < 8000 - 32
 
 
-def test_the_digest_covers_every_decision_and_how_sure_they_are(results):
+def test_the_digest_covers_decisions_and_probabilities(results):
     table, cells = filled("table_05", results)
     dataset = dataset_of(table, made_results.PARAMS)
     one = results.of("cues/gist/5-5-1")
@@ -331,8 +330,8 @@ def test_the_digest_covers_every_decision_and_how_sure_they_are(results):
 
 
 @pytest.mark.parametrize("name", ["table_01", "table_12", "table_15", "table_22", "table_06", "table_30"])
-def test_every_kind_of_table_has_bars_and_decisions_that_are_its_numbers(results, name):
-    """The accuracy of a row's pooled or single confusion matrix is the number in the table."""
+def test_charts_and_confusion_matrices_match_every_kind_of_table(results, name):
+    """The confusion matrix of a row, pooled if there are several, yields the accuracy in the table."""
     table, cells = filled(name, results)
     bars = bars_of(cells)
     assert bars
@@ -348,7 +347,7 @@ def test_every_kind_of_table_has_bars_and_decisions_that_are_its_numbers(results
             assert value[group, row, label] == pytest.approx(mean, abs=0.0051)
 
 
-def test_pictures_are_the_same_bytes_each_time(results, tmp_path):
+def test_pictures_have_the_same_bytes_each_time(results, tmp_path):
     run, _ = gathered("table_05", results)
     for number in (1, 2):
         folder = tmp_path / str(number)
@@ -362,7 +361,7 @@ def test_pictures_are_the_same_bytes_each_time(results, tmp_path):
 
 
 def test_rows_differ_in_their_choices(results):
-    """Two runs that MLflow compares: two cues, a cue and a system, a trial and its neighbour."""
+    """MLflow can compare two cues, a cue and a system, or two neighbouring trials."""
     rows = {row.name: row.params for row in gathered("table_26", results)[0].rows}
     gist, hog, hmm = (rows[f"Table 26: 5-5-1, all cues, {name}"] for name in ("Gist", "HOG + y-Pos", "HMM"))
     assert (gist["decides"], gist["descriptor"], gist["classifier"]) == ("cue", "holistic gist", "nu_svm")
@@ -370,7 +369,7 @@ def test_rows_differ_in_their_choices(results):
     assert gist["scheme"] == "parallel" and gist["nu"] == "0.2"
     assert hmm["decides"] == "delayed HMM" and "gist" in hmm["cues"].split(", ")
     assert gist["protocol"] == "5-5-1" != rows["Table 26: 4-5-1, all cues, Gist"]["protocol"]
-    # Trials of several columns list the values of all.
+    # A row with several trials lists the values of all of them.
     (first, *_) = gathered("table_12", results)[0].rows
     assert first.params["clusters"] == "46, 196, 496"
     assert first.params["classifier"] == "knn"
@@ -389,14 +388,14 @@ def test_a_place_without_frames_has_no_shares():
     np.testing.assert_array_equal(shares(np.array([[1, 3], [0, 0]])), [[25, 75], [np.nan, np.nan]])
 
 
-def test_another_form_of_the_runs_is_logged_again(log, monkeypatch):
+def test_runs_in_a_new_format_are_logged_again(log, monkeypatch):
     first = log()
     monkeypatch.setattr(tables, "_FORM", "next")
     assert log() != first
 
 
-def test_another_machine_logs_meanwhile_and_one_table_stays_current(log, runs, monkeypatch):
-    """The other one begins and ends during each step of this one."""
+def test_one_table_stays_current_if_another_machine_logs_too(log, runs, monkeypatch):
+    """The other machine starts and finishes within each step of this one."""
     log("30.0, 29.0")
     for number, step in enumerate(("start_run", "finish_run", "_make_current", "_supersede")):
         owner = tables if step.startswith("_") else store

@@ -1,4 +1,4 @@
-"""Explanations of the results in git: every cell, by its number and by its labels."""
+"""Explanations of the results in git: every cell can be found by its number and by its labels."""
 
 import json
 import subprocess
@@ -25,7 +25,7 @@ ROOT = made_report.ROOT
 
 
 def content(*cells):
-    """Explanations of cells of a table, each with its number, group, row and column."""
+    """Return explanations of table cells, each given by its number, group, row and column."""
     return {
         "lines": [["table", "Table 26"]],
         "blocks": [[0]],
@@ -64,12 +64,12 @@ def test_a_cell_is_found_by_its_number_or_its_labels(words, expected):
         ("table_26 HMMM", "'hmm'"),
     ],
 )
-def test_a_wrong_name_gets_the_near_ones(words, near):
+def test_a_wrong_name_gives_similar_names(words, near):
     with pytest.raises(PlacecatError, match=near):
         find(words.split(), SMALL)
 
 
-def test_words_that_name_many_cells_are_refused():
+def test_ambiguous_labels_are_rejected():
     many = content(*((f"table_26.{n}.1", "", f"row {n}", "Home 1") for n in range(1, 7)))
     with pytest.raises(PlacecatError, match="matches 6 cells: add a label"):
         find(["table_26", "row"], many)
@@ -95,7 +95,7 @@ def test_the_code_of_a_stage_has_one_checksum():
     assert text("1") != text("2")
 
 
-def test_rows_are_counted_through_groups_and_the_average_is_last():
+def test_rows_are_counted_across_groups_and_the_average_is_last():
     cells = pd.DataFrame(
         [("one", "a", "Average"), ("one", "a", "x"), ("two", "a", "x")], columns=["group", "row", "column"]
     )
@@ -167,7 +167,7 @@ def test_a_trial_shows_its_settings(monkeypatch):
     assert one.settings["classifier of the trial"]["clusters"] == 196
 
 
-def test_the_same_table_is_the_same_file(tmp_path):
+def test_equal_tables_give_equal_files(tmp_path):
     table = pd.DataFrame({"cell": ["a"], "by_seed": [[1.0, 2.0]], "measured": [1.5]})
     for name in ("one", "two"):
         tidy.write(tmp_path / name, table)
@@ -182,6 +182,6 @@ def test_results_are_loaded_from_a_project(tmp_path):
 
 
 def test_the_command_imports_no_numpy():
-    """This makes an explanation take less than a second."""
+    """That is why an explanation takes less than a second."""
     code = "import placecat.explain.command, sys; sys.exit({'numpy', 'pandas'} & set(sys.modules) or 0)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -1,4 +1,4 @@
-"""A project's folder for `placecat replicate`, where a stage writes made-up results at once."""
+"""A project folder for `placecat replicate`, in which stages immediately write random results."""
 
 import shutil
 from dataclasses import replace
@@ -13,7 +13,7 @@ OVERRIDES = [f"dataset.homes=[{','.join(HOMES)}]", "verdict.resamples=100"]
 
 
 def compared():
-    """Names of the results that findings compare, also in other readings."""
+    """Return the names of all results that findings compare, including other readings."""
     of_sides = (
         pd.read_csv(made_results.ROOT / paths.COMPARISONS)[["left_results", "right_results"]].stack().dropna()
     )
@@ -21,7 +21,7 @@ def compared():
 
 
 def write_scores(folder, params, drawn):
-    """Write made-up scores of what is compared."""
+    """Write random scores for all compared results."""
     made = made_results.made(params, drawn)
     few = {name: one for name, one in made.measured.items() if name in COMPARED}
     made_results.write_scores(folder / paths.SCORES, replace(made, measured=few, quality={}))
@@ -31,7 +31,7 @@ COMPARED = compared()
 
 
 def make_project(folder):
-    """Copy the definitions and the six homes' ledger; make up what `make repro` leaves."""
+    """Copy the definitions and the ledger of the six homes, and imitate the outputs of `make repro`."""
     for name in ("conf", "data/thesis"):
         shutil.copytree(made_results.ROOT / name, folder / name)
     for name in ("dvc.yaml", "params.yaml", *(str(path) for path in (paths.FINDINGS, paths.COMPARISONS))):
@@ -47,7 +47,7 @@ def make_project(folder):
 
 
 def make_stage(ran, fails_at=None):
-    """Return a stage's stand-in: it lists the folder and stage in `ran`, and `scores` and `tables` write."""
+    """Return a mock stage that records folder and stage in `ran`; only `scores` and `tables` write files."""
 
     def run_stage(folder, stage, command):
         ran.append((folder.name, stage))

@@ -1,4 +1,4 @@
-"""`placecat replicate`: groups of homes, run one by one, judged together."""
+"""The command `placecat replicate`: groups of homes are run one by one and judged together."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def finished(tmp_path_factory):
-    """A project after an undisturbed run, and the stages that ran."""
+    """A project after an uninterrupted run, the stages that ran, and the printed text."""
     folder, ran = tmp_path_factory.mktemp("replicated"), []
     with pytest.MonkeyPatch.context() as patch:
         make_project(folder)
@@ -34,7 +34,7 @@ def contents(folder):
     }
 
 
-def test_every_group_runs_every_stage_and_the_ledger_is_of_all_homes(finished):
+def test_every_group_runs_every_stage_and_the_ledger_covers_all_homes(finished):
     folder, ran, said = finished
     assert ran == [(f"group_{number}", stage) for number in (1, 2) for stage in groups.STAGES]
     assert "34 findings on 12 homes" in said
@@ -49,7 +49,7 @@ def test_the_ledger_counts_the_homes_of_both_groups_once(finished):
     folder, _, _ = finished
     findings = files.read_table(folder / paths.REPLICATION / "findings.csv").set_index("number")
     assert findings.loc[7, "units"] == "12 homes"
-    # Table 3 tests on the first and the fifth home of a group.
+    # Table 3 only tests the first and the fifth home of a group.
     assert findings.loc[3, "units"] == "4 homes"
     first, second = (made_results.made(made_results.with_homes(6) | _of(part), drawn=part) for part in (1, 2))
     gains = [
@@ -65,7 +65,7 @@ def _of(part):
     return {"dataset": made_results.PARAMS["dataset"] | {"homes": homes}}
 
 
-def test_findings_on_other_data_are_those_of_the_six_homes(finished):
+def test_findings_on_other_data_come_from_the_ledger_of_six_homes(finished):
     folder, _, _ = finished
     old, new = (
         files.read_table(path).set_index("number")
@@ -110,7 +110,7 @@ def test_nothing_runs_again_until_something_changes(finished, monkeypatch):
     assert {name for name, _ in ran} == {"group_2"} and contents(folder) == before
 
 
-def test_a_killed_run_ends_in_the_same_bytes(finished, tmp_path, monkeypatch):
+def test_a_killed_run_resumes_and_produces_the_same_bytes(finished, tmp_path, monkeypatch):
     make_project(tmp_path)
     monkeypatch.chdir(tmp_path)
     ran = []
@@ -136,7 +136,7 @@ def test_groups_can_run_one_by_one(finished, tmp_path, monkeypatch):
         command.run([*OVERRIDES, "cues.gist.classifier.base.nu=0.1"], [1])
 
 
-def test_mistakes(tmp_path, monkeypatch):
+def test_user_errors(tmp_path, monkeypatch):
     make_project(tmp_path)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(groups, "_run_stage", make_stage([]))
@@ -151,7 +151,7 @@ def test_mistakes(tmp_path, monkeypatch):
 
 
 def test_a_real_stage_fails_with_a_message(tmp_path, monkeypatch):
-    """Through a process of its own: the folder has no videos."""
+    """The stage runs in a separate process and fails, because the folder has no videos."""
     make_project(tmp_path)
     monkeypatch.chdir(tmp_path)
     with pytest.raises(PlacecatError, match="the stage sequences failed"):

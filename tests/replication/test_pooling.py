@@ -1,4 +1,4 @@
-"""Homes split into groups, and findings judged on the homes of all."""
+"""Splitting homes into groups, and judging the findings on the homes of all groups."""
 
 import numpy as np
 import pandas as pd
@@ -13,7 +13,7 @@ from placecat.thesis import definitions
 from placecat.thesis.published import Published
 
 
-def test_homes_without_a_group_are_left():
+def test_homes_too_few_for_a_group_are_returned():
     dataset = made_results.PARAMS["dataset"] | {"homes": [*HOMES, "attic"]}
     planned, rest = groups.split({"dataset": dataset}, 6)
     assert [group.homes for group in planned] == [tuple(HOMES[:6]), tuple(HOMES[6:])]
@@ -28,12 +28,12 @@ def test_a_setting_with_a_value_for_each_home_keeps_those_of_the_group():
 
 
 def test_a_clear_difference_holds_on_many_homes():
-    """With 24 homes a difference of 5 points, which homes spread by 3, is decided."""
+    """24 homes are enough to decide a difference of 5 points if homes have a standard deviation of 3."""
     homes = [f"home_{number}" for number in range(1, 25)]
     params = made_results.PARAMS | {"dataset": made_results.PARAMS["dataset"] | {"homes": homes}}
     results = made_results.made(params)
     rng = np.random.default_rng(0)
-    # Right frames of 100 a place.
+    # Each place has 100 frames; these are the numbers of correct ones.
     gained = rng.normal(5.0, 3.0, 24).round().astype(int)
     for name, right in (
         ("cues/gist_naive_bayes/5-5-1", 60 + gained),
@@ -64,7 +64,7 @@ def test_a_clear_difference_holds_on_many_homes():
 
 
 def _icc(table):
-    """The intraclass correlation from scipy's analysis of variance: F = B / W."""
+    """Compute the intraclass correlation from SciPy's analysis of variance, in which F = B / W."""
     f = stats.f_oneway(*table).statistic
     return (f - 1.0) / (f + table.shape[1] - 1.0)
 
@@ -77,6 +77,6 @@ def made_published():
     return Published(made_results.published(), read)
 
 
-def test_results_are_marked_as_of_homes_or_not():
+def test_results_from_homes_are_recognized():
     assert group_results.is_of_homes("trials/table_03/gamma=1.0||0.1")
     assert not group_results.is_of_homes("splits/university/hmm/five")

@@ -1,4 +1,4 @@
-"""Power and errors of the rule of the ledger, against exactly known values."""
+"""Compare the power and errors of the verdict rule with known exact values."""
 
 import math
 from pathlib import Path
@@ -14,7 +14,7 @@ from placecat.replication.simulation import power, spread
 LEVEL = options.read(Path(__file__).resolve().parents[2] / options.SETTINGS).level
 BETTER, LITTLE = Range(0.0, math.inf), Range(-2.0, 2.0)
 SIMULATIONS, RESAMPLES = 2000, 1000
-# Distributions of the difference in a home, with mean 0 and variance 1.
+# Distributions of the difference in a home. Each has mean 0 and variance 1.
 SHAPES = {
     "normal": lambda rng, size: rng.standard_normal(size),
     "exponential": lambda rng, size: rng.standard_exponential(size) - 1.0,
@@ -32,7 +32,7 @@ def error_rate(
     shared: float = 0.0,
     level: float = 0.95,
 ) -> float:
-    """Simulate how often the ledger's rule decides wrongly.
+    """Simulate how often the verdict rule decides wrongly.
 
     Each simulation draws homes, computes the interval over them
     (:func:`placecat.evaluation.bootstrap.paired_bootstrap`) and judges it. All simulations use the same
@@ -43,21 +43,21 @@ def error_rate(
     truth
         True mean difference; homes have a standard deviation of 1.
     claimed
-        The claim's range. `holds` is wrong if the truth is outside, `does not hold` if it is inside.
+        Range of the claim. `holds` is wrong if the truth is outside; `does not hold` is wrong if it is
+        inside.
     homes
         Number of homes, a multiple of `group`.
     shape
-        A key of `SHAPES`; a leading minus sign, as in "-exponential", turns the tail to the other side.
+        A key of `SHAPES`. A leading minus sign, such as in "-exponential", mirrors the distribution.
     group, shared
-        Group size, and the share of variance that a group's homes have in common since each is training data
-        for the others.
+        Group size, and the share of variance that homes in a group have in common.
     level
         Level of the interval.
 
     Returns
     -------
     float
-        Share of 2,000 simulations, each with 1,000 resamples, with a wrong verdict.
+        Share of wrong verdicts in 2,000 simulations with 1,000 resamples each.
     """
     rng = np.random.default_rng(0)
     sign, name = (-1.0, shape[1:]) if shape.startswith("-") else (1.0, shape)
@@ -82,7 +82,7 @@ def test_the_spread_is_between_homes():
 
 
 def test_power_equals_the_t_test():
-    """One-sided 2.5 %: an effect of a standard deviation needs 10 units for 80 % (Cohen 1988)."""
+    """At a one-sided level of 2.5 %, one standard deviation needs 10 units for 80 % power (Cohen 1988)."""
     assert power(1.0, 1.0, 10, BETTER)[0] == pytest.approx(0.803, abs=0.02)
     assert power(0.0, 1.0, 10, BETTER)[0] == pytest.approx(0.025, abs=0.008)
     assert power(-1.0, 1.0, 10, BETTER)[1] == pytest.approx(0.803, abs=0.02)
@@ -92,14 +92,14 @@ def test_a_wider_interval_fails_less_often():
     assert power(-1.0, 1.0, 10, BETTER, wide=0.99)[1] < power(-1.0, 1.0, 10, BETTER)[1] - 0.1
 
 
-def test_nothing_is_little_if_homes_differ_too_much():
+def test_no_difference_counts_as_little_if_homes_differ_too_much():
     assert power(0.0, 10.0, 6, LITTLE)[0] < 0.01
     assert power(0.0, 1.0, 6, LITTLE)[0] > 0.8
 
 
 @pytest.mark.parametrize("shape", ["normal", "student", "exponential", "-exponential"])
 def test_the_rule_of_the_plan_decides_wrongly_at_most_5_percent_of_the_time(shape):
-    """At the edge of a claim, where errors are most frequent: for "holds" and for "does not hold"."""
+    """This is tested for both verdicts at the limits of a claim, where errors are most frequent."""
     inside = 1e-9
     for truth, claimed in ((0.0, BETTER), (inside, BETTER), (2.0, LITTLE), (2.0 - inside, LITTLE)):
         assert error_rate(truth, claimed, homes=24, shape=shape, level=LEVEL) <= 0.05, (truth, claimed)
@@ -114,6 +114,6 @@ def test_homes_of_a_group_may_share_a_tenth_of_their_variance():
     assert error_rate(0.0, BETTER, homes=24, shared=0.1) > 0.04
 
 
-def test_homes_that_are_one_decide_wrongly_too_often():
-    """The simulation detects a real error: identical homes of a group count six times."""
+def test_identical_homes_decide_wrongly_too_often():
+    """The simulation detects errors: if the homes in a group are identical, each counts six times."""
     assert error_rate(0.0, BETTER, homes=24, shared=1.0) > 0.15

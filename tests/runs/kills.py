@@ -1,4 +1,4 @@
-"""Runs killed at random moments, and what comes after: seeded, for a given time.
+"""Kill runs at random moments for a given time, and check that they recover. A seed makes this repeatable.
 
 ``python tests/runs/kills.py FOLDER KILLS SECONDS [SEED]`` prints the counts (with PYTHONPATH=tests).
 """
@@ -19,34 +19,34 @@ from project import contents, run
 
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 MEND = "import sys; from placecat.__main__ import main; main(['mend'])"
-# Seconds after which a process of a killed run is an orphan.
+# Seconds after which a surviving process of a killed run counts as an orphan.
 GRACE = 20.0
-# Of stages that there are no more, so that writing dvc.lock takes its time.
+# Number of records of removed stages, which make writing dvc.lock take longer.
 RECORDS = 100
-# One with workers, one that keeps its files, and one more.
+# A stage with workers, a stage that keeps its files, and an ordinary one.
 NAMES = ("second", "middle", "last")
-# A stage that takes its time, and has workers.
+# Makes stages slow, and gives one of them workers.
 SLOW = {"SECONDS": "0.2", "PLACECAT_WORKERS": "2"}
 
 
 class Failure(AssertionError):
-    """A run that was killed did not go on as it should."""
+    """A killed run did not resume correctly."""
 
 
 def campaign(folder, kills, seconds, seed=0, say=lambda line: None):
-    """Kill runs of the small pipeline, each of which then goes on.
+    """Kill runs of the small pipeline, and resume each of them.
 
     Parameters
     ----------
     kills, seconds
-        How many at most, and for how long; a kill in three is inside the writing of dvc.lock.
+        Maximum number of kills and time limit. One kill in three happens while dvc.lock is written.
     say
-        Takes a line for each kill.
+        Called with a line for each kill.
 
     Returns
     -------
     dict
-        "clean" and each kind of failure, to their numbers.
+        The number of runs for "clean" and for each kind of failure.
     """
     chance, end = random.Random(seed), time.monotonic() + seconds
     template, whole = folder / "template", folder / "whole"
@@ -95,12 +95,12 @@ def _kill_and_go_on(folder, whole, by, number, to_group, delay, write):
         time.sleep(delay)
     if process.poll() is None:
         if to_group:
-            # As a terminal, or a service that is stopped, does.
+            # Signal the group, as a terminal or a service manager does.
             made_pipeline.send_to_group(process.pid, number)
         else:
             process.send_signal(number)
         if by[0] == "dvc" and not to_group and number == signal.SIGINT:
-            # Plain DVC does not heed it while a stage runs.
+            # Plain DVC ignores Ctrl-C while a stage runs.
             process.send_signal(signal.SIGTERM)
     deadline = time.monotonic() + GRACE
     while (left := living(folder)) and time.monotonic() < deadline:
@@ -131,7 +131,7 @@ def _kill_and_go_on(folder, whole, by, number, to_group, delay, write):
 
 
 def _wait_for_write(folder, process, write):
-    """Wait until dvc.lock is written for the given time: plain DVC empties it, ours has another name."""
+    """Wait for write number `write` of dvc.lock. Plain DVC empties the file; ours uses another name."""
     size = (folder / "dvc.lock").stat().st_size
     end = time.monotonic() + 60
     before = False
@@ -151,7 +151,7 @@ def _wait_for_write(folder, process, write):
 
 
 def living(folder):
-    """Processes that work in a folder."""
+    """Return the processes whose working directory is the folder."""
     found = []
     for one in psutil.process_iter(["cwd", "status"]):
         if one.info["cwd"] and Path(one.info["cwd"]) == folder and one.info["status"] != psutil.STATUS_ZOMBIE:

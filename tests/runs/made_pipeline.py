@@ -1,4 +1,4 @@
-"""A small project whose four stages are run by the real stage runner, through real DVC."""
+"""A small project with four stages, run by the real stage runner and real DVC."""
 
 import contextlib
 import os
@@ -12,7 +12,8 @@ import yaml
 
 from project import ROOT, environment, run
 
-# Each takes what the one before made; `second` has workers; `middle` keeps its files, as stages of items do.
+# Each stage reads the output of the previous one. `second` has workers, and `middle` keeps its files, like a
+# stage with items.
 STAGE = '''
 """Add a line."""
 
@@ -50,7 +51,7 @@ NAMES = ("first", "second", "middle", "last")
 
 
 def make(folder: Path, names: tuple[str, ...] = NAMES) -> Path:
-    """Write the project; nothing of it has run."""
+    """Write the project; none of its stages has run."""
     stages = {}
     for number, name in enumerate(names):
         (folder / "src").mkdir(parents=True, exist_ok=True)
@@ -72,7 +73,7 @@ def make(folder: Path, names: tuple[str, ...] = NAMES) -> Path:
 
 
 def add_records(folder: Path, number: int) -> None:
-    """Put records of stages that there are no more into dvc.lock, so that it is as large as a real one."""
+    """Add records of removed stages to dvc.lock, so that it is as large as a real one."""
     records = yaml.safe_load((folder / "dvc.lock").read_text())
     one = records["stages"]["last"]
     records["stages"] = {f"former_{each}": one for each in range(number)} | records["stages"]
@@ -80,7 +81,7 @@ def add_records(folder: Path, number: int) -> None:
 
 
 class _Plain(yaml.SafeDumper):
-    """As DVC writes: nothing refers to what was written before."""
+    """Write YAML without aliases, as DVC does."""
 
     def ignore_aliases(self, data: object) -> bool:
         return True
@@ -90,7 +91,7 @@ REPRO = ("python", "-c", "import sys; from placecat.runs import repro; sys.exit(
 
 
 def start(folder: Path, *command: str, log: Path | None = None, **extra: str) -> "subprocess.Popen[bytes]":
-    """Start a command, `placecat repro` without the rest by default, as the leader of its own group."""
+    """Start a command as the leader of a new process group; by default, `repro.run`."""
     with (log or Path(os.devnull)).open("w") as output:
         return subprocess.Popen(
             command or REPRO,
@@ -103,13 +104,13 @@ def start(folder: Path, *command: str, log: Path | None = None, **extra: str) ->
 
 
 def send_to_group(leader: int, number: int) -> None:
-    """Send a signal to every process of a group, if there is one."""
+    """Send a signal to every process of a group, if the group exists."""
     with contextlib.suppress(ProcessLookupError):
         os.killpg(leader, number)
 
 
 def wait_for(condition: Callable[[], bool], seconds: float = 60) -> None:
-    """Wait until something is so."""
+    """Wait until a condition is true."""
     end = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < end

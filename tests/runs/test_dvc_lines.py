@@ -1,4 +1,4 @@
-"""What DVC's lines become in `placecat repro`."""
+"""How `placecat repro` changes the lines that DVC prints."""
 
 import logging
 
@@ -12,7 +12,7 @@ def said(left, text):
     return record.getMessage() if left.filter(record) and left.filter(record) else None
 
 
-def test_a_stage_says_which_it_is_and_what_is_left():
+def test_a_stage_line_shows_the_number_and_the_time_left():
     left = _Left(["features", "cues", "report"], {"features": 600.0, "cues": 60.0, "report": 9.0})
     assert said(left, "Running stage 'features':") == "Running stage 'features': 1 of 3, at most 11 min left"
     assert said(left, "Stage 'cues' didn't change, skipping") == "Stage 'cues' didn't change, skipping"
@@ -26,5 +26,5 @@ def test_a_stage_says_which_it_is_and_what_is_left():
         "Verifying outputs in frozen stage: 'a'",
     ],
 )
-def test_nothing_is_said_of_frozen_stages(text):
+def test_messages_about_frozen_stages_are_hidden(text):
     assert said(_Left([], {}), text) is None

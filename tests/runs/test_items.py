@@ -1,4 +1,4 @@
-"""Items of a stage: which ones are remade, and which are not."""
+"""Which items of a stage are remade, and which are not."""
 
 import json
 import shutil
@@ -15,7 +15,7 @@ FOLDER = Path("data/cues")
 
 @pytest.fixture
 def made(tmp_path, monkeypatch):
-    """Refresh two items with one file each; return the names of the remade ones."""
+    """Return a function that refreshes two items of one file each and returns the names of those remade."""
     monkeypatch.chdir(tmp_path)
     Path("src").mkdir()
     Path("src/code.py").write_text("1")
@@ -75,7 +75,7 @@ def test_all_items_to_make_are_named_before_the_first_is_made(made):
     ],
     ids=["input", "output", "lost output", "further output", "manifest", "lost manifest", "lost item"],
 )
-def test_only_the_item_that_was_changed_or_damaged_is_made_again(made, damage):
+def test_only_changed_or_damaged_items_are_made_again(made, damage):
     before = contents()
     damage()
     assert made() == ["two"]
@@ -109,7 +109,7 @@ def test_a_failed_stage_keeps_its_finished_items(made):
     assert made() == ["two"]
 
 
-def test_of_another_stage_s_item_only_the_files_that_are_read_count(tmp_path, monkeypatch):
+def test_only_the_files_read_from_an_item_of_another_stage_count(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     features = Path("data/features")
 
@@ -135,7 +135,7 @@ def test_of_another_stage_s_item_only_the_files_that_are_read_count(tmp_path, mo
     assert train() == ["gist", "all"]
 
 
-def test_manifests_say_nothing_of_the_machine(made, tmp_path):
+def test_manifests_do_not_depend_on_the_machine(made, tmp_path):
     first = contents()
     for content in first.values():
         assert str(tmp_path).encode() not in content

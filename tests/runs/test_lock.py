@@ -1,4 +1,4 @@
-"""One run at a time."""
+"""Only one run at a time is allowed in a folder."""
 
 import subprocess
 import sys
@@ -29,7 +29,7 @@ def folder(tmp_path, monkeypatch):
 
 @pytest.fixture
 def hold():
-    """Another process that holds a lock until the test ends."""
+    """Start another process that holds a lock until the test ends."""
     processes = []
 
     def start(which):
@@ -46,7 +46,7 @@ def hold():
 
 
 @pytest.mark.parametrize("command", [["params"], ["repro"], ["mend"]])
-def test_while_a_run_goes_on_another_one_and_new_settings_are_refused(folder, hold, command):
+def test_a_run_prevents_other_runs_and_new_settings(folder, hold, command):
     light_conf(folder / "conf")
     hold("alone()")
     with pytest.raises(SystemExit, match="a run is in progress in this folder") as caught:
@@ -55,7 +55,7 @@ def test_while_a_run_goes_on_another_one_and_new_settings_are_refused(folder, ho
     assert not (folder / "params.yaml").exists()
 
 
-def test_the_lock_may_be_nested_and_goes_with_its_process(folder, hold):
+def test_the_lock_may_be_nested_and_ends_with_its_process(folder, hold):
     process = hold("alone()")
     process.kill()
     process.wait()
@@ -65,7 +65,7 @@ def test_the_lock_may_be_nested_and_goes_with_its_process(folder, hold):
 
 
 @pytest.mark.slow
-def test_a_stage_waits_for_another_process_that_makes_it(folder, hold, capsys):
+def test_a_stage_waits_for_another_process_that_runs_it(folder, hold, capsys):
     holder = hold("one_at_a_time('features')")
     with lock.one_at_a_time("cues"):
         pass
@@ -89,7 +89,7 @@ def test_outside_a_project_there_is_nothing_to_lock(tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
-def test_settings_are_refused_while_plain_dvc_runs_a_stage(tmp_path, monkeypatch):
+def test_new_settings_are_rejected_while_plain_dvc_runs_a_stage(tmp_path, monkeypatch):
     folder = made_pipeline.make(tmp_path / "project", names=("first",))
     process = made_pipeline.start(folder, "dvc", "repro", SECONDS="30")
     try:

@@ -35,7 +35,7 @@ stages:
 """
 
 
-def test_the_version_of_the_data_is_the_checksum_of_the_lists(tmp_path, monkeypatch):
+def test_the_data_version_is_the_checksum_of_the_frame_list(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "dvc.lock").write_text(LOCK)
     assert data_version() == "0123.dir"
@@ -51,7 +51,7 @@ def test_a_stage_that_did_not_run_is_named(tmp_path, monkeypatch):
         data_version("features@home_1")
 
 
-def test_features_of_another_data_set_are_refused(tmp_path, monkeypatch):
+def test_features_of_another_data_set_are_rejected(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     dataset = {"name": "homes", "root": "here"}
     lock = yaml.safe_load(LOCK)
@@ -59,21 +59,21 @@ def test_features_of_another_data_set_are_refused(tmp_path, monkeypatch):
     lock["stages"]["features"] = {"deps": [{"path": "data/sequences", "md5": "0123.dir"}]}
     (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
     check_data({"dataset": dataset})
-    with pytest.raises(PlacecatError, match="the features come from another data set"):
+    with pytest.raises(PlacecatError, match="the features come from a different data set"):
         check_data({"dataset": dataset | {"root": "there"}})
-    # The stage `sequences` has run, and `features` has not.
+    # The stage `sequences` has run again, but `features` has not.
     lock["stages"]["features"]["deps"][0]["md5"] = "89ab.dir"
     (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
-    with pytest.raises(PlacecatError, match="another data set"):
+    with pytest.raises(PlacecatError, match="a different data set"):
         check_data({"dataset": dataset})
     del lock["stages"]["features"]
     (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
-    with pytest.raises(PlacecatError, match="another data set"):
+    with pytest.raises(PlacecatError, match="a different data set"):
         check_data({"dataset": dataset})
 
 
 def test_the_record_in_git_has_the_data_set_and_its_checksum():
-    """As DVC writes it; the settings of the data set may have changed since."""
+    """DVC recorded both. The settings of the data set may have changed since then."""
     assert KEPT["sequences"]["params"]["params.yaml"]["dataset"]["name"] == "homes"
     (listed,) = KEPT["sequences"]["outs"]
     assert {"path": "data/sequences", "md5": listed["md5"]}.items() <= next(
@@ -82,7 +82,7 @@ def test_the_record_in_git_has_the_data_set_and_its_checksum():
 
 
 def filled(reference):
-    """The setting named by a reference in dvc.yaml."""
+    """Return the setting named by a reference in dvc.yaml."""
     return settings.get(PARAMS, reference[1])
 
 
@@ -94,7 +94,7 @@ def test_the_lock_file_has_every_stage_and_no_other():
 
 
 def in_git():
-    """Outputs in git."""
+    """Yield each stage and output that are in git."""
     for name, stage in STAGES.items():
         for out in stage["outs"]:
             if isinstance(out, dict) and not next(iter(out.values())).get("cache", True):
@@ -102,7 +102,7 @@ def in_git():
 
 
 def checksum(folder, files):
-    """DVC's checksum of a file or, from its files, of a folder."""
+    """Compute DVC's checksum of a file, or of a folder from its files."""
     sums = {path: hashlib.md5((ROOT / path).read_bytes()).hexdigest() for path in files}
     if list(sums) == [folder]:
         return sums[folder]
@@ -112,7 +112,7 @@ def checksum(folder, files):
 
 @pytest.mark.parametrize(("stage", "path"), list(in_git()))
 def test_the_lock_file_has_the_files_that_git_has(stage, path):
-    """Otherwise a run in a fresh clone changes the lock file, although it makes the same files."""
+    """Otherwise, a run in a fresh clone changes the lock file, although it makes the same files."""
     listed = subprocess.run(["git", "ls-files", path], cwd=ROOT, capture_output=True, text=True, check=False)
     if listed.returncode:
         pytest.skip("this is no git repository")
@@ -120,7 +120,7 @@ def test_the_lock_file_has_the_files_that_git_has(stage, path):
     assert locked["md5"] == checksum(path, listed.stdout.splitlines())
 
 
-def test_the_kept_times_are_of_every_stage(monkeypatch):
+def test_the_times_in_git_cover_every_stage(monkeypatch):
     monkeypatch.chdir(ROOT)
     with Path("reports/times.csv").open() as file:
         assert {row["stage"] for row in csv.DictReader(file)} >= set(repro.stages())

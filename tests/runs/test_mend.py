@@ -1,4 +1,4 @@
-"""dvc.lock cut anywhere, and what a killed process leaves."""
+"""Truncated versions of dvc.lock, and the files that a killed process leaves."""
 
 import os
 import time
@@ -28,7 +28,7 @@ HEAD = "schema: '2.0'\nstages:\n"
 
 
 def lock_of(*versions):
-    """Content of dvc.lock after the stages had these versions."""
+    """Return the content of dvc.lock after the stages ran in these versions."""
     names = ("first", "second", "third")
     blocks = [RECORD.format(name=name, version=one) for name, one in zip(names, versions, strict=False)]
     return HEAD + "".join(blocks)
@@ -44,7 +44,7 @@ def folder(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(("before", "after"), [((1, 1), (1, 1, 1)), ((1, 1, 1), (1, 2, 1))])
-def test_a_lock_file_cut_anywhere_keeps_the_records_of_before(folder, before, after):
+def test_a_lock_file_truncated_anywhere_keeps_earlier_records(folder, before, after):
     mend.LOCK.write_text(lock_of(*before))
     mend.keep()
     whole = lock_of(*after)
@@ -54,13 +54,13 @@ def test_a_lock_file_cut_anywhere_keeps_the_records_of_before(folder, before, af
         stages = yaml.safe_load(mend.LOCK.read_text())["stages"]
         for name, record in yaml.safe_load(lock_of(*before))["stages"].items():
             new = yaml.safe_load(whole)["stages"][name]
-            # Either the record of before or the new one, never half of it.
+            # The record is either the old one or the new one, never half of it.
             assert stages[name] in (record, new), whole[:length]
         assert list(stages) == ["first", "second", "third"][: len(stages)]
         mend.COPY.write_text(lock_of(*before))
 
 
-def test_a_whole_lock_file_stays_as_it_is_and_nothing_is_said(folder, capsys):
+def test_a_complete_lock_file_is_not_changed(folder, capsys):
     mend.LOCK.write_text(lock_of(1, 1))
     mend.keep()
     for content in (lock_of(1, 1), lock_of(1, 2), lock_of(2, 2, 2)):
@@ -70,7 +70,7 @@ def test_a_whole_lock_file_stays_as_it_is_and_nothing_is_said(folder, capsys):
         assert capsys.readouterr().out == "Nothing needs mending.\n"
 
 
-def test_what_was_restored_is_said_with_what_runs_again(folder, capsys):
+def test_restored_records_and_stages_to_run_again_are_listed(folder, capsys):
     mend.LOCK.write_text(lock_of(1, 1))
     mend.keep()
     mend.LOCK.write_text(lock_of(1, 1, 1)[:-40])
@@ -81,7 +81,7 @@ def test_what_was_restored_is_said_with_what_runs_again(folder, capsys):
     assert "run again: third" in said
 
 
-def test_a_stage_that_begins_on_a_cut_lock_file_keeps_the_records_of_before(folder):
+def test_a_stage_keeps_earlier_records_of_a_truncated_lock_file(folder):
     mend.LOCK.write_text(lock_of(1, 1, 1))
     mend.keep()
     mend.LOCK.write_text(lock_of(1))
@@ -90,7 +90,7 @@ def test_a_stage_that_begins_on_a_cut_lock_file_keeps_the_records_of_before(fold
     assert mend.LOCK.read_text() == lock_of(1, 1, 1)
 
 
-def test_who_removes_the_lock_file_starts_anew(folder):
+def test_a_removed_lock_file_is_not_restored(folder):
     mend.LOCK.write_text(lock_of(1, 1, 1))
     mend.keep()
     mend.LOCK.unlink()
@@ -114,7 +114,7 @@ def test_a_stage_that_is_no_longer_defined_is_not_restored(folder):
     assert mend.LOCK.read_text() == lock_of(1, 1)
 
 
-def test_a_merge_that_git_could_not_make_is_left_to_a_person(folder):
+def test_merge_conflicts_are_left_to_the_user(folder):
     mend.LOCK.write_text(lock_of(1, 1))
     mend.keep()
     conflict = HEAD + "<<<<<<< HEAD\n" + RECORD.format(name="first", version=1) + "=======\n>>>>>>> b\n"
@@ -124,14 +124,14 @@ def test_a_merge_that_git_could_not_make_is_left_to_a_person(folder):
 
 
 @pytest.mark.parametrize("content", ["", "{", '{"write": {"/there": {"pid": 4194304, "cmd": "dvc repro"}}}'])
-def test_a_note_of_a_dead_user_is_removed(folder, content):
+def test_lock_entries_of_dead_processes_are_removed(folder, content):
     note = folder / ".dvc/tmp/rwlock"
     note.write_text(content)
     main(["mend"])
     assert not note.exists()
 
 
-# The last is nobody's: it has no number that one of placecat's has.
+# Files that a killed process leaves behind, and files that only look similar.
 LEFT = (
     ".params.0123abcd.partial.yaml",
     "data/.sequences.0123abcd.partial/Home1/frames.csv",

@@ -1,4 +1,4 @@
-"""`placecat repro` before DVC begins."""
+"""What `placecat repro` does before DVC starts."""
 
 import shutil
 
@@ -11,7 +11,7 @@ from placecat.runs import repro
 from project import run
 
 
-def test_a_folder_without_git_is_one_message(tmp_path, monkeypatch):
+def test_a_folder_without_git_is_reported_in_one_line(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / ".dvc").mkdir()
     (tmp_path / ".dvc/config").write_text("[core]\n    analytics = false\n")
@@ -24,10 +24,8 @@ def test_a_folder_without_git_is_one_message(tmp_path, monkeypatch):
     ("status", "has_ended", "is_back"),
     [(1, False, True), (1, True, False), (None, False, True), (0, True, False)],
 )
-def test_a_refused_run_leaves_the_settings_as_they_were(
-    tmp_path, monkeypatch, before, status, has_ended, is_back
-):
-    """A `status` of None means a refusal before DVC begins; `has_ended` means that a stage has ended."""
+def test_a_rejected_run_restores_the_settings(tmp_path, monkeypatch, before, status, has_ended, is_back):
+    """If `status` is None, the run fails before DVC starts. `has_ended` says whether a stage has ended."""
     monkeypatch.chdir(tmp_path)
     params, lock = tmp_path / "params.yaml", tmp_path / "dvc.lock"
     lock.write_text("records")

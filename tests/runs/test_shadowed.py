@@ -5,7 +5,7 @@ from project import run
 MAIN = ("python", "-m", "placecat", "--help")
 
 
-def test_another_package_in_pythonpath_is_one_message(tmp_path):
+def test_a_package_hidden_by_pythonpath_is_reported_in_one_line(tmp_path):
     other = tmp_path / "other"
     (other / "cv2").mkdir(parents=True)
     (other / "cv2/__init__.py").write_text("raise ImportError")
@@ -16,7 +16,7 @@ def test_another_package_in_pythonpath_is_one_message(tmp_path):
         assert result.returncode == 1
         assert result.stderr.startswith("placecat: PYTHONPATH hides the installed cv2")
         assert result.stderr.endswith("unset PYTHONPATH\n")
-    # The user's packages, and folders that only share the name, change nothing.
+    # Other packages of the user, and folders that only share a name, do no harm.
     (other / "cv2/__init__.py").unlink()
     (other / "mine").mkdir()
     (other / "mine/__init__.py").write_text("")

@@ -1,4 +1,4 @@
-"""Times of stages: which ones count, their sum, and their storage."""
+"""Stage times: which ones count, what they add up to, and where they are stored."""
 
 import json
 from pathlib import Path
@@ -51,7 +51,7 @@ def test_the_longest_stage_is_first(folder, monkeypatch):
     ]
 
 
-def test_a_call_that_ran_nothing_says_so():
+def test_a_call_that_ran_no_stage_is_reported():
     nothing = pd.DataFrame(columns=["stage", "runs", "seconds"])
     assert times.text(nothing, 1.52) == "Times: no stage had to run; 1.5 s."
 
@@ -78,8 +78,8 @@ def test_without_a_complete_run_nothing_is_kept(folder):
     assert not paths.KEPT_TIMES.exists()
 
 
-def test_times_are_no_part_of_the_project():
-    """Neither in git nor a dependency or output of a stage."""
+def test_times_are_not_part_of_the_project():
+    """Times are not in git, and no stage depends on them or outputs them."""
     root = Path(__file__).resolve().parents[2]
     ignored = (root / ".gitignore").read_text().splitlines()
     pipeline = (root / "dvc.yaml").read_text()

@@ -1,4 +1,4 @@
-"""What a stage depends on may not change while it runs."""
+"""The dependencies of a stage must not change while it runs."""
 
 import os
 
@@ -36,7 +36,7 @@ def folder(tmp_path, monkeypatch):
         "films/a.mp4",
     ],
 )
-def test_what_was_changed_is_named(folder, name):
+def test_a_changed_dependency_is_named(folder, name):
     unchanged.start("one")
     unchanged.check()
     with (folder / name).open("a") as file:
@@ -45,14 +45,14 @@ def test_what_was_changed_is_named(folder, name):
         unchanged.check()
 
 
-def test_what_disappeared_is_named(folder):
+def test_a_removed_dependency_is_named(folder):
     unchanged.start("one")
     (folder / "films/a.mp4").unlink()
     with pytest.raises(PlacecatError, match=r"films/a\.mp4 was changed"):
         unchanged.check()
 
 
-def test_other_files_and_the_same_settings_written_again_are_no_change(folder):
+def test_other_files_and_new_timestamps_are_ignored(folder):
     unchanged.start("one")
     (folder / "src/other.py").write_text("after")
     (folder / "src/package/__pycache__").mkdir()
@@ -62,7 +62,7 @@ def test_other_files_and_the_same_settings_written_again_are_no_change(folder):
     unchanged.check()
 
 
-def test_an_item_made_of_what_was_changed_is_not_kept(folder):
+def test_an_item_made_from_changed_inputs_is_not_kept(folder):
     unchanged.start("one")
 
     def make(name, target):

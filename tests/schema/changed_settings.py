@@ -1,4 +1,4 @@
-"""The settings in git, and copies with a change."""
+"""The settings in git, and changed copies of them."""
 
 import copy
 from pathlib import Path
@@ -20,7 +20,7 @@ def at(params, name):
 
 
 def changed(name, value, params=PARAMS):
-    """A copy with another value of a setting, or without it if the value is MISSING."""
+    """Return a copy with another value for a setting, or without the setting if the value is MISSING."""
     params = copy.deepcopy(params)
     parent, _, key = name.rpartition(".")
     section = at(params, parent) if parent else params
@@ -32,7 +32,7 @@ def changed(name, value, params=PARAMS):
 
 
 def refused(check, params, message=""):
-    """The one line with which a check refuses settings."""
+    """Return the one-line message with which a check rejects settings."""
     with pytest.raises(PlacecatError, match=message) as caught:
         check(params)
     assert "\n" not in str(caught.value)

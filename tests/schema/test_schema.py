@@ -1,11 +1,11 @@
-"""Every section of params.yaml refuses unknown settings."""
+"""Every section of params.yaml rejects unknown settings."""
 
 import pytest
 from changed_settings import MISSING, PARAMS, at, changed, refused
 
 from placecat import schema
 
-# Names are free here; their contents are checked.
+# Any name is allowed here, but the content is checked.
 FREE = {"figures", "codebooks", "cues", "systems", "filters", "splits"}
 
 
@@ -27,7 +27,7 @@ def sections():
     )
 
 
-def test_the_settings_that_git_holds_are_right():
+def test_the_settings_in_git_are_valid():
     schema.check(PARAMS)
     schema.check({})
     assert set(PARAMS) == set(schema.Params.model_fields)
@@ -69,17 +69,17 @@ POOL = {"method": "log_pool", "shrinkage": 0.1}
         ("systems.das_551_best.integrator", POOL | {"classifier": {}}, "classifier is required by .*das"),
         ("systems.das_551_best.integrator", POOL | {"shrinkage": -1.0}, "shrinkage"),
         ("systems.das_551_best.integrator", POOL | {"smallest": 0.0}, "smallest"),
-        ("systems.das_551_best.integrator", POOL | {"smallest": None}, "smallest is a number"),
-        ("systems.das_551_best.integrator.smallest", 1e-6, "smallest is .* needs method: log_pool"),
+        ("systems.das_551_best.integrator", POOL | {"smallest": None}, "smallest must be a number"),
+        ("systems.das_551_best.integrator.smallest", 1e-6, "smallest must .* needs method: log_pool"),
         ("systems.das_551_extra.integrator", POOL, "extra: true does not work with log_pool"),
         ("splits.university.integrator", POOL, "log_pool does not work with a fixed split"),
     ],
 )
-def test_a_value_of_another_type_and_a_contradiction_are_refused(name, value, message):
+def test_wrong_types_and_contradictions_are_rejected(name, value, message):
     refused(schema.check, changed(name, value), message)
 
 
-def test_a_cluster_has_settings_of_its_own():
+def test_compute_settings_depend_on_the_kind():
     own = {"kind": "dask", "scheduler": "tcp://10.0.0.1:8786", "wait": 30, "may_differ": []}
     schema.check(PARAMS | {"compute": own})
     refused(schema.check, PARAMS | {"compute": own | {"nonsense": 1}}, "compute")

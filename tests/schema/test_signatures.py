@@ -1,4 +1,4 @@
-"""Names of missing code are refused at once, and so are unknown settings."""
+"""Names of missing code and unknown settings are rejected immediately."""
 
 import subprocess
 import sys
@@ -36,7 +36,7 @@ PARTS = [
 ]
 
 
-def test_the_settings_that_git_holds_are_right():
+def test_the_settings_in_git_are_valid():
     signatures.check(PARAMS)
     signatures.check({})
 
@@ -69,17 +69,17 @@ def test_an_unknown_setting_is_refused(part):
         ("figures.figure_08", {}, r"figures: 'figure_08' does not exist"),
     ],
 )
-def test_a_name_of_no_code_and_a_parameter_that_is_no_setting_are_refused(setting, value, message):
+def test_missing_code_and_unknown_settings_are_rejected(setting, value, message):
     refused(signatures.check, changed(setting, value), message)
 
 
 @pytest.mark.parametrize("setting", ["cues.hog_y.classifier.clusters", "cues.gist.classifier.base.name"])
-def test_a_setting_without_a_default_is_missed(setting):
+def test_required_settings_must_be_present(setting):
     parent, _, name = setting.rpartition(".")
     refused(signatures.check, changed(setting, MISSING), rf"{parent} needs the setting '{name}'")
 
 
-def test_composing_refuses_it(tmp_path, monkeypatch):
+def test_composing_rejects_unknown_settings(tmp_path, monkeypatch):
     light_conf(tmp_path / "conf")
     monkeypatch.chdir(tmp_path)
     with pytest.raises(PlacecatError, match=r"cues\.gist\.classifier\.base has no setting 'nonsense'"):

@@ -1,4 +1,4 @@
-"""A tiny project after the stage `features`: random descriptors that hint at the place."""
+"""A tiny project after the stage `features`, with random descriptors that depend on the place."""
 
 import json
 import os
@@ -206,7 +206,7 @@ STUDIES = {
 
 
 def make(folder, *, marked=None, params=PARAMS):
-    """Write the project; with `marked`, that home gets other descriptors, labels and regions."""
+    """Write the project; the home `marked` gets different descriptors, labels and regions."""
     (folder / "params.yaml").write_text(yaml.safe_dump(params))
     for study, tables in STUDIES.items():
         for name, table in tables.items():
@@ -247,7 +247,7 @@ def make(folder, *, marked=None, params=PARAMS):
 
 
 def run_stages(folder, monkeypatch):
-    """Run the stages from the codebooks to the trials in this process."""
+    """Run the stages from `codebooks` to `trials` in this process."""
     from placecat.stages import codebooks, cues, filtering, integration, smoothing, splits, trials
 
     monkeypatch.chdir(folder)
@@ -262,7 +262,7 @@ def run_stages(folder, monkeypatch):
 
 
 def ran_once(tmp_path_factory):
-    """The folder in which the stages ran on the project, once for all workers. Tests do not change it."""
+    """Run the stages once for all workers; return the folder, which tests do not change."""
     shared = tmp_path_factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         shared = shared.parent

@@ -15,7 +15,7 @@ def project(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     params = made_run.parameters()
     made_run.build(tmp_path, params)
-    # The others are left out here, since they need all frames.
+    # The other figures need all frames.
     monkeypatch.setattr(
         figures, "names", lambda: ["figure_02", "figure_11", "figure_19", "figure_reliability"]
     )
@@ -48,7 +48,7 @@ def test_missing_data_leave_out_a_figure_with_a_reason(project, tmp_path):
     assert b"CreationDate" not in pdf
 
 
-def test_a_mistake_in_the_settings_stops_it(project, tmp_path):
+def test_an_invalid_setting_stops_the_stage(project, tmp_path):
     project["figures"]["figure_19"]["filter"] = "share"
     project["filters"]["share"] = {"threshold": None, "share": 0.1, "cues": [], "systems": []}
     save(project)

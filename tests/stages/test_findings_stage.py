@@ -27,7 +27,7 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_both_files_are_written_and_repeat(folder):
+def test_both_files_are_written_with_the_same_bytes_each_time(folder):
     findings.main()
     written = [(folder / path).read_bytes() for path in (paths.FINDINGS, paths.COMPARISONS)]
     ledger = pd.read_csv(folder / paths.FINDINGS)

@@ -1,4 +1,4 @@
-"""A codebook of flat k-means: the stages use it for the cluster numbers of its cues."""
+"""The stages can use flat k-means for a codebook, with the cluster numbers that its cues need."""
 
 import numpy as np
 from made_features import PARAMS, make
@@ -22,7 +22,7 @@ FLAT = PARAMS | {
 }
 
 
-def test_cues_decide_from_it(tmp_path, monkeypatch):
+def test_cues_use_the_codebook(tmp_path, monkeypatch):
     make(tmp_path, params=FLAT)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")

@@ -1,4 +1,4 @@
-"""No fitted part sees the test home: plant a marker in it and compare the bytes of all fitted parts."""
+"""The test home does not leak into training: marking it leaves the bytes of all fitted parts unchanged."""
 
 import numpy as np
 import pytest
@@ -20,12 +20,12 @@ def runs(tmp_path_factory):
     return folders
 
 
-# Outputs of models for the test home, which may change with its frames.
+# Model outputs for the test home, which may change with its frames.
 APPLIED = ("test", "tempered")
 
 
 def fitted_files(folder, home):
-    """All fitted parts when `home` is the test home, and their outputs for training frames."""
+    """Return all parts fitted with `home` as the test home, and their outputs for training frames."""
     kinds = (f"codebooks/*/without-{home}*.npz", f"cues/*/*/{home}.*.npz", f"integration/*/{home}.*.npz")
     found = {}
     for path in (path for kind in kinds for path in folder.glob(f"data/{kind}")):
@@ -45,8 +45,8 @@ def test_parts_fitted_for_the_marked_home_do_not_change(runs):
     assert [str(name) for name in plain if plain[name] != marked[name]] == []
 
 
-def test_the_marker_would_be_seen(runs):
-    """With another test home, the marked one trains, and the same files change."""
+def test_the_marker_changes_the_fitted_parts_when_used_for_training(runs):
+    """If another home is tested, the marked home is used for training, and the same files change."""
     other = next(home for home in HOMES if home != MARKED)
     plain, marked = fitted_files(runs["plain"], other), fitted_files(runs["marked"], other)
     changed = {name[0].parts[1] for name in plain if plain[name] != marked[name]}
@@ -86,7 +86,7 @@ def test_results_do_not_depend_on_the_number_of_workers(runs, tmp_path, monkeypa
         assert path.read_bytes() == (runs["plain"] / path.relative_to(tmp_path)).read_bytes(), path
 
 
-def test_distributions_are_distributions(runs):
+def test_distributions_are_valid(runs):
     found = [
         (path, array)
         for kind in ("cues", "integration", "filtered", "smoothing", "splits")

@@ -1,4 +1,4 @@
-"""The stage `report`, on made-up reports."""
+"""The stage `report` on generated reports."""
 
 import json
 import re
@@ -21,7 +21,7 @@ LOCK = "stages:\n  sequences:\n    outs:\n    - md5: 00ff.dir\n"
 
 @pytest.fixture(scope="module")
 def prepared(tmp_path_factory):
-    """A folder with everything that the stage reads."""
+    """Prepare a folder with everything that the stage reads."""
     folder = tmp_path_factory.mktemp("prepared")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
@@ -30,13 +30,13 @@ def prepared(tmp_path_factory):
 
 
 def copied(folder, destination):
-    """A copy to change; `conf` and the thesis's data stay links."""
+    """Make a copy that may be changed; `conf` and the data of the thesis remain links."""
     return shutil.copytree(folder, destination, symlinks=True)
 
 
 @pytest.fixture
 def folder(prepared, tmp_path, monkeypatch):
-    """A copy of the prepared folder, as the current folder."""
+    """A copy of the prepared folder as the current folder."""
     copy = copied(prepared, tmp_path / "copy")
     monkeypatch.chdir(copy)
     return copy
@@ -51,13 +51,13 @@ def run_in(folder):
 
 @pytest.fixture(scope="module")
 def written(prepared, tmp_path_factory):
-    """The stage has run here. Tests do not change it."""
+    """A folder in which the stage has run; tests do not change it."""
     return run_in(copied(prepared, tmp_path_factory.mktemp("written") / "copy"))
 
 
 @pytest.fixture(scope="module")
 def changed(prepared, tmp_path_factory):
-    """The stage has run here with a record of times and without the first figure."""
+    """A folder in which the stage has run with recorded times and without the first figure."""
     folder = copied(prepared, tmp_path_factory.mktemp("changed") / "copy")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
@@ -71,7 +71,7 @@ def changed(prepared, tmp_path_factory):
 
 
 def prepare():
-    """Write what the stage reads in the current folder."""
+    """Write everything that the stage reads to the current folder."""
     paths.PARAMS.write_text((made_report.ROOT / "params.yaml").read_text())
     for name in ("conf", "data/thesis"):
         Path(name).parent.mkdir(exist_ok=True)
@@ -116,7 +116,7 @@ def prepare():
 
 
 def measured(cells, key):
-    """The origins of cells from the stage `tables`: each cell comes from one cue, without seeds."""
+    """Return cell origins as the stage `tables` writes them; each cell comes from one cue without seeds."""
     return [
         {
             "cell": labels,
@@ -145,7 +145,7 @@ def test_it_reads_everything_and_writes_the_page(written):
         in text
     )
     assert "<code>00ff.dir</code>" in text
-    # Text that looks like a number stays text.
+    # Text that looks like a number remains text.
     assert '<td class="f-section">4.10</td>' in text
     assert "<span>4.10 flat k means<" in text
     assert 'colspan="2">0.1</th>' in text
@@ -158,7 +158,7 @@ def test_a_kept_record_of_times_is_shown(changed):
     assert '<tr><th scope="row">sequences</th><td>1</td><td>61.0</td></tr>' in page(changed)
 
 
-def test_it_writes_the_same_bytes_again_and_an_empty_record_of_times_is_none(written, folder):
+def test_the_bytes_are_the_same_and_empty_times_count_as_missing(written, folder):
     files.write_csv(paths.KEPT_TIMES, pd.DataFrame(columns=["stage", "runs", "seconds"]))
     files.write_json(paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "cores": 2, "total": 0.0})
     report.main()

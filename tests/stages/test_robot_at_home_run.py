@@ -1,4 +1,4 @@
-"""Robot@Home2 from `placecat params` to the smoothing: each home is left out once, on a small database."""
+"""Run `placecat params` and the stages up to smoothing on a small Robot@Home2 database."""
 
 import numpy as np
 import pytest
@@ -17,14 +17,14 @@ from placecat.training import fold_file
 from project import ROOT, light_conf
 
 WIDTH, HEIGHT = 120, 160
-# Directions of stripes, in degrees, for the types of rooms that are classes.
+# Direction of the stripes, in degrees, for each room type that is a class.
 STRIPES = {"bedroom": 0, "masterroom": 0, "bathroom": 45, "kitchen": 90, "livingroom": 135}
-# No cue of regions, so the test is quick.
+# The test is quick, because no cue uses regions.
 CUES, SYSTEM = ("gist", "spatial_pact"), "das_551_best"
 
 
 def picture(home, room, number):
-    """Stripes in the direction of the class; elsewhere noise."""
+    """Draw stripes in the direction of the class, or noise if the room has no class."""
     rng = np.random.default_rng([*f"{home} {room}".encode(), number])
     y, x = np.mgrid[:HEIGHT, :WIDTH]
     direction = STRIPES.get(room[:-1])
@@ -42,7 +42,7 @@ def picture(home, room, number):
 
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory):
-    """The settings for a run of the stages without codebooks."""
+    """Run the stages that need no codebooks, and yield the settings."""
     folder = tmp_path_factory.mktemp("robot_at_home")
     conf = light_conf(folder / "conf")
     kept = {"cue": CUES, "system": (SYSTEM,), "descriptor/local": ("color_mv",)}
@@ -70,7 +70,7 @@ def ran(tmp_path_factory):
 
 
 @pytest.mark.slow
-def test_every_home_is_left_out_and_named(ran):
+def test_every_home_is_left_out_and_most_decisions_are_correct(ran):
     assert ran["dataset"]["classes"] == ["bedroom", "bathroom", "kitchen", "living_room"]
     for home in HOMES:
         truth = listing.read_labels(home)
@@ -80,12 +80,12 @@ def test_every_home_is_left_out_and_named(ran):
         for proba in (single, smoothed):
             assert proba.shape == (len(truth), 4)
             np.testing.assert_allclose(proba.sum(axis=1), 1)
-        # Chance is 25 %; a frame with the label or file of another one would get the wrong name.
+        # Chance is 25 %. If frames were mixed up with labels or files of other frames, few would be correct.
         assert (single.argmax(axis=1) == truth)[truth >= 0].mean() > 0.7, home
 
 
-def test_one_command_is_enough(monkeypatch):
-    """The settings of the project without other overrides."""
+def test_the_settings_need_no_overrides(monkeypatch):
+    """The settings of the project are valid without further overrides."""
     monkeypatch.chdir(ROOT)
     params = yaml.load(compose(["dataset=robot_at_home", "dataset.root=/data/rah"]), Loader=Loader)
     check(params)

@@ -1,4 +1,4 @@
-"""The stage `scores`, on distributions written by hand."""
+"""The stage `scores` on random distributions."""
 
 from functools import cache
 
@@ -21,7 +21,7 @@ OPTIONS = PARAMS["probabilities"]
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A project in which every result has random distributions on every test home."""
+    """A project where every result has random distributions on every test home."""
     make(tmp_path)
     monkeypatch.chdir(tmp_path)
     rng = np.random.default_rng(0)
@@ -43,7 +43,7 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_every_result_has_its_numbers_in_every_home_with_every_seed(folder):
+def test_every_result_has_numbers_for_every_home_and_seed(folder):
     scores.main()
     table = pd.read_csv(folder / "data/scores/probabilities.csv").set_index(["result", "home", "seed"])
     counts = (

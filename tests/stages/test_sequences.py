@@ -20,7 +20,7 @@ CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
 
 @pytest.fixture
 def dataset(tmp_path, monkeypatch):
-    """Settings of two small homes below the current folder."""
+    """Settings for two small homes in the current folder."""
     draw_homes(tmp_path / "homes", homes=2, frames_per_room=2, width=64, height=36)
     monkeypatch.chdir(tmp_path)
     return {
@@ -44,12 +44,12 @@ def cameras(folder, dataset):
     ]
 
 
-def test_one_camera_for_all_homes_or_one_a_home(tmp_path, dataset):
+def test_one_camera_for_all_homes_or_one_per_home(tmp_path, dataset):
     assert cameras(tmp_path, dataset) == ["one", "one"]
     assert cameras(tmp_path, dataset | {"camera": {"Home2": "two", "Home1": "one"}}) == ["one", "two"]
 
 
-def test_a_home_without_a_camera_gives_a_message_and_leaves_nothing(tmp_path, dataset):
+def test_a_home_without_a_camera_is_reported_and_nothing_is_written(tmp_path, dataset):
     with pytest.raises(PlacecatError, match=r"lists no camera for Home2: add dataset\.camera\.Home2"):
         cameras(tmp_path, dataset | {"camera": {"Home1": "one"}})
     assert not (tmp_path / "data/sequences").exists()
@@ -71,12 +71,12 @@ def test_missing_frames_of_a_video_are_reported_and_recorded(tmp_path, dataset, 
     times = listing.uneven_times("one")
     assert times[20] == pytest.approx(21 / 30)
     assert listing.uneven_times("two") is None
-    # Transitions are counted on the frames of a camera with a constant rate.
+    # Transitions are counted as if the camera had a constant frame rate.
     (walk, other), rates = training_walks([Part("one", (0, 1, 2, 3, 4)), Part("two", (0, 1, 2, 3, 4))])
     assert (len(walk), len(other), rates) == (30, 30, [30.0, 30.0])
 
 
-def test_the_settings_of_a_layout_reach_it(tmp_path, dataset):
+def test_a_layout_gets_its_settings(tmp_path, dataset):
     write_sequence(tmp_path / "cold", "town/seq1", ["CR", "CR", "KT"])
     (tmp_path / "cold/town/seq1/std_cam").rename(tmp_path / "cold/town/seq1/omni_cam")
     cold = {"layout": "cold", "root": "cold", "homes": ["town-seq1"]}
@@ -92,8 +92,8 @@ def test_the_settings_of_a_layout_reach_it(tmp_path, dataset):
     assert sources.str.contains("/omni_cam/").all()
 
 
-def test_robot_at_home_turned(tmp_path, dataset):
-    """The size of its frames, the column of turns, and the classes of its rooms."""
+def test_rotated_frames_of_robot_at_home(tmp_path, dataset):
+    """Check the frame size, the column of turns, and the classes of the rooms."""
 
     picture = np.zeros((32, 24, 3), np.uint8)
     seen = make(tmp_path / "rah", lambda *_: picture, cameras=[2], frames=2)

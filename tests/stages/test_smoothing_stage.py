@@ -1,4 +1,4 @@
-"""The stage uses the frame rates from the stage `sequences`."""
+"""The stage `smoothing` uses the frame rates from the stage `sequences`."""
 
 import json
 import shutil
@@ -18,7 +18,7 @@ MODEL = {name: value for name, value in PARAMS["smoothing"].items() if name not 
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
-    """A copy of the project after all stages, whose frame rates the tests change."""
+    """A copy of the project after all stages; tests change its frame rates."""
     return shutil.copytree(ran_once(tmp_path_factory), tmp_path_factory.mktemp("project") / "copy")
 
 
@@ -27,7 +27,7 @@ def smooth(proba, frame_rate, **training):
 
 
 def smoothed(rates):
-    """The first home with all homes at these frame rates."""
+    """Smooth the first home after setting the frame rates of all homes."""
     from placecat import paths
     from placecat.training.saved import smooth_home
 
@@ -59,7 +59,7 @@ def test_frame_rates_come_from_the_homes(project, monkeypatch):
     result = smoothed([25.0, 5.0, 10.0, 5.0])
     for name in ("hmm", "delayed"):
         np.testing.assert_array_equal(result[name], expected[name])
-    # With a common rate, transitions are per frame, whatever the rate; the delay is not.
+    # If all homes have the same rate, it affects only the delay, since transitions are per frame.
     slow, fast = smoothed([5.0] * 4), smoothed([30.0] * 4)
     np.testing.assert_array_equal(slow["hmm"], fast["hmm"])
     assert not np.allclose(slow["delayed"], fast["delayed"])
@@ -67,7 +67,7 @@ def test_frame_rates_come_from_the_homes(project, monkeypatch):
 
 
 def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monkeypatch):
-    """Against `smooth`, called by hand without the home and the test home."""
+    """The result equals a direct call of `smooth` without this home and the test home."""
     from placecat import paths
     from placecat.choice.judging import judge_home, judge_smoothing, predict_unseen
     from placecat.errors import PlacecatError

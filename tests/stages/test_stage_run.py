@@ -1,4 +1,4 @@
-"""What every stage does before and after its work, with a stage of this test."""
+"""What every stage does before and after its work, shown with an artificial stage."""
 
 import json
 
@@ -44,7 +44,7 @@ def test_a_stage_records_its_wall_time(folder):
     assert content == {"call": "abc", "runs": 1, "stage": "features"}
 
 
-def test_a_stage_run_by_hand_is_of_no_call(folder):
+def test_a_stage_run_by_hand_belongs_to_no_call(folder):
     run(folder, "python", "features.py", PLACECAT_CALL="")
     assert json.loads((folder / "data/times/features.json").read_text())["call"] == ""
 
@@ -57,8 +57,8 @@ def test_a_stage_that_fails_records_nothing(folder, home):
     assert not (folder / "data").exists()
 
 
-def test_a_stage_refuses_settings_that_cannot_be(folder):
-    """Wrong settings from any source: `dvc exp run` and an editor do not check them."""
+def test_a_stage_rejects_invalid_settings(folder):
+    """Settings from any source are checked, since `dvc exp run` and editors do not check them."""
     (folder / "params.yaml").write_text("protocol: {seeds: []}\nsmoothing: {transition_counts: .nan}\n")
     result = run(folder, "python", "features.py", check=False)
     assert result.returncode == 1

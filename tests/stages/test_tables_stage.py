@@ -1,4 +1,4 @@
-"""The stage `tables`, on random results."""
+"""The stage `tables` on random results."""
 
 import numpy as np
 import pandas as pd
@@ -17,7 +17,7 @@ LOST = ("trials/table_04/First-Order Dependency Tree||991", "home_1")
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
-    """The folder in which the stage has run."""
+    """A folder in which the stage has run."""
     folder = tmp_path_factory.mktemp("run")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
@@ -27,7 +27,7 @@ def run(tmp_path_factory):
 
 
 def shown(kind):
-    """The files that DVC compares."""
+    """Return the definitions of the metrics or plots that DVC compares."""
     return settings.load(ROOT / f"data/thesis/{kind}.yaml")
 
 
@@ -43,7 +43,7 @@ def prepare(folder):
     for home in PARAMS["dataset"]["homes"]:
         nu = {"nu": [0.2, 0.2, 0.175 if home == "home_2" else 0.2]}
         fold_file.write(fold_file.path_of(paths.CUES / "gist/5-5-1", home, paths.NO_SEED), {}, nu)
-        # The second frame is the least informative, and has no label.
+        # The second frame is the least informative one and has no label.
         labels = pd.DataFrame({"label": "x", "class": [0, -1, 1, 2]})
         files.write_csv(paths.sequences(home) / "labels.csv", labels)
         information = np.array([0.09, 0.01, 0.05, 0.3], np.float32)
@@ -58,7 +58,7 @@ def prepare(folder):
 
 
 @pytest.mark.slow
-def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
+def test_every_table_is_written_in_three_formats_with_all_other_reports(run):
     names = set(tables_of(PARAMS, ROOT))
     assert {f"table_{number:02d}" for number in range(1, 32)} < names
     written = {path.name for path in (run / paths.TABLES).iterdir()}
@@ -84,7 +84,7 @@ def test_no_cell_of_any_table_is_empty_without_a_reason(run):
         assert len(lost) == (3 if path.stem == "table_04" else 0)
 
 
-def test_other_numbers_than_accuracies_come_from_records(run):
+def test_numbers_other_than_accuracies_come_from_records(run):
     lines = pd.read_csv(run / paths.IN_TEXT).set_index(["name", "quantity"])["measured"]
     assert lines["nu_in_force"].to_dict() == {"lowest nu in force": 0.15625, "highest nu in force": 0.2}
     assert sorted(lines["uninformative_views"]) == [0.05, 0.09]
@@ -92,7 +92,7 @@ def test_other_numbers_than_accuracies_come_from_records(run):
     assert lines[["processing_rate", "test_cycle", "svm_training"]].isna().all()
 
 
-def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_the_summary(run):
+def test_the_quality_of_probabilities_is_in_a_table_and_the_summary(run):
     table = pd.read_csv(run / paths.PROBABILITIES)
     quality = made().quality
     assert table["result"].tolist() == list(quality)
@@ -107,8 +107,8 @@ def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_th
 
 
 @pytest.mark.slow
-def test_again_bytes_are_the_same_and_an_optional_table_of_another_run_stays(run, monkeypatch):
-    """The same scores give the same bytes; a table without settings is removed."""
+def test_a_second_run_writes_the_same_bytes_and_keeps_optional_tables(run, monkeypatch):
+    """The same scores produce the same bytes; a table without settings is removed."""
     monkeypatch.chdir(run)
     (name,) = definitions.optional()
     first = contents(run, "reports")

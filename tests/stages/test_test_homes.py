@@ -1,4 +1,4 @@
-"""`protocol.test_homes`: tested homes get the same numbers as if all were tested; others get a reason."""
+"""With `protocol.test_homes`, tested homes have the same numbers as without it, and others have a reason."""
 
 import numpy as np
 import pandas as pd
@@ -12,7 +12,7 @@ from placecat.training.protocol import NOT_TESTED
 
 TESTED = ["H4", "H2"]
 FOLDERS = ("cues", "integration", "filtered", "smoothing")
-# One cue with clusters and one without, and the results based on them.
+# A cue with clusters and a cue without, and the results based on them.
 SMALL = PARAMS | {
     section: {name: PARAMS[section][name] for name in names}
     for section, names in {
@@ -55,7 +55,7 @@ def results(folder):
     return from_scores(*tables, HOMES, CLASSES, [PARAMS["splits"]["site"]["dataset"]["classes"]])
 
 
-def test_tested_homes_have_the_same_bytes_and_others_nothing(folders):
+def test_tested_homes_have_the_same_bytes_and_others_no_files(folders):
     everything, some = arrays(folders["all"]), arrays(folders["some"])
     expected = {name: one for name, one in everything.items() if name.split("/")[-2].split(".")[0] in TESTED}
     assert 0 < len(expected) < len(everything)
@@ -80,7 +80,7 @@ def test_scores_of_tested_homes_are_the_same_and_others_have_a_reason(folders):
     assert average.notes == ("mean over only Home 2, Home 4",)
 
 
-def test_a_trial_of_no_tested_home_has_reasons_alone(folders):
+def test_a_trial_without_tested_homes_has_only_reasons(folders):
     """Table 1 needs homes 1 and 3."""
     some = results(folders["some"])
     name = "trials/table_01/||13"

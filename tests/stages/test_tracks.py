@@ -1,4 +1,4 @@
-"""The stage `tracks` on two short sequences: a camera that pans over a wall of noise."""
+"""The stage `tracks` on two short sequences in which a camera pans over a noisy wall."""
 
 import json
 import shutil
@@ -29,7 +29,7 @@ def params(**tracking):
 
 
 def frames_of_the_home():
-    """Two sequences; the second runs back, so only the cut between them ends the tracks."""
+    """Yield a sequence and its reverse, so that only the cut between them ends the tracks."""
     noise = np.random.default_rng(0).integers(0, 256, (40, 80, 3), np.uint8)
     wall = cv2.resize(noise, (800, 400), interpolation=cv2.INTER_CUBIC)
     for t in (*range(FRAMES), *reversed(range(FRAMES))):
@@ -38,7 +38,7 @@ def frames_of_the_home():
 
 @pytest.fixture
 def home(tmp_path, monkeypatch):
-    """The folder after the stage `features`, as the current folder."""
+    """The current folder as the stage `features` leaves it."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     (tmp_path / "homes/H1").mkdir(parents=True)
@@ -51,7 +51,7 @@ def home(tmp_path, monkeypatch):
     counts = rng.integers(2, FOUND + 1, 2 * FRAMES).astype(np.int16)
     for rows, count in zip(regions, counts, strict=True):
         rows[:count, :2] = rng.uniform(20, [WIDTH - 20, HEIGHT - 20], (count, 2))
-        # The second is too close to the first.
+        # The second region is too close to the first.
         rows[1, :2] = rows[0, :2] + 1
         rows[:count, 2] = rng.integers(2, 4, count)
         rows[:count, 3] = np.sort(rng.random(count))[::-1]
@@ -99,7 +99,7 @@ def test_regions_are_tracked_in_each_sequence_and_described_where_they_are(home)
     for number, image in enumerate(frames_of_the_home()):
         if number % FRAMES == 0:
             tracker = RegionTracker(**TRACKING)
-        # Only the strongest four new regions are offered.
+        # Only the four strongest new regions are offered.
         regions = tracker.step(image, found[number, : min(4, counts[number])])
         followed += (tracker.ages > 0).sum()
         count = got["count"][number]
@@ -112,7 +112,7 @@ def test_regions_are_tracked_in_each_sequence_and_described_where_they_are(home)
     assert followed > FRAMES
 
 
-def test_the_number_of_workers_changes_no_byte(home, monkeypatch, two_workers):
+def test_the_bytes_do_not_depend_on_the_number_of_workers(home, monkeypatch, two_workers):
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     folder = run(home)
     one = {path.name: path.read_bytes() for path in folder.iterdir()}
@@ -122,7 +122,7 @@ def test_the_number_of_workers_changes_no_byte(home, monkeypatch, two_workers):
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == one
 
 
-def test_an_unknown_descriptor_gives_a_message_and_leaves_nothing(home):
+def test_an_unknown_descriptor_is_reported_and_nothing_is_written(home):
     with pytest.raises(PlacecatError, match=r"'descriptors.local.surf' does not exist.*hog"):
         run(home, descriptors=["hog", "surf"])
     assert not (home / "data/tracks").exists() or not any((home / "data/tracks").iterdir())

@@ -55,6 +55,7 @@ def test_equal_clusters_or_samples_are_one_task_across_studies(monkeypatch):
         for (_, home, seed), (text, _) in found.items():
             assert text == f"{home} {json.dumps(trial.settings['classifier'], sort_keys=True)} {seed}"
     outcomes.end()
-    # For each seed: trees of all homes, and trees of two cells; then machines of all homes, and of a scaling.
+    # Per seed, there is a task for the clusters of each home and one for the clusters with two cells. Without
+    # seeds, there is a task for the machines of each home and one for another scaling.
     assert len(tasks) == len(seeds) * (len(HOMES) + 1) + len(HOMES) + 1
     assert [len(cues) for _, cues, _ in tasks[: len(seeds) + 1]] == [2] * (len(seeds) + 1)

@@ -1,4 +1,4 @@
-"""The stages `trials` and `splits` on made features: their outputs, and no leak."""
+"""The stages `trials` and `splits` on generated features: their outputs, and no leak of test data."""
 
 import numpy as np
 import pandas as pd
@@ -35,15 +35,15 @@ def test_trials_have_counts_for_their_homes_and_seeds(folder):
     assert not np.array_equal(clustered.confusion[0], clustered.confusion[1])
 
 
-def test_impossible_trials_have_a_reason(folder):
+def test_invalid_trials_have_a_reason(folder):
     _, missing = tables(folder)
     assert missing["result"].unique().tolist() == [f"{TREE}400"]
     assert missing["home"].tolist() == ["H1", "H3"]
     assert missing["reason"].str.startswith("400 clusters cannot be formed").all()
 
 
-def test_a_trial_and_a_cue_of_the_same_settings_agree(folder):
-    """The PCA trial is the cue `gist`: both are the nu-SVM on reduced Gist in the 5-5-1 scheme."""
+def test_a_trial_and_a_cue_with_the_same_settings_agree(folder):
+    """The PCA trial equals the cue `gist`: both are a nu-SVM on reduced Gist in the 5-5-1 scheme."""
     results = from_scores(*tables(folder), HOMES, CLASSES)
     for number, home in enumerate(HOMES):
         proba = fold_file.read(folder / f"data/cues/gist/5-5-1/{home}.no-seed.npz", "test")
@@ -53,7 +53,7 @@ def test_a_trial_and_a_cue_of_the_same_settings_agree(folder):
 
 
 def mark_unscored(folder, features, sequences):
-    """Plant a marker in the frames of a test home that are not scored."""
+    """Plant a marker in the unscored frames of a test home."""
     labels = pd.read_csv(folder / sequences / "labels.csv")["class"].to_numpy()
     for path in (folder / features).glob("*.npy"):
         array = np.load(path)
@@ -64,7 +64,7 @@ def mark_unscored(folder, features, sequences):
 
 
 def run_here(stage, folder, monkeypatch):
-    """Run one stage, which reads no output of the others in `run_stages`."""
+    """Run one stage that does not depend on the others in `run_stages`."""
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     stage.main()
@@ -76,7 +76,7 @@ def test_no_trial_learns_from_its_test_home(folder, tmp_path, monkeypatch):
     run_here(trials, tmp_path, monkeypatch)
     plain, marked = tables(folder)[0], tables(tmp_path)[0]
     pd.testing.assert_frame_equal(*(one[one["home"] == "H3"].reset_index() for one in (plain, marked)))
-    # If H3 trains, its unscored frames do not count either.
+    # When H3 is used for training, its unscored frames do not matter either.
     pd.testing.assert_frame_equal(plain, marked)
 
 
@@ -101,7 +101,8 @@ def test_extra_data_change_the_training_of_the_integration(folder):
     with_extra = fold_file.read(folder / "data/integration/vote/H1.seed-0.npz", "cross_validated_truth")
     without = fold_file.read(folder / "data/integration/das/H1.seed-0.npz", "cross_validated_truth")
     labels = pd.read_csv(folder / "data/site_sequences/site/flip/labels.csv")["class"].to_numpy()
-    # Places of the site are kitchen, office, bedroom, bathroom: numbered by name, without the office.
+    # The site has kitchen, office, bedroom and bathroom; classes are matched by name, and the office has
+    # none.
     taken = labels[1::3]
     expected = np.array([1, -1, 0, 2, -1])[taken]
     np.testing.assert_array_equal(with_extra, np.concatenate([without, expected[expected >= 0]]))
@@ -119,7 +120,7 @@ def test_filtered_frames_repeat_the_last_accepted_decision(folder):
 
 
 def fitted_on(monkeypatch, call):
-    """The training inputs of a cue: descriptors, labels, homes and clusters, as bytes."""
+    """Return the training inputs of a cue as bytes: descriptors, labels, homes and clusters."""
     seen = []
     fit = cues.fit
 
@@ -135,8 +136,8 @@ def fitted_on(monkeypatch, call):
 
 
 @pytest.mark.parametrize(("test_home", "differs"), [("H3", False), ("H1", True)])
-def test_a_marker_in_the_test_home_reaches_no_training_of_a_trial(tmp_path, monkeypatch, test_home, differs):
-    """Its labelled frames too; if the marked home trains, the marker has an effect."""
+def test_a_marker_in_the_test_home_does_not_leak_into_a_trial(tmp_path, monkeypatch, test_home, differs):
+    """Labelled frames are marked, too. If the marked home is used for training, the marker has an effect."""
     from placecat.training.plan import of_homes
     from placecat.training.trial import judge, of_settings
 
@@ -153,7 +154,7 @@ def test_a_marker_in_the_test_home_reaches_no_training_of_a_trial(tmp_path, monk
 
 
 @pytest.mark.parametrize(("marked", "differs"), [("robot", False), ("flip", True)])
-def test_a_marker_in_the_test_sequence_reaches_no_training_of_a_split(tmp_path, monkeypatch, marked, differs):
+def test_a_marker_in_the_test_sequence_does_not_leak_into_a_split(tmp_path, monkeypatch, marked, differs):
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     found = []
     for name, home in (("plain", None), ("marked", marked)):

@@ -1,4 +1,4 @@
-"""The sweepers, where Hydra finds plugins. Hydra always imports this module, so slow imports come late."""
+"""Sweepers, placed where Hydra looks for plugins. Hydra always imports them, so slow imports come late."""
 
 import sys
 from abc import abstractmethod
@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 
 class _Checked(Sweeper):
-    """A sweeper that ends with one message if an experiment is refused, and with status 1 if one fails."""
+    """A sweeper that exits with one message if an experiment is invalid, and with status 1 if one fails."""
 
     def setup(self, *, hydra_context: HydraContext, task_function: TaskFunction, config: DictConfig) -> None:
-        """Store Hydra's context and settings, and make its launcher."""
+        """Store the Hydra context and settings, and make the launcher."""
         from hydra.core.plugins import Plugins
 
         self.hydra_context: HydraContext = hydra_context
@@ -43,7 +43,7 @@ class _Checked(Sweeper):
         self.launcher.launch(lines, initial_job_idx=0)
 
     def logged(self, arguments: "Sequence[str]") -> "Sequence[str] | None":
-        """Return what identifies the sweep in MLflow, its sweeper and overrides; None if it is not logged."""
+        """Return the sweeper and overrides, which identify the sweep in MLflow; None if it is not logged."""
         return [str(self.config.hydra.sweeper._target_), *arguments] if self.config.track else None
 
     @abstractmethod
@@ -62,7 +62,7 @@ class GridSweeper(_Checked):
         experiments = sweep.check(self.config, lines, combinations)
         for own, experiment in zip(combinations, experiments, strict=True):
             if own.get(summary.HOME, "all") != "all":
-                # Show the home's name as in the data set, however it was spelled.
+                # Show the name of the home as in the data set, however it was spelled.
                 own[summary.HOME] = "+".join(experiment.homes)
         with sweep.begun(self.config, combinations) as folder:
             jobs.run(folder, lines, experiments, self.launch)
@@ -70,10 +70,10 @@ class GridSweeper(_Checked):
 
 
 class OptunaSweeper(_Checked):
-    """Choose each experiment's settings with Optuna, by the accuracies of earlier experiments.
+    """Choose the settings of each experiment with Optuna, based on the accuracies of earlier experiments.
 
-    Unlike Hydra's own plugin, which needs Optuna 2, it tries the unsearched settings first, and its batches
-    do not depend on the number of workers. The parameters are described in
+    Unlike Hydra's own plugin, which needs Optuna 2, it first tries the settings that apply without a
+    search, and its batches do not depend on the number of workers. The parameters are described in
     conf/hydra/sweeper/optuna.yaml.
     """
 
@@ -83,7 +83,7 @@ class OptunaSweeper(_Checked):
         self.params = {str(key): value for key, value in (params or {}).items()}
 
     def run(self, arguments: list[str]) -> bool:
-        """Search, and write the result to the sweep's folder."""
+        """Search, and write the result to the folder of the sweep."""
         from placecat import settings
         from placecat.experiment import jobs, summary, sweep
         from placecat.search import report, space, study

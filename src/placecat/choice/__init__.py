@@ -1,1 +1,1 @@
-"""Judge candidates on training homes to choose the settings that the thesis leaves open."""
+"""Choose the settings that the thesis leaves open, by judging candidates on training homes."""

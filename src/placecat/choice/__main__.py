@@ -2,7 +2,7 @@
 
 import sys
 
-import placecat.stages  # noqa: F401 before NumPy: chooses OpenBLAS's kernels
+import placecat.stages  # noqa: F401 before NumPy: chooses the OpenBLAS kernels
 from placecat import compute
 from placecat.choice.command import KINDS, run, text
 from placecat.errors import exiting

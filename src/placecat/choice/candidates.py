@@ -23,7 +23,7 @@ def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str,
 
 
 def label(overrides: Mapping[str, Any]) -> str:
-    """Name a candidate by the last part of each setting, as in ``scaling=standard, gamma_scale=1.0``."""
+    """Name a candidate after the last part of each setting, such as ``scaling=standard, gamma_scale=1.0``."""
     return ", ".join(f"{name.rpartition('.')[2]}={value}" for name, value in overrides.items())
 
 
@@ -32,9 +32,9 @@ def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
 
     ``accuracy`` (percent) and ``log_loss`` are means over training homes that the model has not seen;
     ``test_accuracy`` and ``test_log_loss`` are ignored. Candidates whose mean accuracy is within `margin`
-    points of the best count as equally accurate; of these, the first with the lowest log-loss is chosen. All
-    data sets have the same weight, and so do all test homes of a data set. Returns one row per candidate,
-    with the columns kind, name, candidate, accuracy, log_loss and chosen.
+    points of the best count as equally accurate. Among these, the first one with the lowest log-loss is
+    chosen. All data sets have the same weight, and so do all test homes in a data set. Returns one row per
+    candidate, with the columns kind, name, candidate, accuracy, log_loss and chosen.
     """
     means = table.groupby([*KEYS, "data"], sort=False)[NUMBERS].mean()
     means = means.groupby(level=KEYS, sort=False).mean().reset_index()

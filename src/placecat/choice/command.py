@@ -35,7 +35,7 @@ _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 
 
 
 class _Candidates(Section):
-    """The cues or systems to choose for, and the grids of settings to try."""
+    """The cues or systems for which to choose settings, and the grids of settings to try."""
 
     names: Keys
     grids: list[dict[str, Annotated[list[Any], MinLen(1)]]]
@@ -59,9 +59,9 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
 
 
 def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
-    """Judge every candidate on the data set of params.yaml, and choose from all data sets in `output`.
+    """Judge every candidate on the data set in params.yaml, and choose using all data sets in `output`.
 
-    Replaces the rows of this data set and these kinds in `output`, and keeps the others. Returns the result
+    Replaces the rows for this data set and these kinds in `output`, and keeps the others. Returns the result
     of :func:`placecat.choice.candidates.choose`. Raises PlacecatError for invalid settings, or if features or
     cues have not been computed.
     """
@@ -78,8 +78,7 @@ def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> 
     return choose(table, float(options["margin"]))
 
 
-# The name of a cue or system, the label of a candidate, and the arguments of the function that judges this
-# candidate.
+# The name of a cue or system, the label of a candidate, and the arguments of the function that judges it.
 Task = tuple[str, str, tuple[Any, ...]]
 Tasks = tuple[Callable[..., list[Judgement]], list[Task]]
 
@@ -167,7 +166,7 @@ _TASKS = {"cues": _cue_tasks, "systems": _system_tasks, "smoothing": _smoothing_
 
 
 def text(chosen: pd.DataFrame) -> str:
-    """Format the choice: the chosen candidate for each cue and system, and the three runners-up."""
+    """Format the chosen candidate for each cue and system, and the three runners-up."""
     lines = []
     for (kind, name), part in chosen.groupby(["kind", "name"], sort=False):
         ordered = part.sort_values(["chosen", "accuracy"], ascending=False)

@@ -1,4 +1,4 @@
-"""Judge candidates on training homes, using the stages' features and cues."""
+"""Judge candidates on training homes, using features and cues from the stages."""
 
 import itertools
 from collections.abc import Mapping, Sequence
@@ -19,25 +19,25 @@ from placecat.training.cue import Cue, train
 from placecat.training.integration import apply_smoothing, fit_smoothing, fuse, fused_parts
 from placecat.training.saved import CueResults, smooth_home
 
-# (home left out as the test home, judged home, accuracy in percent, log-loss in nats)
+# The home left out as the test home, the judged home, the accuracy in percent, and the log-loss in nats.
 Judgement = tuple[str, str, float, float]
 
 
 def judge(truth: NDArray[np.int16], proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
-    """Return the accuracy (percent) and log-loss (nats) of one home's frames, both as means over places."""
+    """Return the accuracy (percent) and log-loss (nats) on the frames of one home, as means over places."""
     confusion = confusion_matrix(truth, proba.argmax(axis=1), proba.shape[1])
     return home_accuracy(confusion), log_loss(truth, proba, smallest=smallest)
 
 
 def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
-    """List the sets of homes to leave out together: every pair of homes, and every single home."""
+    """List the sets of homes to leave out together: all pairs of homes, and all single homes."""
     return [*itertools.combinations(homes, 2), *((home,) for home in homes)]
 
 
 def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]:
     """Train a cue without clusters according to a plan, and apply it to all frames of each tested home.
 
-    Returns a dictionary from each tested home to its distributions.
+    Returns the distributions of each tested home.
     """
     trained = train(plan, cue)
     return {part.home: trained.predict(part.home) for part in plan.tested}
@@ -55,18 +55,18 @@ def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
 
 
 def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
-    """Judge a home's distributions on its labelled frames."""
+    """Judge the distributions of a home on its labelled frames."""
     labels = listing.read_labels(home)
     rows = np.flatnonzero(labels >= 0)
     return judge(labels[rows], proba[rows], smallest)
 
 
 def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smallest: float) -> list[Judgement]:
-    """Train an integration on a fold's cues, and judge it on the homes that the cues have not seen.
+    """Train an integration on the cues of a fold, and judge it on the homes that the cues have not seen.
 
-    `system` has the plan's ``scheme``. In 4-5-1, the integration trains only on the cues' training homes, as
-    in 5-5-1, and is judged on the test home and on the other home that the cues have not seen. In 5-5-1, it
-    is judged on the test home.
+    The ``scheme`` of `system` is that of the plan. In 4-5-1, the integration trains only on the training
+    homes of the cues, as in 5-5-1, and is judged on the test home and on the other home that the cues have
+    not seen. In 5-5-1, it is judged on the test home.
     """
     read = CueResults(system, plan.test, seed)
     cue_homes, method = {part.home for part in plan.cues}, system["integrator"]["method"]
@@ -92,7 +92,7 @@ _HELD_OUT = ("cross_validated", "cross_validated_truth")
 def _both_ways(judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
     """Pair each judged home with its test home.
 
-    If there are two homes, this is the other home; otherwise, it is the judged home itself.
+    With two homes, each is the test home of the other. A single home is its own test home.
     """
     homes = list(judged)
     return [(test, home, *judged[home]) for test, home in zip(homes, reversed(homes), strict=True)]
@@ -105,20 +105,20 @@ def judge_smoothing(
     unseen: Mapping[str, NDArray[np.float64]],
     smallest: float,
 ) -> list[Judgement]:
-    """Smooth the homes of a single cue's fold, and judge the result.
+    """Smooth the homes in a fold of a single cue, and judge the result.
 
     Integrations cannot be judged this way: their training distributions look too good, since they come from
     cues that have seen other frames of the same home.
 
-    `smoothing` has the settings of :func:`placecat.fusion.smoothing.fit`. `source` is the fold's file from
-    the `cues` stage; a PlacecatError is raised if it lacks cross-validated distributions. `unseen` maps each
-    training home to (frames, n_classes) distributions for all its frames, which come from a cue that has seen
-    neither this home nor the test home. Each training home is smoothed with statistics from the other
-    training homes, and the test home with statistics from all training homes.
+    `smoothing` contains the settings of :func:`placecat.fusion.smoothing.fit`. `source` is the file of the
+    fold from the `cues` stage; a PlacecatError is raised if it lacks cross-validated distributions. `unseen`
+    maps each training home to (frames, n_classes) distributions for all its frames. They come from a cue that
+    has seen neither this home nor the test home. Each training home is smoothed with statistics from the
+    other training homes, and the test home with statistics from all training homes.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(
-            f"{source} has no array cross_validated, which judging the smoothing needs: set "
+            f"{source} has no array cross_validated, but judging the smoothing needs it: set "
             "cross_validate: true for this cue, and run `dvc repro`"
         )
     held_out, truth = (fold_file.read(source, name) for name in ("cross_validated", "cross_validated_truth"))

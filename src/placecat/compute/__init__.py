@@ -1,4 +1,4 @@
-"""Choose where loops run: on this machine or on a Dask cluster, depending on the `compute` settings."""
+"""Run loops on this machine or on a Dask cluster, depending on the `compute` settings."""
 
 import os
 import re
@@ -21,7 +21,7 @@ _connect: Callable[[], "Cluster | None"] | None = None
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Run the loops in a block where params.yaml says; at its end, disconnect from the cluster, if any."""
+    """Apply the `compute` settings in params.yaml to a block; then disconnect from the cluster, if any."""
     global _connect
     before = _connect
     with ExitStack() as connected:
@@ -51,7 +51,7 @@ def local_workers() -> int:
     """Return the number of local worker processes: PLACECAT_WORKERS if set, else the number of cores.
 
     PLACECAT_WORKERS is an environment variable, not a setting, because results do not depend on it. Raises
-    PlacecatError unless its value is a whole number from 1 to 1024.
+    PlacecatError if its value is not an integer from 1 to 1024.
     """
     wanted = wanted_workers()
     if wanted is not None:
@@ -69,12 +69,12 @@ def wanted_workers() -> int | None:
         return None
     if not (re.fullmatch("[0-9]{1,9}", value) and 1 <= int(value) <= _MOST_WORKERS):
         raise PlacecatError(
-            f"PLACECAT_WORKERS={value} is not a number of processes: give 1 to {_MOST_WORKERS}, or unset it "
+            f"PLACECAT_WORKERS={value} is not a number of processes: use 1 to {_MOST_WORKERS}, or unset it "
             "to use all cores"
         )
     return int(value)
 
 
 def cluster() -> "Cluster | None":
-    """Return the cluster that runs loops, or None for this machine; raises the errors of `Cluster`."""
+    """Return the cluster that runs loops, or None for this machine. Raises the same errors as `Cluster`."""
     return None if _connect is None else _connect()

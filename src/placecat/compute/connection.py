@@ -1,4 +1,4 @@
-"""Connect to a Dask cluster whose workers compute the same bits as this machine."""
+"""The connection to a Dask cluster whose workers compute the same bits as this machine."""
 
 import asyncio
 import contextlib
@@ -15,15 +15,15 @@ from placecat.compute.fingerprint import fingerprint
 from placecat.compute.worker import Expected, objection, perform
 from placecat.errors import PlacecatError
 
-LOST = "the connection to the cluster's scheduler was lost: check that it runs, then run this again"
+LOST = "the connection to the cluster's scheduler was lost: check that it is running, then run this again"
 _SECONDS_BETWEEN_LOOKS = 1.0
 
 
 class Cluster:
-    """Run tasks on the Dask cluster that a scheduler manages.
+    """A Dask cluster that runs tasks.
 
     `scheduler` is an address, such as ``tcp://10.0.0.1:8786``. `wait` is the time in seconds to wait for the
-    scheduler, for the first worker, and for a new worker after all have gone. `may_differ` lists the items of
+    scheduler, for the first worker, and for a new worker if all are gone. `may_differ` lists the items of
     :func:`placecat.compute.fingerprint.fingerprint` that may differ from those of this process. Raises
     PlacecatError if Dask is not installed, if no scheduler answers, or if workers are missing or unfit.
     """
@@ -57,7 +57,7 @@ class Cluster:
             self._client.wait_for_workers(1, timeout=self._wait)
         except TimeoutError:
             raise PlacecatError(
-                f"the cluster of {scheduler} has no worker: start some (`placecat worker {scheduler}`)"
+                f"the cluster of {scheduler} has no workers: start some (`placecat worker {scheduler}`)"
             ) from None
         try:
             objections = self._client.run(objection, self._expected, on_error="return")
@@ -79,16 +79,16 @@ class Cluster:
     def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[Any]:
         """Call ``function(*task)`` on the cluster for every task; yield the results in the order of `tasks`.
 
-        If a worker dies, others take over its tasks. Closing the iterator cancels the rest. Raises the
-        PlacecatError of a task, or a PlacecatError if the scheduler or all workers are gone, or if a task
-        killed several workers.
+        If a worker dies, others take over its tasks. Closing the iterator cancels the remaining tasks. Raises
+        PlacecatError if a task raises one, if the scheduler or all workers are gone, or if a task killed
+        several workers.
         """
         import cloudpickle
 
         calls = [cloudpickle.dumps((function, task)) for task in tasks]
-        # Send all tasks at once, so workers that join later get some. Dask would merge equal pure calls.
+        # Send all tasks at once, so that workers that join later get some. Dask would merge equal pure calls.
         sent = self._client.map(perform, [self._expected] * len(calls), calls, pure=False)
-        # Workers free a result once its future is dropped here.
+        # Workers free a result once its future is deleted here.
         left = {future.key: future for future in sent}
         del sent
         ended: queue.SimpleQueue[Any] = queue.SimpleQueue()
@@ -117,7 +117,7 @@ class Cluster:
                 patience = self._wait if self._client.ncores() else patience - _SECONDS_BETWEEN_LOOKS
             if patience <= 0:
                 raise PlacecatError(
-                    f"the cluster has had no worker for {self._wait:g} s: start some (`placecat worker "
+                    f"the cluster has had no workers for {self._wait:g} s: start some (`placecat worker "
                     f"{self._client.scheduler.address}`), then run this again, or raise compute.wait"
                 )
 
@@ -131,7 +131,7 @@ class Cluster:
 
 
 def _result(future: Any) -> bytes:
-    """Return the result of a task; raise its exception, or a PlacecatError that says why it has no result."""
+    """Return the result of a task; raise its exception, or a PlacecatError that says why it has none."""
     from distributed import KilledWorker
 
     if future.status not in ("finished", "error"):
@@ -147,7 +147,7 @@ def _result(future: Any) -> bytes:
 
 
 def _distributed() -> Any:
-    """Import distributed's client and silence its own messages."""
+    """Import the client of Dask distributed and silence its own messages."""
     try:
         import dask
         from distributed import Client
@@ -155,20 +155,20 @@ def _distributed() -> Any:
         raise PlacecatError(
             f"compute=dask needs the optional extra ({error.name} is missing): pip install -e '.[dask]'"
         ) from None
-    # A PlacecatError reports each problem once.
+    # Each problem is reported only once, as a PlacecatError.
     for name in ("distributed", "distributed.client"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
-    # Do not warn about the size of arguments: the scheduler can handle it.
+    # Do not warn about large arguments: the scheduler can handle them.
     dask.config.set({"distributed.admin.large-graph-warning-threshold": "1 GiB"})
     return Client
 
 
 def _connect(client: Any, scheduler: str, wait: float) -> Any:
     try:
-        # Check first: the client would wait forever for a server of another kind.
+        # Check first: the client would wait forever if another kind of server answered.
         kind = asyncio.run(_kind(scheduler, wait))
         if kind != "Scheduler":
-            raise ValueError(f"there is a {kind}")
+            raise ValueError(f"found a {kind}")
         return client(scheduler, timeout=wait, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         reason = " ".join(str(error).split()) or f"no answer for {wait:g} s"

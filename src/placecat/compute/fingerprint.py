@@ -1,4 +1,4 @@
-"""Describe the environment that affects the bits of results: code, versions, kernels, processor."""
+"""A description of everything that affects the bits of results: code, versions, kernels, processor."""
 
 import hashlib
 import platform
@@ -14,13 +14,13 @@ PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
 
 @cache
 def fingerprint() -> dict[str, str]:
-    """Describe this process's environment; this happens only once per process.
+    """Describe the environment of this process, as text for each item.
 
-    Later changes to files do not matter, since the modules are already loaded. Returns each item's state.
-    ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by NumPy, SciPy and OpenCV, and
-    ``processor`` the vector instructions used by NumPy and OpenCV.
+    The description is made once per process, since later changes to files do not affect loaded modules.
+    ``placecat`` includes a digest of the code. ``BLAS`` lists the kernels chosen by NumPy, SciPy and OpenCV,
+    and ``processor`` lists the vector instructions used by NumPy and OpenCV.
     """
-    # Imported late: PACKAGES alone does not need OpenCV.
+    # Imported late: OpenCV is not needed to read PACKAGES.
     import cv2
     import numpy as np
     import scipy.linalg  # noqa: F401  loads SciPy's BLAS
@@ -54,9 +54,9 @@ def _digest(folder: Path) -> str:
 
 
 def _used(features: str) -> str:
-    """Return those vector instructions in OpenCV's list that this processor has.
+    """Return the vector instructions in OpenCV's list that this processor supports.
 
-    OpenCV writes a "?" after the instructions that the processor lacks.
+    OpenCV marks unsupported instructions with a "?".
     """
     dispatched = [name[1:] for name in features.split() if name.startswith("*")]
     return " ".join(name for name in dispatched if not name.endswith("?")) or "baseline"

@@ -1,8 +1,8 @@
 """End a process soon after its parent has ended for any reason.
 
-The run, DVC, a stage and its workers form a chain of processes, any of which may be killed, so each watches
-its parent. The kernel signal PR_SET_PDEATHSIG does not help: it exists only on Linux, and comes too early if
-a thread started the process, as in joblib.
+The run, DVC, a stage and its workers form a chain of processes. Any of them may be killed, so each watches
+its parent. The kernel signal PR_SET_PDEATHSIG does not help: it exists only on Linux, and it comes too early
+if a thread started the process, as joblib does.
 """
 
 import os
@@ -13,9 +13,9 @@ from types import FrameType
 
 import psutil
 
-# Seconds between two checks, and seconds allowed to clean up.
+# Seconds between two checks, and seconds allowed for cleaning up.
 INTERVAL, GRACE = 0.5, 10.0
-# Environment variable that tells stages DVC's process ID, since their parent may be a shell.
+# Environment variable that tells stages the process ID of DVC, since their parent may be a shell.
 DVC = "PLACECAT_DVC"
 _SIGNALS = signal.SIGINT, signal.SIGTERM
 
@@ -23,11 +23,11 @@ _watching = False
 
 
 class Stopped(KeyboardInterrupt):
-    """A request to clean up and end; the argument is the signal number."""
+    """A request to clean up and exit; the argument is the signal number."""
 
 
 def end_with(parent: int) -> None:
-    """Send SIGTERM to this process once `parent` is gone, then kill it if needed. Later calls do nothing."""
+    """Send SIGTERM to this process once `parent` is gone; kill it if necessary. Later calls do nothing."""
     global _watching
     if not _watching:
         _watching = True
@@ -42,7 +42,7 @@ def end_stage_with_dvc() -> None:
 
 
 def stop_on_signals() -> None:
-    """Raise `Stopped` on the first Ctrl-C or SIGTERM only; the terminal and the run may both send one."""
+    """Raise `Stopped` on the first Ctrl-C or SIGTERM only, as the terminal and the run may both send one."""
     for number in _SIGNALS:
         signal.signal(number, _stop)
 

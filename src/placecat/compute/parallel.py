@@ -1,4 +1,4 @@
-"""Run parallel loops here or on a cluster; the number of processes does not affect results or their order."""
+"""Parallel loops, here or on a cluster. The number of processes does not affect results or their order."""
 
 import os
 import signal
@@ -45,15 +45,15 @@ def stream(
 
     Every call uses one thread in BLAS, OpenMP and OpenCV, since the number of threads can change the last
     bits of a sum. Yields the results in the order of `tasks`, each as soon as possible. Raises PlacecatError
-    if a process on this machine was killed or memory ran out, and the errors of `function`.
+    if a process on this machine was killed or memory ran out. Errors of `function` are raised here, too.
 
     Parameters
     ----------
     function
-        It may read files but must not write any: its process may run on another machine, or be killed and
-        replaced.
+        A function that may read files but must not write any, since its process may run on another machine,
+        or be killed and replaced.
     description, unit
-        Text of the progress line, and the plural noun for the tasks in it.
+        Text of the progress line, and a plural noun for the tasks.
     n_jobs
         Number of processes on this machine, by default :func:`placecat.compute.local_workers`.
     locally
@@ -77,7 +77,7 @@ def _without_ctrl_c() -> Iterator[None]:
 
     Threads and processes inherit the blocked signals of the thread that starts them.
     """
-    # Starting the tracker, which joblib needs too, would unblock the signal.
+    # Start the resource tracker of joblib now, because starting it later would unblock the signal.
     resource_tracker.ensure_running()
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
@@ -127,5 +127,5 @@ def single_threaded(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
 
 @lru_cache(maxsize=1)
 def _libraries(modules: int) -> ThreadpoolController:
-    """Find the loaded libraries that use threads; search again only after further imports."""
+    """Find the loaded libraries that use threads; search again only after new imports."""
     return ThreadpoolController()

@@ -1,4 +1,4 @@
-"""Start a cluster's workers, and run tasks on workers that compute the same bits as this machine."""
+"""Start the workers of a cluster, and run tasks on workers that compute the same bits as this machine."""
 
 import contextlib
 import importlib.util
@@ -14,10 +14,10 @@ from placecat import compute
 from placecat.compute.fingerprint import fingerprint
 from placecat.errors import PlacecatError
 
-# By default, Dask workers return freed memory at once, which doubles the time to describe a frame. These
+# By default, Dask workers return freed memory immediately, which doubles the time to describe a frame. These
 # variables override placecat.vision.memory.
 _MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": str(32 << 20)}
-# The marks (files in the project's folder) that this worker has already seen.
+# The marks (files in the project folder) that this worker has already seen.
 _seen: set[str] = set()
 
 
@@ -39,11 +39,11 @@ def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
 
 @dataclass(frozen=True)
 class Expected:
-    """Requirements that a worker must meet.
+    """The requirements for a worker.
 
-    `folder` is the absolute path of the project folder. `mark` is the relative path of a file in it, which
-    exists while the stage runs. `items` come from :func:`placecat.compute.fingerprint.fingerprint`; the items
-    in `may_differ` may differ. `scheduler` is the scheduler's address, for messages.
+    `folder` is the absolute path of the project folder. `mark` is the relative path of a file there that
+    exists while the stage runs. `items` are from :func:`placecat.compute.fingerprint.fingerprint`; those in
+    `may_differ` may differ. `scheduler` is the address of the scheduler, for messages.
     """
 
     scheduler: str
@@ -54,7 +54,7 @@ class Expected:
 
 
 def objection(expected: Expected, dask_worker: Any = None) -> str | None:
-    """Return the reason why this Dask worker must not compute, and the remedy; None if it may."""
+    """Return the reason why this Dask worker is unfit, with a remedy, or None if it is fit."""
     if dask_worker is None:
         from distributed import get_worker
 
@@ -63,7 +63,7 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
     start = f"`placecat worker {expected.scheduler}`"
     threads = dask_worker.state.nthreads
     if threads != 1:
-        # All threads of a process share its folder and its number of BLAS threads.
+        # All threads of a process share its working directory and its number of BLAS threads.
         return f"{name} has {threads} threads, but must have one: start it with {start}"
     here = fingerprint()
     different = [
@@ -79,7 +79,7 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
     if expected.mark not in _seen:
         if not (Path(expected.folder) / expected.mark).exists():
             return (
-                f"{name} does not see this project's folder {expected.folder}: it must be there at the same "
+                f"{name} does not see the project folder {expected.folder}: it must be there at the same "
                 "path, on a file system that both share"
             )
         _seen.add(expected.mark)
@@ -89,8 +89,9 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
 def perform(expected: Expected, call: bytes) -> bytes:
     """Run one task, a pickled pair of a function and its argument tuple, in the project folder.
 
-    Every task checks the worker, since workers may join while a stage runs; an unfit worker raises
-    PlacecatError. The result is pickled: unpickled arrays are writable, unlike those that Dask transfers.
+    Every task checks its worker, since workers may join while a stage runs. If the worker is unfit, raises
+    PlacecatError. The result is pickled, because unpickled arrays are writable, unlike arrays that Dask
+    transfers.
     """
     import cloudpickle
     from joblib import parallel_config
@@ -99,6 +100,6 @@ def perform(expected: Expected, call: bytes) -> bytes:
     if problem is not None:
         raise PlacecatError(problem)
     function, arguments = pickle.loads(call)
-    # Loops inside a task stay in its process.
+    # Loops within a task stay in its process.
     with contextlib.chdir(expected.folder), parallel_config(backend="threading", n_jobs=1):
         return bytes(cloudpickle.dumps(function(*arguments)))

@@ -19,7 +19,7 @@ from placecat.runs import lock
 if TYPE_CHECKING:
     from omegaconf import DictConfig
 
-# Maps each folder of conf/ whose files are all used to the section that receives their content.
+# Folders of conf/ in which every file is used, and the section that receives the content of the files.
 FOUND = {
     "descriptor/local": "descriptors.local",
     "descriptor/holistic": "descriptors.holistic",
@@ -29,9 +29,9 @@ FOUND = {
     "filter": "filters",
     "split": "splits",
 }
-# The file of conf/clustering used for codebooks that conf/codebook does not describe.
+# The file in conf/clustering for codebooks that have no file in conf/codebook.
 CLUSTERING = "hierarchical_kmeans"
-# File with a checksum of params.yaml and its sources.
+# A file with a checksum of params.yaml and its sources.
 _COMPOSED = Path("data/params.sha256")
 
 
@@ -39,7 +39,7 @@ def found(conf: Path = paths.CONF) -> str:
     """Return the content of conf/found.yaml, which lists every file in the folders of `FOUND`.
 
     A Hydra defaults list cannot contain a file pattern, and `dvc exp run` composes only from files.
-    Inferred cue settings come last. Raises the errors of :mod:`placecat.config.inferred`.
+    Inferred settings come last. Raises the errors of :mod:`placecat.config.inferred`.
     """
     lines = [
         "# `placecat params` writes this list of all files in these folders. To extend it, add a file.",
@@ -53,11 +53,7 @@ def found(conf: Path = paths.CONF) -> str:
     content = {"descriptors": descriptors, "codebooks": codebooks}
     own = {name: part for name, part in content.items() if part}
     if own:
-        lines += [
-            "- _self_",
-            "# Inferred settings, which have no file.",
-            yaml.safe_dump(own, sort_keys=False).rstrip(),
-        ]
+        lines += ["- _self_", "# Settings without a file.", yaml.safe_dump(own, sort_keys=False).rstrip()]
     return "\n".join(lines) + "\n"
 
 
@@ -73,7 +69,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     from placecat.config import defaults
 
     if not (conf / "config.yaml").is_file():
-        raise PlacecatError(f"{conf / 'config.yaml'} is missing: run placecat in the project's folder")
+        raise PlacecatError(f"{conf / 'config.yaml'} is missing: run placecat in the project folder")
     check_overrides(overrides)
     choices: list[tuple[str, str]] = []
     values = []
@@ -90,7 +86,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
         except defaults.Unusual:
             config = _by_hydra(overrides, conf, f"{conf}/")
         text: str = OmegaConf.to_yaml(config, resolve=True)
-        # Look for the marker first, since `missing_keys` is slow.
+        # Search for the marker first, since `missing_keys` is slow.
         missing = sorted(OmegaConf.missing_keys(config)) if "???" in text else []
         if missing:
             raise PlacecatError(f"setting {missing[0]} has no value: add {missing[0]}=VALUE to the overrides")
@@ -102,8 +98,8 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) -> dict[str, Any]:
     """Apply Hydra overrides, e.g. ``fps=10.0``, to plain settings outside params.yaml.
 
-    `where` names the settings' file in messages. Raises PlacecatError for an unreadable override or an
-    unknown setting.
+    `where` is the name of the settings file in messages. Raises PlacecatError for an unreadable override or
+    an unknown setting.
     """
     from omegaconf import OmegaConf
     from omegaconf.errors import OmegaConfBaseException
@@ -117,7 +113,7 @@ def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) ->
 
 
 def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: str) -> "DictConfig":
-    """Let Hydra apply overrides to merged settings or a folder, `source`; messages call it `where`."""
+    """Let Hydra apply overrides to `source` (merged settings, or a folder); messages call it `where`."""
     from hydra import compose as hydra_compose
     from hydra import initialize, initialize_config_dir
     from hydra.core.config_store import ConfigStore
@@ -146,7 +142,7 @@ def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: st
 
 
 def _refusal(error: Exception | str) -> PlacecatError:
-    # Hydra's folders and its general advice on unknown settings do not help the user.
+    # Hydra's search path and its general advice on unknown settings do not help the user.
     text = re.split("Config search path:|To append to your config", str(error))[0]
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     return PlacecatError(f"the settings cannot be composed: {' '.join(lines)}")
@@ -156,9 +152,9 @@ def _refusal(error: Exception | str) -> PlacecatError:
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
     """Write conf/found.yaml, compose the settings and write them to params.yaml.
 
-    Does nothing if files and overrides have not changed since the last call. Raises PlacecatError like
-    `found`, `compose`, :func:`placecat.config.check.check` and :func:`placecat.config.tables.check`, or if a
-    run is in progress; an error leaves params.yaml unchanged.
+    Does nothing if files and overrides have not changed since the last call. Raises PlacecatError if a run is
+    in progress, or if `found`, `compose`, :func:`placecat.config.check.check` or
+    :func:`placecat.config.tables.check` raises one. After an error, params.yaml is unchanged.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
@@ -169,7 +165,7 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
         return
     with files.replacing(target) as temporary:
         temporary.write_text(compose(overrides), encoding="utf-8")
-        # Imported late, since pydantic is slow to import.
+        # Imported late: importing pydantic is slow.
         from placecat.config import tables as checks
         from placecat.config.check import check
 
@@ -185,7 +181,7 @@ def _digest(overrides: Sequence[str], target: Path) -> str:
     read = [*paths.CONF.rglob("*.yaml"), *paths.TABLE_DEFINITIONS.rglob("*.yaml")]
     for path in [*sorted(read), target]:
         own = path.read_bytes() if path.is_file() else b""
-        # The content depends on environment variables, so the checksum must never match.
+        # The settings depend on environment variables, so the checksum must never match.
         if b"oc.env" in own:
             own = os.urandom(16)
         content.update(f"{path} {hashlib.sha256(own).hexdigest()}".encode())

@@ -1,7 +1,8 @@
 """Merge the files of conf/ by following their defaults lists, as Hydra does.
 
-Hydra takes seconds for the hundred files of conf/, since its time grows with the square of their number. This
-module handles the common cases, and leaves all others and all errors to Hydra (:class:`Unusual`).
+Hydra takes seconds for the hundred files of conf/, since its running time is quadratic in the number of
+files. This module handles the common cases, and leaves all other cases and all errors to Hydra
+(:class:`Unusual`).
 """
 
 from collections.abc import Sequence
@@ -13,9 +14,9 @@ from omegaconf._utils import get_yaml_loader
 
 _OVERRIDE = "override "
 _MISSING = "???"
-# First line of a file whose content goes to the root, unless the defaults list says where it goes.
+# First line of a file whose content goes to the root, unless the defaults list names another place.
 _OF_ROOT = "# @package _global_\n"
-# Follows OmegaConf's rules for numbers, dates and duplicate keys; uses libyaml if available.
+# This loader follows OmegaConf's rules for numbers, dates and duplicate keys, and uses libyaml if available.
 _Loader = get_yaml_loader()
 if yaml.__with_libyaml__:
     _Loader = type("_Loader", (yaml.CSafeLoader, _Loader), {})
@@ -28,7 +29,7 @@ class Unusual(Exception):
 class _Entry(NamedTuple):
     """An entry of a defaults list: choice ("" if none), group, file, package, and whether it overrides.
 
-    `fixed` says whether the entry names the package, so that the file does not.
+    `fixed` says whether the entry names the package; if so, the header of the file is ignored.
     """
 
     choice: str
@@ -42,10 +43,10 @@ class _Entry(NamedTuple):
 def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]:
     """Merge conf/config.yaml with all files it names, directly or indirectly.
 
-    `choices` pairs choices, as Hydra names them, with files, e.g. ``("dataset", "my_homes")`` or
+    `choices` are pairs of a choice, as Hydra names it, and a file, such as ``("dataset", "my_homes")`` or
     ``("classifier@cues.gist.classifier", "knn")``. Returns plain containers with unresolved references
     (``${...}``). Raises Unusual in cases such as a missing file, invalid YAML, an empty choice, a header with
-    another package than the root, or a list of files.
+    a package other than the root, or a list of files.
     """
     if len(dict(choices)) < len(choices) or not all(file for _, file in choices):
         raise Unusual(str(choices))
@@ -62,10 +63,11 @@ def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]
 
 
 class _Tree:
-    """The files in the order in which Hydra visits them: the last of each defaults list first.
+    """The files in the order in which Hydra visits them, the last file of each defaults list first.
 
-    `parts` holds each file's package (a dotted name, "" for the root) and content. `choices` come from the
-    command line or an ``override`` in a defaults list. `seen` holds the names of all choices so far.
+    `parts` contains the package (a dotted name, "" for the root) and content of each file. `choices` are from
+    the command line or from an ``override`` in a defaults list. `seen` contains the names of all choices so
+    far.
     """
 
     def __init__(self, conf: Path, choices: dict[str, str]) -> None:
@@ -76,7 +78,7 @@ class _Tree:
         self._contents: dict[str, tuple[dict[str, Any], bool]] = {}
 
     def walk(self, name: str, package: str, before: tuple[str, ...], fixed: bool = True) -> None:
-        """Add a file and the files it names; `before` is the chain of files that leads to it."""
+        """Add a file and all files it names; `before` is the chain of files that leads to it."""
         found, of_root = self._read(name)
         content = dict(found)
         if of_root and not fixed:
@@ -103,7 +105,7 @@ class _Tree:
                     self.walk(path, entry.package, (*before, name), entry.fixed)
 
     def _read(self, name: str) -> tuple[dict[str, Any], bool]:
-        """Return a file's content, and whether its header names the root as its package."""
+        """Return the content of a file, and whether its header names the root as its package."""
         if name not in self._contents:
             try:
                 text = (self._conf / f"{name}.yaml").read_text(encoding="utf-8")
@@ -117,7 +119,7 @@ class _Tree:
 
 
 def _entry(default: Any, folder: str, package: str) -> _Entry:
-    """Parse a defaults list entry of a file in `folder` whose content goes to `package`."""
+    """Parse an entry in the defaults list of a file in `folder` whose content goes to `package`."""
     if isinstance(default, str):
         path, at, own = default.partition("@")
         group, slash, file = path.rpartition("/")
@@ -143,7 +145,7 @@ def _entry(default: Any, folder: str, package: str) -> _Entry:
 
 
 def _over(below: Any, above: Any) -> Any:
-    """Put one value over another: mappings are merged, other values are replaced."""
+    """Override one value with another: mappings are merged, and other values are replaced."""
     if isinstance(above, dict):
         if isinstance(below, list) or (isinstance(below, str) and "$" in below):
             raise Unusual(below)

@@ -1,4 +1,4 @@
-"""Infer settings from others, so that a cue needs only one module and one file in conf/."""
+"""Settings inferred from other settings, so that a cue needs only one module and one file in conf/."""
 
 import inspect
 from collections.abc import Iterator
@@ -11,11 +11,11 @@ from placecat.vision import discovery
 
 
 def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
-    """Find descriptors that cues and codebooks name but no file of conf/descriptor describes.
+    """Find descriptors that cues or codebooks use but that have no file in conf/descriptor.
 
     Maps each kind that has such descriptors (``local`` or ``holistic``) to their names, and each name to the
-    default settings of its module's ``describe``. Raises PlacecatError if a cue or codebook file is not YAML,
-    a descriptor has no module, a module cannot be imported, or a setting has no default.
+    default settings of ``describe`` in its module. Raises PlacecatError if a cue or codebook file is not
+    YAML, a descriptor has no module, a module cannot be imported, or a setting has no default.
     """
     found: dict[str, dict[str, dict[str, Any]]] = {}
     for path, content in _files(conf, "cue", "codebook"):
@@ -39,9 +39,9 @@ def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
 
 
 def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
-    """Find codebooks of regions that cues name but no file of conf/codebook describes.
+    """Find codebooks of regions that cues use but that have no file in conf/codebook.
 
-    Maps each name to settings that refer to the cue's settings; ``tree`` (the clustering) is left out. Raises
+    Maps each name to settings that refer to those of the cue; ``tree`` (the clustering) is left out. Raises
     PlacecatError if a cue file is not YAML.
     """
     found = {}

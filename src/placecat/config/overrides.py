@@ -1,4 +1,4 @@
-"""Check overrides against Hydra's grammar; messages show how to quote unreadable ones."""
+"""Check overrides against Hydra's grammar. Messages show how to quote unreadable ones."""
 
 import re
 import shlex
@@ -7,7 +7,7 @@ from typing import Any
 
 from placecat.errors import PlacecatError, did_you_mean
 
-# Text that a shell leaves unchanged in double quotes.
+# Text that a shell does not change within double quotes.
 _PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
 
 
@@ -15,8 +15,7 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
     """Raise PlacecatError if Hydra cannot read an override, or would read it as several values.
 
     An override looks like ``dataset.root=PATH``. `several` allows several values, as in a sweep. The message
-    names the setting and shows how to write
-    the override for a shell and for make.
+    names the setting and shows how to write the override for a shell and for make.
     """
     for number, override in enumerate(overrides):
         if _is_read(override, several=several):
@@ -86,7 +85,7 @@ def for_shell(argument: str) -> str:
 
 
 def for_make(argument: str) -> str:
-    """Quote an argument for ``SET=``, which the user's shell, make and make's shell read in turn."""
+    """Quote an argument for ``SET=``, which is read by a shell, by make, and by a shell again."""
     inner = for_shell(argument)
     if inner.startswith('"') and "'" in inner:
         escaped = inner.replace('"', '\\"')
@@ -95,7 +94,7 @@ def for_make(argument: str) -> str:
 
 
 def _how(right: str, several: bool) -> str:
-    # make runs no sweeps.
+    # Sweeps cannot be run with make.
     return f"write {for_shell(right)}" + ("" if several else f", and with make {for_make(right)}")
 
 
@@ -115,7 +114,7 @@ def _is_read(override: str, *, several: bool = False) -> bool:
 
 
 def _quoted(override: str) -> str | None:
-    """Quote the override's value or its list items; return None if that does not help."""
+    """Quote the value of an override or the items of its list; return None if that does not help."""
     name, _, value = override.partition("=")
     if value.startswith("[") and value.endswith("]"):
         items = [item.strip() for item in value[1:-1].split(",")]
@@ -127,7 +126,7 @@ def _quoted(override: str) -> str | None:
 
 
 def _text(value: str) -> str:
-    """Put a value in Hydra's quotes, doubling each backslash before a quote."""
+    """Put a value in quotes for Hydra, doubling backslashes before a quote."""
     mark = '"' if "'" in value and '"' not in value else "'"
 
     def escape(found: re.Match[str]) -> str:

@@ -68,9 +68,9 @@ def demo_command() -> int:
         files.write_csv(temporary / TABLE, table.rename_axis("result").reset_index())
         _write_page(temporary, table, tested, len(homes))
     chance = 100 / len(params["dataset"]["classes"])
-    print(f"\nAccuracy in {tested}, percent (mean over the places; chance is {chance:.0f}):\n")
+    print(f"\nAccuracy in {tested} in percent (mean over places; chance is {chance:.0f}):\n")
     print(table.to_string(float_format="%.0f", na_rep="-"))
-    print(f"\nA few frames teach little: {COMPLETE} trains on all frames and tests every home.\n")
+    print(f"\nThis used only a few frames: {COMPLETE} trains on all frames and tests every home.\n")
     print(f"  {OUTPUT / TIMELINE}: the walk over time")
     print(f"  {OUTPUT / CLIP}: the annotated clip")
     print(f"  {OUTPUT / PAGE}: everything on one page")
@@ -79,7 +79,7 @@ def demo_command() -> int:
 
 
 def _check(folder: Path) -> None:
-    """Raise an error if the demo would replace files that it did not write."""
+    """Raise PlacecatError if the demo would replace files that it did not write."""
     files.check_target(folder)
     if folder.exists() and not folder.is_dir():
         raise PlacecatError(f"{folder} is a file, but the demo needs a folder there: move it away")
@@ -89,7 +89,7 @@ def _check(folder: Path) -> None:
 
 
 def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:
-    """Write the test home's timeline, clip and frame table; return the accuracy of each cue and system."""
+    """Write timeline, clip and frame table for the test home; return accuracies of all cues and systems."""
     dataset = params["dataset"]
     categorizer = Categorizer(system)
     source = Folder(training.FRAMES / home, dataset["fps"])
@@ -151,7 +151,7 @@ def _write_page(folder: Path, table: pd.DataFrame, home: str, training_homes: in
 
 
 def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
-    """Return the test home's rows from the results of `make repro`, or no rows if there are no results."""
+    """Return the rows for the test home from the results of `make repro`, or none if there are no results."""
     column = f"all frames ({COMPLETE})"
     if not paths.ACCURACIES.is_file():
         return pd.DataFrame({column: []}, dtype=float)

@@ -1,4 +1,4 @@
-"""Train the demo's system: thin the frames, describe them, and train, all in one folder."""
+"""Training for the demo: thin out the frames, describe them, and train a system, all in one folder."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -19,18 +19,18 @@ from placecat.stages.sequences import list_homes
 from placecat.training import plan as plans
 from placecat.training import system as systems
 
-# Our choice: these frames are enough to learn from, and the whole demo takes half a minute.
+# Our choice: these frames are enough to learn from, and the entire demo takes half a minute.
 EVERY = 10
 SYSTEM, SCHEME, SEED = "das_551_best", "5-5-1", 0
 FRAMES = Path("frames")
-# The cues learn from every second thinned frame, and the integration learns from the others.
+# The cues learn from every second remaining frame, and the integration learns from the others.
 _FRAMES = {"cue_frames": {"offset": 0, "step": 2}, "integration_frames": {"offset": 1, "step": 2}}
 
 
 def thin_homes(params: Mapping[str, Any], root: Path) -> dict[str, Any]:
     """Write every 10th frame of all homes to the current folder; return the settings for these frames.
 
-    `params` holds all settings; its data set has the layout ``video`` and is in the folder `root`.
+    `params` contains all settings; its data set has the layout ``video`` and is in the folder `root`.
     """
     homes = list(params["dataset"]["homes"])
     tasks = [(root, home, FRAMES.absolute()) for home in homes]
@@ -44,7 +44,7 @@ def thin_homes(params: Mapping[str, Any], root: Path) -> dict[str, Any]:
 
 
 def _thin(root: Path, home: str, target: Path) -> float:
-    """Write every 10th frame of a home, beginning with the first, in the layout `folder`.
+    """Write every 10th frame of a home, starting with the first, in the layout `folder`.
 
     Reads ``root/HOME.mp4`` and ``root/HOME.csv``, and writes JPEG files to ``target/HOME`` and their labels
     to ``target/HOME.csv``. Returns the new rate in frames per second. Unreadable files raise PlacecatError.
@@ -70,7 +70,7 @@ def train(params: Mapping[str, Any], tested: str) -> TrainedSystem:
     dataset = params["dataset"]
     training = [home for home in dataset["homes"] if home != tested]
     list_homes({**dataset, "homes": training}, paths.SEQUENCES, "dataset")
-    # Describe all homes in one loop, so that workers need not wait at the end of each home.
+    # Describe all homes in one loop, so that workers do not wait at the end of each home.
     works = {home: plan(home, FRAMES.absolute(), options) for home in training}
     described = iter(
         parallel.in_parallel(describe, [task for tasks, _ in works.values() for task in tasks], "features")

@@ -1,1 +1,1 @@
-"""The common style and palette of all charts and figures."""
+"""The common style and colours of all charts and figures."""

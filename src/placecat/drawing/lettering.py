@@ -1,4 +1,4 @@
-"""Write text into pictures in the figures' font, which OpenCV cannot do."""
+"""Write text into pictures in the font of the figures, which OpenCV cannot do."""
 
 from functools import lru_cache
 
@@ -17,13 +17,13 @@ _DPI = 72
 
 
 def line_height(size: int) -> int:
-    """Return the height in pixels of a line of text in font size `size`."""
+    """Return the height of a line of text in pixels; `size` is the font size."""
     return round(_LINE * size)
 
 
 @lru_cache(maxsize=1024)
 def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
-    """Return how much of each pixel a line of text covers.
+    """Return the share of each pixel that a line of text covers.
 
     `size` is the font size in pixels. The result is (line_height(size), width) float32 in [0, 1].
     """
@@ -35,7 +35,7 @@ def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
         int(np.ceil(RendererAgg(1, 1, _DPI).get_text_width_height_descent(text, properties, False)[0])) + 2
     )
     height = line_height(size)
-    # Drawing the text in a figure would give the same pixels but take twice as long.
+    # Drawing the text in a figure would produce the same pixels, but take twice as long.
     renderer = RendererAgg(width, height, _DPI)
     renderer.draw_text(renderer.new_gc(), 1, height - _DESCENT * size, text, properties, 0)
     return (np.asarray(renderer.buffer_rgba())[:, :, 3] / 255).astype(np.float32)
@@ -53,8 +53,9 @@ def write(
 ) -> int:
     """Write a line of text into an (H, W, 3) uint8 BGR picture, and return the width of the text.
 
-    The text is cut off at the edges of the picture. `where` is (x, y) of the line's upper left corner, or of
-    its upper right corner if `align` is ``right``. `size` is the font size in pixels, and `color` is BGR.
+    The text is cut off at the edges of the picture. `where` is (x, y) of the upper left corner of the text,
+    or of its upper right corner if `align` is ``right``. `size` is the font size in pixels, and `color` is
+    BGR.
     """
     cover = mask(text, size, bold=bold)
     left = where[0] - (cover.shape[1] if align == "right" else 0)

@@ -1,4 +1,4 @@
-"""Colours that mean the same in every figure, and are distinct for colour-blind readers and in grey print."""
+"""Colours with the same meaning in all figures, distinct for colour-blind readers and in greyscale."""
 
 from collections.abc import Sequence
 
@@ -8,7 +8,7 @@ from matplotlib.colors import to_hex
 
 from placecat.errors import printable
 
-# Based on the palettes by Okabe and Ito and by Tol; places in the same data set differ in lightness.
+# Based on the palettes by Okabe and Ito and by Tol. Places in the same data set differ in lightness.
 PLACES = {
     "bedroom": "#332288",
     "bathroom": "#7cc0ee",
@@ -39,7 +39,7 @@ def place_colors(classes: Sequence[str]) -> dict[str, str]:
 
 
 def written(text: str) -> str:
-    """Make a user's text drawable in a figure: one line of limited length, without invalid characters.
+    """Make user text drawable in a figure: one line of limited length, without invalid characters.
 
     Matplotlib fails on invalid characters (file names may have any encoding), and takes minutes to draw a
     long line.
@@ -49,7 +49,7 @@ def written(text: str) -> str:
 
 
 def place_title(place: str) -> str:
-    """Return the name of a place or home as figures show it, e.g. "living room"."""
+    """Return the name of a place or home as shown in figures, such as "living room"."""
     return written(place.replace("_", " "))
 
 

@@ -20,7 +20,7 @@ def house_style(changes: Mapping[str, Any] | None = None) -> AbstractContextMana
 
 
 def save(figure: Figure, target: Path) -> None:
-    """Write a figure as PNG at the style's resolution; the same figure always produces the same bytes."""
+    """Write a figure as PNG, at the resolution of the style; the same figure always gives the same bytes."""
     with files.replacing(target) as temporary:
         figure.savefig(temporary, format="png", metadata={"Software": None})
 
@@ -28,12 +28,12 @@ def save(figure: Figure, target: Path) -> None:
 def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None:
     """Write a figure as PDF; call `save` first. The same figure always produces the same bytes.
 
-    The PDF's properties contain `title` as its title and `settings` as its subject.
+    `title` and `settings` become the title and the subject of the PDF.
     """
-    # Imported only here, since this takes as long as importing the rest of matplotlib.
+    # Imported late: this takes as long as importing the rest of matplotlib.
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
 
-    # Reuse the PNG's layout; otherwise `savefig` would draw everything twice to compute it.
+    # Reuse the layout of the PNG; otherwise, `savefig` would draw everything twice to compute it.
     figure.set_layout_engine("none")
     properties = {
         "Title": title,

@@ -1,8 +1,8 @@
-"""Experiments with any descriptor, classifier and data, run on existing features, singly or in sweeps.
+"""Run single experiments and sweeps on existing features, with any descriptor, classifier and data set.
 
 ``placecat experiment`` is the Hydra application of conf/experiment.yaml. It uses the same functions and seeds
-as the tables, so it gives the same numbers.
+as the tables, so the numbers agree.
 """
 
-# Must be imported before NumPy, because it chooses OpenBLAS's kernels as the stages do.
+# Import this before NumPy: it chooses the same OpenBLAS kernels as the stages.
 import placecat.stages  # noqa: F401

@@ -15,19 +15,19 @@ from placecat.errors import PlacecatError
 from placecat.experiment import options
 from placecat.experiment.job import job
 
-# A folder's name contains at most this many characters of keys.
+# Maximum number of characters for keys in a folder name.
 _LONGEST = 80
 
 
 def main(arguments: Sequence[str]) -> None:
-    """Run the experiments that Hydra's arguments describe.
+    """Run the experiments described by the Hydra arguments.
 
-    Raises PlacecatError outside a project's folder. Raises SystemExit, with a message or status 1, if a
+    Raises PlacecatError outside a project folder. Raises SystemExit, with a message or status 1, if a
     setting is wrong or an experiment fails.
     """
     for path in (paths.CONF / f"{options.CONFIG}.yaml", paths.PARAMS):
         if not path.is_file():
-            raise PlacecatError(f"{path} is missing here ({Path.cwd()}): run this in the project's folder")
+            raise PlacecatError(f"{path} is missing here ({Path.cwd()}): run this in the project folder")
     from hydra._internal.utils import get_args
 
     arguments = list(arguments)
@@ -55,7 +55,7 @@ def main(arguments: Sequence[str]) -> None:
 
 
 def folder_of(given: Sequence[str]) -> str:
-    """Name a sweep's folder after its overrides, except Hydra's, so that the same command finds it again."""
+    """Name a sweep folder after its overrides, except Hydra's, so that the same command finds it again."""
     own = [one for one in given if not one.startswith(("hydra.", "hydra/launcher"))]
     keys = "-".join(re.sub(r"[^\w.]", "", one.partition("=")[0]) for one in own)
     return f"multirun/{keys[:_LONGEST]}-{hashlib.sha256(repr(own).encode()).hexdigest()[:8]}"

@@ -22,13 +22,13 @@ from placecat.training.plan import Plan
 
 @dataclass(frozen=True)
 class Experiment:
-    """A checked experiment: its data, the names of its test homes, and its settings.
+    """A checked experiment, with its data, test homes and settings.
 
     `judge` is ``test_home`` or ``training_homes``; see :meth:`~placecat.experiment.data.Data.plans`.
-    `settings` has ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``, as in a
-    table's trial. `frames` has the ``offset`` and ``step`` of the training frames. `seeds` are the seeds of
-    the clusters, or a single None if nothing is random. `probabilities` are the settings of that name in
-    params.yaml, which are arguments of :func:`placecat.evaluation.quality.probability_quality`.
+    `settings` has the keys ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``,
+    like a trial in a table. `frames` has the ``offset`` and ``step`` of the training frames. `seeds` are the
+    seeds for clustering, or a single None if nothing is random. `probabilities` are the settings of the same
+    name in params.yaml, the arguments of :func:`placecat.evaluation.quality.probability_quality`.
     """
 
     data: Data
@@ -40,7 +40,7 @@ class Experiment:
     probabilities: dict[str, Any]
 
     def plans(self) -> dict[str, list[Plan]]:
-        """Map each test home to its plans. The mean accuracy over these plans is the home's accuracy."""
+        """Map each test home to its plans. The accuracy of the home is the mean over these plans."""
         return {
             home: [plan.with_cue_frames(self.frames) for plan in self.data.plans(home, self.judge)]
             for home in self.homes
@@ -62,9 +62,9 @@ class Experiment:
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
     """Resolve a combination of settings. This reads labels and array sizes, but no features.
 
-    `config` is the composed conf/experiment.yaml as plain containers. `params` is the params.yaml that the
-    features were computed with. Raises PlacecatError if the combination is invalid; the message says what is
-    wrong and what to do.
+    `config` is the composed conf/experiment.yaml as plain containers. `params` is the content of the
+    params.yaml with which the features were computed. Raises PlacecatError if the combination is invalid; the
+    message says what is wrong and how to fix it.
     """
     schema.check(config, schema.Experiment)
     # Check these too, since params.yaml may have been edited.
@@ -103,10 +103,10 @@ def _frames(wanted: Mapping[str, Any], default: Mapping[str, int]) -> dict[str, 
 
 
 def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
-    """Write the descriptor as the tables do, because seeds are derived from its text."""
+    """Write the descriptor exactly as the tables do, because seeds are derived from this text."""
     own = dict(wanted)
     if own["kind"] == "holistic":
-        settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']}, of whole frames,")
+        settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']} (of whole frames)")
         return own
     if own["color"] == own["name"]:
         raise PlacecatError(f"descriptor.color={own['color']} appends the descriptor to itself: use null")
@@ -153,7 +153,7 @@ def _codebook(
 
 
 def _check_data(experiment: Experiment, kernel_rows: int) -> None:
-    """Check the experiment against the features, their sizes and the labels of the frames in data/."""
+    """Check that the experiment fits the labels and features in data/, including the feature sizes."""
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     training = {part.home: part.chosen() for plan in plans for part in plan.cues}
     every = sorted({plan.test for plan in plans} | set(training))
@@ -189,8 +189,8 @@ def _check_data(experiment: Experiment, kernel_rows: int) -> None:
             without = [name for name, own in known if not isinstance(_base(own), KernelMachine)]
             raise PlacecatError(
                 f"classifier {_name(classifier)} would train on {most} salient regions, and its Gram matrix "
-                "grows with their square: set classifier.max_rows=1000, use a classifier without a kernel "
-                f"({', '.join(without)}), or raise limits.kernel_rows={kernel_rows}"
+                "grows with the square of this number: set classifier.max_rows=1000, use a classifier "
+                f"without a kernel ({', '.join(without)}), or raise limits.kernel_rows={kernel_rows}"
             )
 
 
@@ -200,7 +200,7 @@ def _counts(home: str, descriptor: Mapping[str, Any]) -> np.ndarray:
 
 
 def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
-    """Return the length of the joined descriptor; raise PlacecatError if too little of it was computed."""
+    """Return the length of the joined descriptor; raise PlacecatError if parts or regions are missing."""
     folder, kind = store.folder_of(home, descriptor), descriptor["kind"]
     computed = sorted(path.stem.removeprefix(f"{kind}_") for path in folder.glob(f"{kind}_*.npy"))
     length = int(bool(descriptor.get("y_pos", False)))
@@ -237,7 +237,7 @@ def _check_length(own: Mapping[str, Any], length: int) -> None:
     if reduction is None:
         return
     try:
-        # The reduction checks its settings before it refuses to fit a single sample.
+        # The reduction checks its settings before it rejects a single sample.
         SpatialPCA(**reduction).fit(np.zeros((1, length), np.float32))
     except NotComputable:
         pass

@@ -1,4 +1,4 @@
-"""An experiment's data: its training plans and test homes."""
+"""The data of an experiment: training plans and test homes."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -16,8 +16,8 @@ from placecat.training.plan import Plan
 class Data:
     """A data set with features.
 
-    `name` is that of the main data set or of a split, and `classes` are the names of its places. `by_test`
-    maps each sequence that can be tested to the plan that tests only that sequence.
+    `name` is the name of the main data set or of a split, and `classes` are its place names. `by_test` maps
+    each sequence that can be tested to a plan that tests only that sequence.
     """
 
     name: str
@@ -27,8 +27,9 @@ class Data:
     def plans(self, test: str, judge: str) -> list[Plan]:
         """Return the plans that determine the accuracy of a test home, which must be in `by_test`.
 
-        If `judge` is ``test_home``, this is the home's own plan. If it is ``training_homes``, each training
-        home has a plan that tests it and trains on the others; no plan uses the test home.
+        If `judge` is ``test_home``, this is the plan of the test home. If it is ``training_homes``, each
+        training home has a plan that trains on the other training homes and tests on this one. No plan uses
+        the test home.
         """
         plan = self.by_test[test]
         if judge == TEST_HOME:
@@ -56,7 +57,7 @@ def find(params: Mapping[str, Any], name: str) -> Data:
 
 
 def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
-    """Find the test homes that a setting names: ``all``, or names with any case and punctuation.
+    """Find the test homes named in a setting, ignoring case and punctuation; ``all`` selects all of them.
 
     Raises PlacecatError if a name is unknown, ambiguous or repeated.
     """

@@ -18,7 +18,7 @@ from placecat.compute import lifeline, parallel
 from placecat.errors import PlacecatError
 from placecat.experiment import output
 
-# Environment variable that tells workers the id of the sweep's process.
+# Environment variable that tells workers the process ID of the sweep.
 WORKERS_OF = "PLACECAT_SWEEP"
 _log = logging.getLogger(__name__)
 
@@ -26,12 +26,12 @@ _log = logging.getLogger(__name__)
 def job(config: DictConfig) -> float:
     """Compute one experiment, write result.json to Hydra's output folder, and return the accuracy.
 
-    The accuracy is the mean over test homes in percent, or NaN if there is none. result.json holds the
-    result of :func:`placecat.experiment.running.compute` and its origin. In a sweep, the job raises nothing,
-    so that its failure does not end the other experiments: result.json holds the reason, and the sweep ends
-    with status 1. A single experiment is also printed and logged here.
+    The accuracy is the mean over test homes in percent, or NaN if there is none. result.json contains the
+    result of :func:`placecat.experiment.running.compute` and its origin. In a sweep, a failed job raises no
+    exception, because that would end the other experiments. Instead, result.json states the reason, and the
+    sweep exits with status 1. The result of a single experiment is also printed and logged here.
     """
-    # Imported here, since these import scikit-learn, which `--help` does not need.
+    # Imported late: these import scikit-learn, which `--help` does not need.
     from placecat.experiment import running
     from placecat.experiment.combination import resolve
 
@@ -41,12 +41,12 @@ def job(config: DictConfig) -> float:
     if os.environ.get(WORKERS_OF) == str(os.getppid()):
         lifeline.end_with(os.getppid())
     start = time.perf_counter()
-    # Written first, since a killed job cannot report its end.
+    # Written first, since a killed job cannot report anything.
     files.write_json(folder / output.RESULT, output.failure(output.KILLED))
     (folder / output.TRACEBACK).unlink(missing_ok=True)
     origin: dict[str, Any] = {}
     try:
-        # A sweep already runs its experiments in parallel, unless each of them can use a cluster.
+        # In a sweep, experiments already run in parallel, so each uses one process unless there is a cluster.
         workers = parallel.workers() if is_single or compute.cluster() is not None else 1
         experiment = resolve(OmegaConf.to_container(config, resolve=True), settings.load())  # type: ignore[arg-type]
         origin = running.made_from(experiment)
@@ -59,7 +59,7 @@ def job(config: DictConfig) -> float:
         result = output.failure(
             f"{type(error).__name__}: {error} (a bug in placecat: see {folder / output.TRACEBACK})"
         )
-    # Kept in a separate file, since result.json must not depend on when and where it was computed.
+    # The time goes into a separate file, since result.json must not depend on when and where it was computed.
     files.write_json(folder / output.SECONDS, round(time.perf_counter() - start, 2))
     # Written last: if the sweep is killed later, this marks the job as finished.
     files.write_json(folder / output.RESULT, result | origin)

@@ -1,4 +1,4 @@
-"""Run a sweep's jobs: skip finished ones, and continue after one is killed."""
+"""Run the jobs of a sweep, except finished ones, and continue if one is killed."""
 
 import math
 import os
@@ -25,11 +25,11 @@ def run(
     *,
     first: int = 0,
 ) -> list[float]:
-    """Run the unfinished jobs; each job's folder is named by its number, counted from `first`.
+    """Run the unfinished jobs. Each job folder is named after the number of the job, counting from `first`.
 
-    `lines` has each job's overrides. `experiments` has each job's resolved experiment, or None if its
-    settings are invalid; the job itself then reports why. Returns the jobs' accuracies in percent, in order,
-    with NaN for a job that has none.
+    `lines` contains the overrides of each job. `experiments` contains its resolved experiment, or None if its
+    settings are invalid, in which case the job itself reports why. Returns the accuracy of each job in
+    percent, in order, or NaN if it has none.
     """
     numbers = range(first, first + len(lines))
     todo = []
@@ -40,7 +40,7 @@ def run(
             (own / output.RESULT).unlink(missing_ok=True)
             todo.append(number)
     if len(todo) < len(lines):
-        print(f"{len(lines) - len(todo)} of {len(lines)} experiments in {folder} are finished: not run again")
+        print(f"{len(lines) - len(todo)} of {len(lines)} experiments in {folder} are already finished")
     os.environ[job.WORKERS_OF] = str(os.getpid())
 
     def start(some: Sequence[int]) -> None:
@@ -52,7 +52,7 @@ def run(
             start(todo)
             break
         except TerminatedWorkerError:
-            # A killed job takes all running jobs down with it: run each of them again alone.
+            # A killed job takes all running jobs down with it: run each of them again on its own.
             found = {number: output.read(folder / str(number)) for number in todo}
             killed = [number for number in todo if found[number].get(output.FAILED) == output.KILLED]
             if not killed:

@@ -16,7 +16,7 @@ TEST_HOME = "test_home"
 
 
 def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
-    """Map each descriptor's name in experiments to its settings in a cue (:mod:`placecat.training.store`).
+    """Map the name of each descriptor option to its settings, as in a cue (:mod:`placecat.training.store`).
 
     Descriptors come from conf/descriptor, from cues whose descriptor has no file there, and from
     conf/optional. If two descriptors share a name, ``NAME`` describes salient regions and ``holistic_NAME``

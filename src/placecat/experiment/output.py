@@ -1,4 +1,4 @@
-"""Name an experiment's files, read its result, and format it on one line."""
+"""The file names of an experiment, and functions that read its result and format it on one line."""
 
 from pathlib import Path
 from typing import Any
@@ -10,9 +10,9 @@ SECONDS = "seconds.json"
 TRACEBACK = "traceback.txt"
 SUMMARY = "summary.csv"
 FAILED = "failed"
-# Measures of a result, named as in the tables' runs.
+# Measures of a result, named as in the MLflow runs of tables.
 MEASURES = ("accuracy", "log_loss", "calibration_error")
-# A job's preliminary result, which remains if its process is killed.
+# The preliminary result of a job, which remains if its process is killed.
 KILLED = "its process was killed, perhaps because memory ran out"
 
 
@@ -22,7 +22,7 @@ def failure(message: str) -> dict[str, Any]:
 
 
 def read(folder: Path) -> dict[str, Any]:
-    """Read result.json from a job's folder; return a failure if it is missing or not JSON."""
+    """Read result.json from a job folder; return a failure if it is missing or not JSON."""
     path = folder / RESULT
     try:
         result: dict[str, Any] = files.read_json(path)

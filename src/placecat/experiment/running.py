@@ -1,4 +1,4 @@
-"""Compute one experiment with the functions behind the tables, and describe the origin of its result."""
+"""Compute one experiment with the same functions as the tables, and describe the origin of its result."""
 
 import hashlib
 from collections.abc import Mapping
@@ -21,21 +21,21 @@ from placecat.training import store, trial
 from placecat.training.cue import Cue
 from placecat.training.plan import Plan
 
-# The items of `fingerprint` that are part of a result's origin.
+# The items of `fingerprint` that are part of the origin of a result.
 _OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
 # The measures and confusion for one tested home and seed, or the reason why there are none.
 Outcome = dict[str, Any] | str
 
 
 def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
-    """Train and test for every test home, fold and seed; results do not depend on the number of `workers`.
+    """Train and test for every test home, fold and seed. The number of `workers` does not affect the results.
 
     Returns a dictionary of JSON types with the keys ``settings``, ``classes``, ``accuracy`` (in percent),
     ``log_loss`` (in nats), ``calibration_error`` (in percent), ``reason`` and ``homes``. The three measures
-    are means over test homes, or None. If a test home has no measures, ``reason`` gives the first such
-    home's reason; otherwise, it is None. ``homes`` has an entry for each test home: the same measures,
-    averaged over seeds and folds, or the ``reason`` why there are none; and ``folds``, the measures and the
-    ``confusion`` (counts, with true places as rows) for each tested home and seed.
+    are means over test homes, or None. ``reason`` says why the first test home without measures has none; if
+    all have measures, it is None. ``homes`` has an entry for each test home. An entry has the same measures,
+    averaged over seeds and folds, or the ``reason`` why there are none. It also has ``folds``: the measures
+    and the ``confusion`` (counts, with true places as rows) for each tested home and seed.
     """
     plans = experiment.plans()
     keys = [
@@ -97,10 +97,11 @@ def _means(measured: list[dict[str, Any]]) -> dict[str, float | None]:
 
 
 def made_from(experiment: Experiment) -> dict[str, Any]:
-    """Describe a result's inputs as JSON types, for result.json.
+    """Describe the inputs of a result as JSON types, for result.json.
 
     The keys are ``settings``, ``plans`` (a checksum of the training and test plans), ``data`` (a checksum of
-    each sequence's labels and descriptors) and ``code`` (the versions of placecat, Python and the libraries).
+    the labels and descriptors of each sequence) and ``code`` (the versions of placecat, Python and the
+    libraries).
     """
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     sequences = sorted({part.home for plan in plans for part in (*plan.cues, *plan.tested)})
@@ -119,7 +120,7 @@ def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
 
 
 def is_finished(folder: Path, wanted: dict[str, Any]) -> bool:
-    """Return whether a job's folder holds a result (an accuracy or a reason) with the wanted origin."""
+    """Return whether a job folder contains a result (an accuracy or a reason) with the expected origin."""
     found = output.read(folder)
     return output.FAILED not in found and made_from_of(found) == wanted
 

@@ -1,4 +1,4 @@
-"""Tabulate the results of a sweep or an experiment; print, write and log them."""
+"""Tabulate, print, write and log the results of a sweep or of a single experiment."""
 
 import math
 import sys
@@ -21,7 +21,7 @@ from placecat.results.measured import DECIMALS
 HOME = "test_home"
 AVERAGE = "average"
 _MOST_COLUMNS = 12
-# Longest line of a printed table, in characters.
+# Maximum width of a printed table, in characters.
 _WIDTH = 100
 _UNITS = {
     "accuracy": "Accuracy in percent",
@@ -33,7 +33,7 @@ _DECIMALS = {"accuracy": 2} | DECIMALS
 
 @dataclass(frozen=True)
 class Ran:
-    """An experiment of a sweep: its number, its values for the swept keys, its folder and its result.json."""
+    """An experiment of a sweep, with its number, values of the swept keys, folder and result.json."""
 
     number: int
     values: dict[str, str]
@@ -47,13 +47,13 @@ class Ran:
 
     @property
     def seconds(self) -> float | None:
-        """The experiment's duration in seconds, or None if it was not recorded."""
+        """The duration of the experiment in seconds, or None if it was not recorded."""
         path = self.folder / output.SECONDS
         return float(files.read_json(path)) if path.is_file() else None
 
     @property
     def spread(self) -> float:
-        """The highest minus the lowest accuracy of a seed, as in the tables; NaN if nothing is random."""
+        """The highest minus the lowest accuracy over seeds, as in the tables; NaN if nothing is random."""
         by_seed: dict[str, list[float]] = {}
         for home in self.result.get("homes", {}).values():
             for fold in home["folds"].values():
@@ -65,7 +65,7 @@ class Ran:
 
 
 def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
-    """Collect a sweep's results; `combinations` has each experiment's values for the swept keys."""
+    """Collect the results of a sweep; `combinations` contains the swept values of each experiment."""
     folders = [folder / str(number) for number in range(len(combinations))]
     return [
         Ran(number, dict(values), own, output.read(own))
@@ -97,7 +97,7 @@ def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
 
 
 def _value(one: Ran, measure: str) -> float:
-    """Return an experiment's unrounded value of a measure; NaN if it has none."""
+    """Return the unrounded value of a measure, or NaN if the experiment has none."""
     value = one.result.get(measure)
     return float("nan") if value is None else float(value)
 
@@ -112,9 +112,9 @@ def _values(ran: Sequence[Ran], measure: str) -> pd.DataFrame:
 def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
     """Tabulate a measure over the swept keys, as text.
 
-    The columns are the values of the first numeric key or, if no key is numeric, of the last key. The test
-    home is always in rows; if several test homes were swept, their average follows them. If some
-    combinations of values were not run, as in a search, each experiment has a row instead.
+    The columns are the values of the first numeric key or, if no key is numeric, of the last key. Test homes
+    are always rows; if several were swept, their average follows. If some combinations of values were not
+    run, as in a search, each experiment has a row instead.
     """
     swept, frame = list(ran[0].values), _values(ran, measure)
     others = [key for key in swept if key != HOME]
@@ -126,7 +126,7 @@ def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
     is_complete = len(frame) == math.prod(frame[swept].nunique())
     across = (numbers[:1] or others[-1:]) if len(swept) > 1 and is_complete else []
     across = [key for key in across if frame[key].nunique() <= _MOST_COLUMNS]
-    # The homes come last, to keep the rows that are averaged together.
+    # The homes come last, so that the rows to be averaged are adjacent.
     down = [key for key in others if key not in across] + [key for key in swept if key == HOME]
     for key in swept:
         # Keep the order of the sweep.
@@ -144,7 +144,7 @@ def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
     """
     frame = _values(ran, "accuracy")
     others = [key for key in ran[0].values if key != HOME]
-    # Settings that lack a number for any home cannot be compared.
+    # Settings cannot be compared if any home lacks an accuracy.
     means = [
         (float(own["accuracy"].mean(skipna=False)), {key: str(own[key].iloc[0]) for key in others})
         for _, own in (frame.groupby(others, sort=False) if others else [(None, frame)])
@@ -157,7 +157,7 @@ def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
 
 
 def text(ran: Sequence[Ran]) -> str:
-    """Format a sweep's summary for the terminal."""
+    """Format the summary of a sweep for the terminal."""
     lines = [_tables(ran), ""]
     top = highest(ran)
     if top is not None and len(ran) > 1:
@@ -183,7 +183,7 @@ def _tables(ran: Sequence[Ran]) -> str:
 
 
 def markdown(ran: Sequence[Ran]) -> str:
-    """Format a sweep's accuracies as Markdown."""
+    """Format the accuracies of a sweep as Markdown."""
     table = grid(ran)
     across = f" Columns: {formats.markdown(str(table.columns.name))}." if table.columns.name else ""
     shown = table.reset_index().map(lambda cell: formats.markdown(cell) if isinstance(cell, str) else cell)
@@ -193,7 +193,7 @@ def markdown(ran: Sequence[Ran]) -> str:
 
 
 def text_of_one(result: dict[str, Any]) -> str:
-    """Format one experiment's result: accuracies by home and seed, the other measures, and confusions."""
+    """Format the result of one experiment: accuracies by home and seed, other measures, and confusions."""
     if result["accuracy"] is None:
         return output.shown(result)
     own = result["settings"]
@@ -214,7 +214,7 @@ def text_of_one(result: dict[str, Any]) -> str:
     table = confusion(result)
     shares = 100 * table / np.maximum(table.sum(axis=1, keepdims=True), 1)
     frame = pd.DataFrame(shares, index=result["classes"], columns=result["classes"])
-    title = "Decided places (columns), in percent of the frames of the true place (rows)"
+    title = "Decisions (columns) in percent of the frames of each true place (rows)"
     return "\n".join([*lines, "", title, "", frame.to_string(float_format="{:.1f}".format)])
 
 
@@ -235,10 +235,10 @@ def label(values: dict[str, str]) -> str:
 
 
 def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
-    """Print, write and log a sweep's results; return whether all experiments and the logging succeeded.
+    """Print, write and log the results of a sweep; return whether all experiments and logging succeeded.
 
-    `combinations` has the swept keys and values of each started experiment. `log` has the sweep's overrides,
-    for MLflow; None turns logging off.
+    `combinations` contains the swept keys and values of each started experiment. `log` contains the overrides
+    of the sweep, for MLflow; None turns logging off.
     """
     ran = read(folder, combinations)
     if not ran:
@@ -250,14 +250,14 @@ def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[
 
 
 def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
-    """Print and log a single experiment's result; return whether the logging succeeded."""
+    """Print and log the result of a single experiment; return whether logging succeeded."""
     print(f"\n{text_of_one(result)}\n\nDetails: {folder / output.RESULT}")
     return not log or _log(lambda tracking: tracking.log_one(result, folder))
 
 
 def _log(write: Callable[[Any], str]) -> bool:
     """Log to MLflow; print where, or why it failed. The results are already on disk."""
-    # Imported here, since it imports MLflow.
+    # Imported late: it imports MLflow.
     from placecat.experiment import tracking
 
     try:

@@ -1,4 +1,4 @@
-"""List a sweep's experiments, and check all of them before the first one runs."""
+"""List the experiments of a sweep, and check all of them before the first one runs."""
 
 import itertools
 import sys
@@ -26,9 +26,9 @@ _LISTED = 8
 
 
 def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]], list[dict[str, str]]]:
-    """List all combinations of the values in Hydra's overrides; ``glob`` needs Hydra's `loader`.
+    """List all combinations of the values in Hydra overrides; ``glob`` needs Hydra's `loader`.
 
-    Returns each experiment's overrides, in Hydra's order, and its values of the swept keys. Raises
+    Returns the overrides of each experiment, in Hydra's order, and its values of the swept keys. Raises
     PlacecatError for an interval, which only a search allows.
     """
     overrides = OverridesParser.create(config_loader=loader).parse_overrides(list(arguments))
@@ -59,8 +59,8 @@ def check(
 ) -> list[Experiment]:
     """Resolve each combination; raise a PlacecatError that lists the invalid ones, with reasons.
 
-    `config` is the sweep's composed configuration, including Hydra's settings. `lines` has each experiment's
-    overrides; `combinations` has its swept values, for messages.
+    `config` is the composed configuration of the sweep, including Hydra's settings. `lines` contains the
+    overrides of each experiment; `combinations` contains its swept values, for messages.
     """
     params = settings.load()
     experiments: list[Experiment] = []
@@ -72,7 +72,7 @@ def check(
             refused.setdefault(" ".join(str(error).split()), []).append(summary.label(own))
     if refused:
         count = sum(map(len, refused.values()))
-        text = [f"{count} of {len(lines)} combinations are refused; nothing was computed:"]
+        text = [f"{count} of {len(lines)} combinations are invalid; nothing was computed:"]
         for message, labels in refused.items():
             text += [f"- {message}", *(f"    {label}" for label in labels[:_LISTED])]
             if len(labels) > _LISTED:
@@ -96,15 +96,15 @@ def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -
 
 @contextmanager
 def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
-    """Lock the sweep's folder, which may hold finished jobs, and yield it.
+    """Lock the folder of the sweep, which may contain finished jobs, and yield it.
 
     Waits while another process has the lock. If the block fails, reports the results so far; on Ctrl-C,
-    prints how to continue.
+    prints how to resume.
     """
     folder = Path(config.hydra.sweep.dir)
     folder.mkdir(parents=True, exist_ok=True)
     with lock.waiting(folder / ".lock", f"Another process is running this sweep ({folder}): waiting for it."):
-        # Remove the old summary, since some of its jobs may run again.
+        # Remove the old summary, since some jobs may run again.
         (folder / output.SUMMARY).unlink(missing_ok=True)
         OmegaConf.save(config, folder / "multirun.yaml")
         try:
@@ -113,6 +113,6 @@ def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterato
             print(f"placecat: stopped; the same command resumes {folder}", file=sys.stderr, flush=True)
             raise
         except Exception:
-            # Do not log yet, since the same command will continue the sweep.
+            # Do not log yet, since the same command resumes the sweep.
             summary.tell(folder, combinations, log=None)
             raise

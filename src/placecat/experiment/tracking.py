@@ -1,4 +1,4 @@
-"""Log finished experiments to MLflow from one process: a run for each, nested in a sweep's parent run."""
+"""Log finished experiments to MLflow, from one process. The runs of a sweep are nested in a parent run."""
 
 import hashlib
 import json
@@ -31,9 +31,9 @@ _FILES = (output.SUMMARY, report.SUMMARY)
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
     """Log a sweep and its experiments, unless they are already logged; replace an incomplete log.
 
-    `folder` is the sweep's folder, with its summary. A sweep is identified by its overrides and by its
-    experiments' settings, data and code. Returns the log's location as text. Raises PlacecatError if MLflow
-    cannot be written to.
+    `folder` is the folder of the sweep, with its summary. A sweep is identified by its overrides and by the
+    settings, data and code of its experiments. Returns the location of the log as text. Raises PlacecatError
+    if MLflow cannot be written to.
     """
     swept = list(ran[0].values)
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
@@ -81,7 +81,7 @@ def _log_sweep(
 
 
 def log_one(result: dict[str, Any], folder: Path) -> str:
-    """Log a single experiment with its result and its folder; return the log's location as text."""
+    """Log a single experiment with its result and its folder; return the location of the log as text."""
     client, experiment, where = _open()
     used = result["settings"]
     name = f"{used['descriptor']['name']} {used['classifier']['base']['name']} {'+'.join(used['test_home'])}"
@@ -90,7 +90,7 @@ def log_one(result: dict[str, Any], folder: Path) -> str:
 
 
 def _open() -> tuple[Any, str, str]:
-    """Return MLflow's client, the id of the data set's MLflow experiment, and its location as text."""
+    """Return an MLflow client, the id of the MLflow experiment for the data set, and its location as text."""
     params = settings.load()
     name, title = (str(settings.get(params, f"dataset.{key}")) for key in ("name", "title"))
     uri = store.tracking_uri()
@@ -143,7 +143,7 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
 
 
 def _params(used: dict[str, Any]) -> dict[str, str]:
-    """Return an experiment's parameters, named like those of the tables' rows."""
+    """Return the parameters of an experiment, with the same names as for table rows."""
     parts = ("descriptor", "classifier", "codebook")
     rest = settings.flatten({name: value for name, value in used.items() if name not in parts})
     cue = params_of_cue(used["descriptor"], used["classifier"], used.get("codebook"))

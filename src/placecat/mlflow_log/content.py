@@ -1,4 +1,4 @@
-"""What MLflow stores for a table and for each of its rows: parameters, metrics, a description and files."""
+"""The content of the MLflow runs for a table and its rows: parameters, metrics, a description and files."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
@@ -25,23 +25,23 @@ from placecat.thesis.decisions import decisions_of
 from placecat.thesis.number import AVERAGE
 from placecat.thesis.tables import COLUMNS, comparable, in_percent, label
 
-# MLflow accepts 8000 characters; the margin is for the run's id, which is longer than its placeholder.
+# MLflow accepts 8000 characters. The margin is for the run id, which is longer than its placeholder.
 _LONGEST_DESCRIPTION = 7900
-# No line breaks within a paragraph, since the user interface would show them.
+# Paragraphs have no line breaks, since the user interface would show them.
 _READING = (
-    "\n**How to read it.** Each row of the table is a nested run. To compare rows, open this run with the "
-    "plus on its left in the list, select rows and press *Compare*, or see *Model metrics* here. {metrics} "
-    "*Artifacts* has the table as CSV, Markdown and LaTeX, {chart}and the confusion matrices.\n"
+    "\n**How to read it.** Each row of the table is a nested run. To compare rows, expand this run in "
+    "the list with the plus sign on its left, select rows and press *Compare*, or see *Model metrics* here. "
+    "{metrics} *Artifacts* has the table as CSV, Markdown and LaTeX, {chart}and the confusion matrices.\n"
 )
 _ACCURACIES = (
     "`accuracy` is the mean over places, seeds and homes, in percent; for one home, it is `accuracy/home_1` "
     "in a row and `home_1` here. `log_loss` (nats), `calibration_error` and `stay_accuracy` (percent) "
-    "measure how good the probabilities are, on average over the homes."
+    "measure the quality of the probabilities, averaged over the homes."
 )
 _CHART = "`chart.png` with the averages (one mark per {point}), "
 _FIGURES = (
-    "The figures of the thesis, under the same numbers, and added figures, all drawn from this run's data "
-    "and models.\n\n"
+    "The figures of the thesis with their original numbers, and additional figures, all drawn from the data "
+    "and models of this run.\n\n"
 )
 
 
@@ -54,13 +54,13 @@ def table_run(
     written: Sequence[Path],
     made: Callable[[str], Made],
 ) -> TableRun:
-    """Gather one table's content from its definition and its filled `cells`.
+    """Gather the content of one table from its definition and its filled `cells`.
 
-    `dataset` describes the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are those
-    that affect its numbers, by dotted name; `written` are the table's files, such as its CSV. `made` takes a
-    result's name and describes how the result was made.
+    `dataset` describes the data behind the table (:func:`placecat.thesis.tables.dataset_of`). `settings` are
+    the settings that affect its numbers, by dotted name. `written` are the files of the table, such as its
+    CSV. `made` takes the name of a result and describes how it was made.
     """
-    # An addition's title already starts with this label.
+    # The title of an addition already starts with this label.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
     beside = comparable(table, dataset)
     decisions = decisions_of(table, results)
@@ -103,7 +103,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """Gather the figures that the `figures` stage wrote to a folder into one run."""
+    """Make one run from a folder of figures written by the `figures` stage."""
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [
@@ -184,9 +184,9 @@ def _write_row(folder: Path, name: str, decisions: Mapping[str, Measured]) -> li
 
 
 def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
-    """Write all counts to one file, with the label columns first.
+    """Write all counts to one file, label columns first.
 
-    Returns a list that holds the path of the file, or an empty list if there are no counts.
+    Returns a list with the path of the file, or an empty list if there are no counts.
     """
     if not parts:
         return []
@@ -215,8 +215,8 @@ def _results(
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
     """Map each (group, row) to the quality of its probabilities.
 
-    The only key is ("", "") if the whole table shows one result. The mapping is empty for tables that already
-    show these numbers, and for trials, which lack them.
+    If the entire table shows one result, the only key is ("", ""). The mapping is empty for tables that
+    already show these numbers, and for trials, which have none.
     """
     if not in_percent(table):
         return {}
@@ -228,7 +228,7 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
 
 
 def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
-    """Return a table's metrics by name.
+    """Return the metrics of a table by name.
 
     Names start with the column, so that MLflow charts the averages of all rows in one section. Averages come
     first, since the user interface keeps the order.
@@ -240,13 +240,13 @@ def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
 
 
 def _measure(column: str, percent: bool) -> str:
-    """Return a metric's name, e.g. ``accuracy/home_1`` for "Home 1"; ``accuracy`` is only for percentages."""
+    """Return the name of a metric: ``accuracy/home_1`` for "Home 1", or ``home_1`` if not in percent."""
     section = _section(column, percent)
     return key("accuracy", section) if percent and section != "accuracy" else section
 
 
 def _section(column: str, percent: bool) -> str:
-    """Return the section for a column's metrics: ``home_1`` for "Home 1", ``accuracy`` for "Average"."""
+    """Return the section for the metrics of a column: ``home_1`` for "Home 1", ``accuracy`` for "Average"."""
     if percent and column in (AVERAGE, ""):
         return "accuracy"
     return key(column).lower().replace(" ", "_")
@@ -265,13 +265,13 @@ def _description(
         point = "home" if table["layout"] != "pooled_by_class" else "place"
         chart = f"![Chart of the averages](get-artifact?path=chart.png&run_uuid={RUN_ID})\n"
         reading = _READING.format(metrics=_ACCURACIES, chart=_CHART.format(point=point))
-    # Omit the heading, since it repeats the run's name.
+    # Omit the heading, since it repeats the name of the run.
     text = table_markdown(table, cells, dataset).partition("\n")[2].lstrip()
     return _cut(f"{text}\n{chart}{reading}")
 
 
 def _cut(text: str) -> str:
-    """Cut a description after the last line that fits MLflow's limit."""
+    """Cut a description after the last line that fits into MLflow's limit."""
     if len(text) <= _LONGEST_DESCRIPTION:
         return text
     return text[: text.rindex("\n", 0, _LONGEST_DESCRIPTION - 40)] + "\n\n*The rest is in the artifacts.*\n"

@@ -7,7 +7,7 @@ from placecat.mlflow_log.store import key
 from placecat.provenance.made import Made
 from placecat.settings import flatten
 
-# Maps the prefix of a result's name to the part of the system that makes the decision.
+# Maps the prefix of a result name to the part of the system that decides.
 _DECIDES = {
     "cues": "cue",
     "tempered": "tempered cue",
@@ -22,9 +22,9 @@ _DECIDES = {
 def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
     """Return the parameters of several results; each parameter lists its distinct values.
 
-    The first are ``decides`` (the part that decides, such as a cue, an integration or an HMM), ``protocol``,
-    ``cues``, ``system``, ``filter`` and ``descriptor``. Then come the settings of a single cue
-    (`params_of_cue`), of the integration and of the smoothing.
+    They start with ``decides`` (the part that decides, such as a cue, an integration or an HMM),
+    ``protocol``, ``cues``, ``system``, ``filter`` and ``descriptor``. The settings of a single cue
+    (`params_of_cue`), of the integration and of the smoothing follow.
     """
     values: dict[str, dict[str, None]] = {}
     for result, made in results.items():
@@ -36,7 +36,7 @@ def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
 def params_of_cue(
     descriptor: Mapping[str, Any], classifier: Mapping[str, Any], codebook: Mapping[str, Any] | None
 ) -> dict[str, str]:
-    """Return one cue's parameters, from its settings.
+    """Return the parameters of one cue, from its settings.
 
     ``descriptor``, ``classifier`` and ``scheme`` are the names of the choices; other parameters are named
     after the settings, such as ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
@@ -70,7 +70,7 @@ def _of_one(result: str, made: Made) -> dict[str, str]:
         elif part == "toy":
             params |= _of_toy(parts, settings)
         else:
-            # In "filter informative", the filter's name is already a parameter.
+            # In "filter informative", the name of the filter is already a parameter.
             params |= _under(part.split()[0], settings)
     if "classifier" in own and not made.system:
         params |= params_of_cue(own["descriptor"], own["classifier"], own.get("codebook"))
@@ -78,7 +78,7 @@ def _of_one(result: str, made: Made) -> dict[str, str]:
 
 
 def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
-    """Return the toy problem's parameters; those that vary come from the result's name."""
+    """Return the parameters of the toy problem; those that vary are taken from the result name."""
     rest = {name: value for name, value in settings.items() if name not in ("scheme", "sensitivity")}
     params = _of_classifier(settings["scheme"]) | _under("toy", rest)
     if "sensitivity" in settings:
@@ -87,7 +87,7 @@ def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _of_classifier(settings: Mapping[str, Any]) -> dict[str, str]:
-    """Return a classifier's or an integration's parameters; those of its base classifier have no prefix."""
+    """Return the parameters of a classifier or an integration. Those of a base classifier have no prefix."""
     base, scheme = (settings.get(one) or {} for one in ("base", "scheme"))
     params = {"classifier": str(base.get("name") or settings.get("model") or settings.get("method", ""))}
     if "combination" in scheme:

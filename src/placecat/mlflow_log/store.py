@@ -1,4 +1,4 @@
-"""Write to MLflow: to any tracking server, or to a SQLite database that many processes share."""
+"""Write to MLflow, either to a tracking server or to a SQLite database that many processes share."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from urllib.request import url2pathname
 
 from placecat.errors import PlacecatError
 
-# Functions import MLflow only when they need it, since the import takes 5 s.
+# Functions import MLflow only when needed, since the import takes 5 s.
 if TYPE_CHECKING:
     from mlflow import MlflowClient
 
-# Tags that MLflow's user interface recognizes.
+# Tags that the MLflow user interface recognizes.
 DESCRIPTION = "mlflow.note.content"
 COMMIT = "mlflow.source.git.commit"
 PARENT = "mlflow.parentRunId"
 _EXPERIMENT_KIND = {"mlflow.experimentKind": "custom_model_development"}
 
-# The folder in which DVC makes temporary copies of the project.
+# The folder where DVC makes temporary copies of the project.
 _QUEUED = (".dvc", "tmp", "exps")
 
 # Limits of MLflow.
@@ -36,7 +36,7 @@ _MOST_METRICS, _MOST_PARAMS, _LONGEST_PARAM, _LONGEST_KEY = 800, 100, 6000, 250
 
 
 def queued_in() -> Path | None:
-    """Return the project's folder if the current folder is DVC's temporary copy for a queued experiment."""
+    """Return the project folder if the current folder is DVC's temporary copy for a queued experiment."""
     here = Path.cwd()
     copies = [folder for folder in here.parents if folder.parts[-3:] == _QUEUED]
     return copies[-1].parents[2] if copies else None
@@ -48,7 +48,7 @@ def queued_experiment() -> str:
 
 
 def tracking_uri() -> str:
-    """Return MLFLOW_TRACKING_URI from the environment, or else the URI of the project's mlflow.db."""
+    """Return MLFLOW_TRACKING_URI from the environment, or else the URI of mlflow.db in the project."""
     project = queued_in()
     own = "sqlite:///mlflow.db" if project is None else f"sqlite:///{project / 'mlflow.db'}"
     return os.environ.get("MLFLOW_TRACKING_URI") or own
@@ -59,17 +59,17 @@ def connect(uri: str) -> MlflowClient:
 
     Examples of `uri` are ``http://127.0.0.1:5000`` and ``sqlite:///mlflow.db`` (relative to the current
     folder). If several processes connect at once, one creates the database and the others wait. Raises
-    PlacecatError if `uri` is not an address, if no compatible MLflow answers there, or if the database's
-    driver is not installed.
+    PlacecatError if `uri` is not an address, if no compatible MLflow answers there, or if the database driver
+    is not installed.
     """
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
-    # MLflow would print a line per run.
+    # Otherwise, MLflow prints a line per run.
     os.environ.setdefault("MLFLOW_SUPPRESS_PRINTING_URL_TO_STDOUT", "true")
     # By default, MLflow retries for minutes before it reports that no server answers.
     os.environ.setdefault("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "3")
     from mlflow import MlflowClient
 
-    # MLflow logs the 50 migrations of a new database.
+    # MLflow would log the 50 migrations of a new database.
     for talkative in ("mlflow.store.db.utils", "alembic"):
         logging.getLogger(talkative).setLevel(logging.WARNING)
     try:
@@ -81,7 +81,7 @@ def connect(uri: str) -> MlflowClient:
     except ImportError as error:
         driver = f"{error.name} is not installed" if error.name else str(error)
         raise PlacecatError(
-            f"MLflow at {_shown(uri)}: the database's driver is missing ({driver}): install it with pip, or "
+            f"MLflow at {_shown(uri)}: the database driver is missing ({driver}): install it with pip, or "
             "set MLFLOW_TRACKING_URI to another database, such as sqlite:///mlflow.db"
         ) from None
     except (OSError, ValueError) as error:
@@ -95,10 +95,11 @@ def connect(uri: str) -> MlflowClient:
 def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path, description: str) -> str:
     """Return the id of an experiment, which is created if missing.
 
-    Several processes may call this at once. `artifacts` is the folder for a new experiment's files, unless a
-    server stores them. If the project was moved or copied with its database, the database is updated, so that
-    MLflow finds earlier runs' files. `description` (Markdown) replaces any earlier description.
-    Raises PlacecatError if the experiment was deleted but not purged, since MLflow still reserves its name.
+    Several processes may call this at once. `artifacts` is the folder for the files of a new experiment,
+    unless a server stores them. If the project was moved or copied with its database, the database is
+    updated, so that MLflow finds the files of earlier runs. `description` (Markdown) replaces any earlier
+    description. Raises PlacecatError if the experiment was deleted but not purged, since MLflow still
+    reserves its name.
     """
     from mlflow.exceptions import MlflowException
 
@@ -130,10 +131,10 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
 
 
 def _follow(uri: str, before: str, artifacts: Path) -> None:
-    """Update the paths in the project folder's database after the folder was moved.
+    """Update the paths in the database of the project after its folder was moved.
 
-    MLflow stores absolute paths and has no command to change them. A database elsewhere is left alone, since
-    several projects may share it.
+    MLflow stores absolute paths and has no command to change them. A database outside the folder is left
+    alone, since several projects may share it.
     """
     from sqlalchemy.engine import make_url
 
@@ -201,7 +202,7 @@ def key(*parts: str) -> str:
 
 @contextmanager
 def writing(client: MlflowClient) -> Iterator[None]:
-    """Hold the lock of :func:`alone` in a block; raise PlacecatError if MLflow or its database fails there.
+    """Lock MLflow with :func:`alone` during a block, and turn its errors into a PlacecatError.
 
     Every function of this module that writes uses this.
     """
@@ -213,7 +214,7 @@ def writing(client: MlflowClient) -> Iterator[None]:
 def alone(uri: str) -> Iterator[None]:
     """Lock a SQLite database or a server during a block; blocks may be nested.
 
-    A server is locked only for this user's processes on this machine.
+    A server is locked only for processes of this user on this machine.
     """
     from filelock import FileLock
 
@@ -224,7 +225,7 @@ def alone(uri: str) -> Iterator[None]:
     else:
         path = database.with_name(f"{database.name}.lock")
         path.parent.mkdir(parents=True, exist_ok=True)
-    # One object per path, so that a process may take the lock twice.
+    # There is one object per path, so that a process may take the lock twice.
     with FileLock(path, is_singleton=True):
         yield
 
@@ -238,7 +239,7 @@ def set_tags(client: MlflowClient, run_id: str, tags: Mapping[str, str]) -> None
 
 
 def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path]) -> None:
-    """Copy files to a run, bypassing MLflow's slower client if the run's folder is on this machine."""
+    """Copy files to a run, without MLflow's slower client if the run folder is on this machine."""
     parts = urlparse(place)
     if parts.scheme != "file":
         with _told_plainly(client.tracking_uri):
@@ -253,7 +254,7 @@ def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path])
 
 @contextmanager
 def _quick_if_new(uri: str) -> Iterator[None]:
-    """Within the block, connections to a new SQLite database do not wait for the disk.
+    """During a block, do not wait for the disk when connected to a new SQLite database.
 
     A new database has nothing to lose: after a power failure, it can be deleted and created again.
     """
@@ -305,5 +306,5 @@ def _told_plainly(uri: str) -> Iterator[None]:
 
 
 def _shown(text: str) -> str:
-    """Hide the passwords in a text's URIs."""
+    """Hide the passwords in any URIs that a message contains."""
     return re.sub(r"(://[^/:@\s]*):[^/@\s]*@", r"\1:***@", text)

@@ -1,14 +1,15 @@
-"""Log each table to MLflow as a run, with nested runs for its rows; logging again makes no duplicates.
+"""Log each table to MLflow as a run, with nested runs for its rows and without duplicates.
 
 A run has these tags. ``placecat.kind`` is table, row, figures or findings. ``placecat.table`` is the name of
-the table, and ``placecat.digest`` the checksum of its content. ``placecat.current`` is "true" for valid runs,
-or the name of the queued DVC experiment that logged them. A run counts only if it is current and FINISHED.
+the table, and ``placecat.digest`` is the checksum of its content. ``placecat.current`` is "true" for valid
+runs, or the name of the queued DVC experiment that logged them. A run counts only if it is current and
+FINISHED.
 
-A table is written in four steps: start the runs of the table and its rows; set ``current`` to "false" in the
-superseded runs; finish the rows; finish the table's run. If the process is killed, its unfinished runs do not
-count, so no table counts twice. The next call deletes these runs and writes the table again. Processes on one
-machine take turns. Several machines may write at once; at the end, each keeps only the latest of a table's
-current runs.
+A table is written in four steps. First, the runs of the table and its rows are started. Next, ``current``
+becomes "false" in the superseded runs. Finally, the runs of the rows are finished, and then the run of the
+table. If the process is killed, its unfinished runs do not count, so no table counts twice. The next call
+deletes these runs and writes the table again. Processes on one machine take turns. Several machines may write
+at once; at the end, each keeps only the latest current run of a table.
 """
 
 from __future__ import annotations
@@ -31,9 +32,9 @@ if TYPE_CHECKING:
 
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
-# Name of the training protocol, e.g. "5-5-1"; a table lists the protocols of all its rows.
+# Name of the training protocol, such as "5-5-1"; a table lists the protocols of all its rows.
 PROTOCOL = "protocol"
-# Name of the queued DVC experiment that logged a run. Such runs do not supersede the project's.
+# Name of the queued DVC experiment that logged a run. Such runs do not supersede runs of the project.
 DVC_EXPERIMENT = "placecat.dvc_experiment"
 # The machine that logs a run; other machines cannot tell whether an unfinished run is still being written.
 MACHINE = "placecat.machine"
@@ -41,10 +42,10 @@ MACHINE = "placecat.machine"
 _TORSO = 24 * 3600 * 1000
 # Change this to log all runs again when their content changes but their numbers do not.
 _FORM = "4"
-# Placeholder for the run's id in a description.
+# Placeholder for the run id in a description.
 RUN_ID = "{run_id}"
 ARTIFACTS = Path("mlartifacts")
-# Description of a data set's experiment.
+# Description of the experiment for a data set.
 DESCRIPTION = (
     "Visual place categorization, measured on {title}. Every table of the thesis is a run, and every row of "
     "a table is a nested run. To see only current runs, filter by "
@@ -55,11 +56,11 @@ DESCRIPTION = (
 
 @dataclass(frozen=True)
 class RowRun:
-    """One row's content for MLflow, with a readable name such as "Table 26: 5-5-1, all cues, Gist".
+    """The MLflow content of one row, with a readable name such as "Table 26: 5-5-1, all cues, Gist".
 
     `params` identify the row. `metrics` are its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
     and the quality of its probabilities (:meth:`placecat.results.measured.Quality.averages`). `description`
-    is Markdown. `files` writes the row's files into a folder and returns their paths.
+    is Markdown. `files` writes the files of the row into a folder and returns their paths.
     """
 
     name: str
@@ -71,11 +72,11 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """One table's content for MLflow, with a name such as "table_26", and a title.
+    """The MLflow content of one table, with a name such as "table_26" and a title.
 
     `content` is everything that the table shows, as text. `params` are the settings that affect the numbers,
     by dotted name. `metrics` are in percent unless their name says otherwise. `description` is Markdown, in
-    which `RUN_ID` is replaced by the run's id. `rows` are nested runs, and `files` is as for a row. `kind` is
+    which `RUN_ID` is replaced by the run id. `rows` are nested runs, and `files` is as for a row. `kind` is
     "table", or "figures" or "findings" for the two runs that are not tables.
     """
 
@@ -110,7 +111,7 @@ def log_tables(
     """Log every table whose content is new, and mark the runs that it supersedes.
 
     Returns the digest of each table by name; digests do not depend on the time or on earlier runs. Raises
-    PlacecatError if MLflow does not answer or refuses a request.
+    PlacecatError if MLflow does not answer or rejects a request.
 
     Parameters
     ----------
@@ -119,12 +120,13 @@ def log_tables(
     uri
         MLflow tracking URI.
     experiment, description, artifacts
-        Name of the experiment, created if missing; its description (Markdown); and the folder for a new
-        experiment's files, unless a server stores them.
+        Name of the experiment, which is created if missing; its description in Markdown; and the folder for
+        the files of a new experiment, unless a server stores them.
     data, data_version, commit
         Title of the data set, the checksum of its files, and the git commit, "" if there is none.
     dvc_experiment
-        Name of the queued DVC experiment that calls this, or ""; only its own earlier runs are superseded.
+        Name of the queued DVC experiment that calls this function, or ""; only earlier runs of the same
+        experiment are superseded.
     """
     client = store.connect(uri)
     with store.alone(uri):
@@ -140,7 +142,7 @@ def log_tables(
             common[DVC_EXPERIMENT] = dvc_experiment
             runs = [replace(run, title=f"{run.title} ({dvc_experiment})") for run in runs]
         digests = {run.name: run.digest(data_version) for run in runs}
-        # The last table first, since the user interface shows the latest run on top.
+        # Log the last table first, since the user interface shows the latest run on top.
         _log_new(client, number, runs[::-1], digests, common)
         _settle(client, number, dvc_experiment)
         return digests
@@ -155,7 +157,7 @@ def _log_new(
 ) -> None:
     known: dict[str, list[Run]] = {}
     scope = common.get(DVC_EXPERIMENT, "")
-    # Runs that are not superseded, complete or not.
+    # Find the runs that are not superseded, complete or not.
     for one in search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
         if SUPERSEDED_BY not in one.data.tags and one.data.tags.get(DVC_EXPERIMENT, "") == scope:
             known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
@@ -172,19 +174,19 @@ def _log_new(
         old = [one.info.run_id for one in complete if one.info.run_id != chosen]
         _make_current(client, experiment_id, new, old, chosen)
     for name in known.keys() - digests.keys():
-        # A table that no longer exists.
+        # This table no longer exists.
         for one in known[name]:
             _supersede(client, experiment_id, one.info.run_id, "nothing")
 
 
 def _is_torso(run: Run) -> bool:
-    """Return whether an unfinished run is abandoned. This machine's are, since this process has the lock."""
+    """Return whether an unfinished run is abandoned. On this machine it is, because we have the lock."""
     is_own = run.data.tags.get(MACHINE, platform.node()) == platform.node()
     return is_own or run.info.start_time < time.time() * 1000 - _TORSO
 
 
 def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
-    """Keep only each table's latest run current, in case other machines logged in the meantime."""
+    """Keep only the latest run of each table current, in case other machines logged in the meantime."""
     current: dict[str, list[Run]] = {}
     condition = f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = '{scope or 'true'}'"
     for one in search(client, experiment_id, f"{condition} and attributes.status = 'FINISHED'"):
@@ -200,7 +202,7 @@ def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
 def _log(
     client: MlflowClient, experiment_id: str, run: TableRun, digest: str, common: Mapping[str, str]
 ) -> list[str]:
-    """Log a table and its rows without ending the runs; return their ids, with the table's id last."""
+    """Log a table and its rows, but do not finish the runs; return their ids, with the table last."""
     tags = {**common, TABLE: run.name, CURRENT: common.get(DVC_EXPERIMENT, "true"), MACHINE: platform.node()}
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
@@ -215,7 +217,7 @@ def _log(
         )
         store.set_tags(client, run_id, {store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
         rows = []
-        # Last row first, since the user interface shows the latest run on top.
+        # Log the last row first, since the user interface shows the latest run on top.
         for number, row in reversed(list(enumerate(run.rows))):
             (own := folder / str(number)).mkdir()
             nested = store.start_run(
@@ -234,7 +236,7 @@ def _log(
 
 
 def _protocols(rows: Sequence[RowRun]) -> dict[str, str]:
-    """Return a tag with the rows' protocols, for filtering runs."""
+    """Return a tag that lists the protocols of the rows, for filtering runs."""
     names = dict.fromkeys(row.params["protocol"] for row in rows if "protocol" in row.params)
     return {PROTOCOL: ", ".join(names)} if names else {}
 
@@ -242,7 +244,7 @@ def _protocols(rows: Sequence[RowRun]) -> dict[str, str]:
 def _make_current(
     client: MlflowClient, experiment_id: str, new: Sequence[str], old: Sequence[str], chosen: str
 ) -> None:
-    # Locked, so that other processes see all of these changes or none.
+    # The lock lets other processes see all of these changes or none.
     with store.writing(client):
         for one in old:
             _supersede(client, experiment_id, one, chosen)
@@ -251,7 +253,7 @@ def _make_current(
 
 
 def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:
-    # Mark the table's run last, so that an interrupted call is repeated.
+    # Mark the run of the table last, so that an interrupted call is repeated.
     for each in [*_nested(client, experiment_id, run_id), run_id]:
         store.set_tags(client, each, {CURRENT: "false", SUPERSEDED_BY: by})
 
@@ -269,7 +271,7 @@ def _nested(client: MlflowClient, experiment_id: str, run_id: str) -> list[str]:
 
 
 def search(client: MlflowClient, experiment_id: str, condition: str) -> list[Run]:
-    """Find all of an experiment's runs that match a filter in MLflow's syntax."""
+    """Find all runs of an experiment that match a filter in MLflow's syntax."""
     found: list[Run] = []
     token = None
     with store.writing(client):

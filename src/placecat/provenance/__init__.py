@@ -1,1 +1,1 @@
-"""Where each number comes from: its definition, settings, frames, seeds and stages."""
+"""The origin of each number: its definition, settings, frames, seeds and stages."""

@@ -1,4 +1,4 @@
-"""Every cell of the tables and every number in the text, each with its explanation."""
+"""Explanations for every cell of the tables and every number in the text."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ ALL_HOMES = "all"
 
 @dataclass(frozen=True)
 class Table:
-    """A table's definition (which includes its name), its cells with their notes, and its data set."""
+    """A table with its definition (which includes its name), its cells with their notes, and its data set."""
 
     settings: Mapping[str, Any]
     cells: pd.DataFrame
@@ -37,13 +37,13 @@ class Table:
 class Explained:
     """A cell of a table, or a number in the text, with its explanation.
 
-    :func:`placecat.results.load` explains most attributes. `id` is the cell's number on the page
+    :func:`placecat.results.load` explains most attributes. `id` is the number of the cell on the page
     (:mod:`placecat.provenance.numbering`). For a number in the text, `group`, `row` and `column` are its
     name, quantity and home. `unit` is "percent", "points", "nats", "times", or "" if the quantity names it.
-    `data` has the titles of two data sets: that of the measured number, and that of the published number,
-    which is "" if nothing was published. `made` describes how each of the cell's results was made. `trained`
-    maps each test home to the frames of each of its plans, without duplicates. `findings` has the numbers of
-    the findings that rest on these results.
+    `data` contains the titles of the data sets behind the measured and the published number; the second is ""
+    if nothing was published. `made` describes how each result behind the cell was made. `trained` maps each
+    test home to the frames of each of its plans, without duplicates. `findings` lists the numbers of the
+    findings that are based on these results.
     """
 
     id: str
@@ -85,8 +85,8 @@ class Explained:
 class Explaining:
     """All cells of a run.
 
-    `params` has all settings. `tables` are the filled tables, in the report's order, and `texts` are the
-    numbers in the text, with notes. `origins` is the content of data/origins.json. `comparisons` are the
+    `params` contains all settings. `tables` are the filled tables in the order of the report, and `texts` are
+    the numbers in the text, with notes. `origins` is the content of data/origins.json. `comparisons` are the
     comparisons in the findings, with the columns finding, left_results and right_results.
     """
 
@@ -97,7 +97,7 @@ class Explaining:
     comparisons: pd.DataFrame
 
     def __post_init__(self) -> None:
-        """Prepare caches for what many cells share."""
+        """Prepare caches for information that many cells share."""
         trials = trials_of(self.params)
         self._how = cache(lambda result: made(result, self.params, trials))
         self._trained = cache(partial(trained, self.params))
@@ -162,7 +162,7 @@ class Explaining:
         for origin in origins:
             how = self._how(origin.result)
             is_split = how.plan in settings.get(self.params, "splits")
-            # The origin of a mean over all homes does not list them.
+            # If a number is a mean over all homes, its origin does not list them.
             homes = origin.homes or settings.get(self.params, "dataset.homes")
             for home in [how.plan] if is_split else homes:
                 one = self._trained(how.plan, home, how.fuses, how.extra)
@@ -190,7 +190,7 @@ def _unit_in_text(quantity: str, origins: Sequence[Origin]) -> str:
 
 
 def quantity(origin: Origin, home: str) -> str:
-    """Describe the quantity that was measured, e.g. "accuracy in home_3: mean over the places ..."."""
+    """Describe the measured quantity, such as "accuracy in home_3: mean over the places ..."."""
     where = f" in {home}" if home != ALL_HOMES else ""
     if origin.part in MEASURES:
         text = f"{MEASURES[origin.part].lower()} of the distributions"

@@ -1,4 +1,4 @@
-"""The number of frames of each home on which a result is trained and tested."""
+"""The number of frames from each home on which a result is trained and tested."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,12 +14,12 @@ Frames = tuple[tuple[str, int], ...]
 
 @dataclass(frozen=True)
 class Trained:
-    """The training and test sequences of one test home or a whole fixed split, with their frame counts.
+    """The training and test sequences of one test home or an entire fixed split, with their frame counts.
 
     Attributes
     ----------
     training_set
-        Name of the training set, from which the codebooks' seeds are derived.
+        Name of the training set, from which codebook seeds are derived.
     cues, integration
         Frames on which the cues and the integration are trained; `integration` is () without fusion.
     tested
@@ -33,9 +33,10 @@ class Trained:
 
 
 def trained(params: Mapping[str, Any], name: str, home: str, fuses: bool, extra: bool) -> Trained | None:
-    """Return a result's frames for a test home, or for all homes of a split; None if it has no plan.
+    """Return the frames of a result for a test home, or for all homes of a split; None if it has no plan.
 
-    `name` is the result's plan. `fuses` and `extra` are explained in :class:`placecat.provenance.made.Made`.
+    `name` is the name of the plan. `fuses` and `extra` are explained in
+    :class:`placecat.provenance.made.Made`.
     """
     if not name:
         return None

@@ -1,4 +1,4 @@
-"""Read the lines that explain a cell from the file of all explanations. Few imports keep this fast."""
+"""Lines that explain a cell, read from the file of all explanations. Few imports keep this fast."""
 
 import hashlib
 import json
@@ -12,7 +12,7 @@ STAGES = "stages"
 
 
 def lines_of(content: Mapping[str, Any], number: str) -> list[Line]:
-    """Return a cell's lines, from the result of :func:`placecat.provenance.text.explanations`."""
+    """Return the lines for a cell, from the result of :func:`placecat.provenance.text.explanations`."""
     lines: list[Line] = []
     for item in content["cells"][number]:
         shared = isinstance(item, int)

@@ -10,7 +10,7 @@ from placecat.evaluation.trials import Trial
 from placecat.thesis.records import RECORD
 
 _RECORD_STAGES = {"nu": ("sequences", "features", "codebooks", "cues", "trials"), "rejected": ("features",)}
-# All stages in the pipeline's order; every number in the tables depends on the last ones.
+# All stages in the order of the pipeline. Every number in the tables depends on those in `_LAST`.
 _ORDER = (
     *("sequences", "site_sequences", "features", "tracks", "site_features", "codebooks", "cues"),
     *("integration", "filtering", "smoothing", "splits", "trials", "toy"),
@@ -24,11 +24,11 @@ class Made:
 
     `title` describes the result on one line, and `stages` are its DVC stages, without `scores` and `tables`.
     `cues`, `classifiers` and `descriptors` are the names of the cues and of their classifiers and
-    descriptors. `system` and `filter` are "" if there is none. `plan` is the protocol (e.g. "5-5-1") or the
-    split, or "" if there is neither. `fuses` says whether an integration or a smoothing is trained, too.
-    `extra` says whether the integration is also trained on the sequences of ``protocol.extra``. `settings`
-    maps each part to its settings. `clusters` maps each cue to its descriptor, as text, and its number of
-    cells; both determine the seeds of its codebooks.
+    descriptors. `system` and `filter` are "" if there is none. `plan` is the protocol, such as "5-5-1", or
+    the split; it is "" if there is neither. `fuses` says whether an integration or a smoothing is trained,
+    too. `extra` says whether the integration is also trained on the sequences of ``protocol.extra``.
+    `settings` maps each part to its settings. `clusters` maps each cue to the text of its descriptor and its
+    number of cells, which determine the seeds of its codebooks.
     """
 
     title: str
@@ -75,13 +75,13 @@ def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) ->
 
 
 def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
-    """Return the stages that made the given results and their tables, in the pipeline's order."""
+    """Return the stages that made the given results and their tables, in the order of the pipeline."""
     known = [stage for one in made for stage in one.stages]
     return (*(stage for stage in _ORDER if stage in known), *(_LAST if known else ("tables",)))
 
 
 def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of one result of the toy problem, leaving out those of other schemes."""
+    """Return the settings of a result from the toy problem, leaving out those of other schemes."""
     scheme = next(part for part in name.split("/") if part in toy["schemes"])
     shared = {key: value for key, value in toy.items() if key not in ("schemes", "sensitivity")}
     changed = {} if name.split("/")[0] in ("last", scheme) else {"sensitivity": toy["sensitivity"]}
@@ -89,7 +89,7 @@ def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_cue(name: str, params: Mapping[str, Any], scheme: str = "") -> Made:
-    """Describe a cue in the protocol `scheme`, which is by default the first one of the cue."""
+    """Describe a cue in the protocol `scheme`, by default its first one."""
     own, one = settings.get(params, f"cues.{name}"), _described_cue(name, params)
     scheme = scheme or own["schemes"][0]
     is_tracked = one.settings[f"descriptor of {name}"].get("tracked")
@@ -99,7 +99,7 @@ def _of_cue(name: str, params: Mapping[str, Any], scheme: str = "") -> Made:
 
 
 def _described_cue(name: str, params: Mapping[str, Any]) -> Made:
-    """Describe a cue of params.yaml, without title, stages or plan."""
+    """Describe a cue in params.yaml, without title, stages or plan."""
     own = settings.get(params, f"cues.{name}")
     codebook = None if own["codebook"] is None else settings.get(params, f"codebooks.{own['codebook']}")
     return _described(name, (codebook or own)["descriptor"], own["classifier"], codebook, params)
@@ -133,7 +133,7 @@ def _described(
 
 
 def _together(cues: Iterable[Made], title: str, stages: Iterable[str], **own: Any) -> Made:
-    """Combine several cues into one result, whose own settings precede those of the cues."""
+    """Combine several cues into one result. Its own settings precede those of the cues."""
     cues = list(cues)
     return Made(
         title,
@@ -148,7 +148,7 @@ def _together(cues: Iterable[Made], title: str, stages: Iterable[str], **own: An
 
 
 def _smoothing(params: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of the smoothing, except for the lists of results that it smooths."""
+    """Return the smoothing settings, except for the lists of results to smooth."""
     section = settings.get(params, "smoothing")
     return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
 
@@ -172,7 +172,7 @@ def _of_system(name: str, params: Mapping[str, Any]) -> Made:
 
 
 def _integrator(own: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings of an integration, with its classifier's settings at the top level."""
+    """Return the settings of an integration, with the settings of its classifier at the top level."""
     integrator = own["integrator"]
     rest = {key: value for key, value in integrator.items() if key != "classifier"}
     of_system = {key: own[key] for key in ("temperature", "extra") if key in own}

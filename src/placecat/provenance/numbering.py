@@ -1,4 +1,4 @@
-"""Cell numbers: ``table_26.9.3`` is the ninth row's third column, ``in_text.5`` the text's fifth number."""
+"""Cell numbers: ``table_26.9.3`` is in row 9, column 3; ``in_text.5`` is the fifth number in the text."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -11,18 +11,18 @@ Key = tuple[str, str, str]
 
 
 def ordered(names: Iterable[str]) -> Sequence[str]:
-    """Remove duplicate names, and move the average to the end; otherwise keep their order."""
+    """Remove duplicate names and move the average to the end, but keep the order otherwise."""
     return sorted(dict.fromkeys(names), key=lambda name: name == AVERAGE)
 
 
 def layout(table: pd.DataFrame) -> tuple[dict[str, Sequence[str]], Sequence[str]]:
-    """Return a filled table's rows by group, and its columns, in the order in which the page shows them."""
+    """Return the rows by group and the columns of a filled table, in the order shown on the page."""
     rows = {str(group): ordered(part["row"]) for group, part in table.groupby("group", sort=False)}
     return rows, ordered(table["column"])
 
 
 def numbers(table: pd.DataFrame, name: str) -> Mapping[Key, str]:
-    """Map each cell's labels to its number; rows are counted across groups."""
+    """Map the labels of each cell to its number; rows are counted across groups."""
     if name == in_text.NAME:
         keys = table[in_text.KEY].itertuples(index=False, name=None)
         return {key: f"{name}.{position}" for position, key in enumerate(keys, start=1)}

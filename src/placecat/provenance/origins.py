@@ -1,4 +1,4 @@
-"""The origins of each table cell. The `tables` stage writes them, and the explanations read them."""
+"""The origins of each table cell, written by the `tables` stage and read by the explanations."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -14,16 +14,16 @@ from placecat.thesis.number import Number, Origin
 
 @dataclass(frozen=True)
 class Measurement:
-    """A cell's number for each seed, and its origins.
+    """The number in a cell for each seed, and its origins.
 
     Attributes
     ----------
     values
         The unrounded values, as in :class:`placecat.thesis.number.Number`; () if the cell has no number.
     seeds
-        Name of the seed behind each value, e.g. "seed-0", or "no-seed".
+        Name of the seed behind each value, such as "seed-0", or "no-seed".
     origins
-        The number's origins.
+        The origins of the number.
     """
 
     values: tuple[float, ...]
@@ -32,7 +32,7 @@ class Measurement:
 
 
 def measurement(number: Number, results: Results) -> Measurement:
-    """Add to a number the names of its seeds, which are taken from the results that are its origins."""
+    """Add the names of the seeds to a number; they are taken from the results behind it."""
     values = tuple(map(float, number.values))
     fixed = (NO_SEED,) * len(values)
     if not number.is_random:
@@ -43,7 +43,7 @@ def measurement(number: Number, results: Results) -> Measurement:
 
 
 def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = AXES) -> list[dict[str, Any]]:
-    """Convert the column `number` of a filled table for JSON.
+    """Convert the column `number` of a filled table to JSON types.
 
     The three columns in `key` identify each cell.
     """
@@ -55,7 +55,7 @@ def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = AXES) ->
 
 
 def from_json(rows: Iterable[Mapping[str, Any]]) -> dict[tuple[str, str, str], Measurement]:
-    """Map each cell's labels to its measurement, from the rows of :func:`to_json`."""
+    """Map the labels of each cell to its measurement, from the rows of :func:`to_json`."""
     found = {}
     for row in rows:
         origins = tuple(Origin(result, tuple(homes), part) for result, homes, part in row["origins"])

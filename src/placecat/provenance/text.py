@@ -1,4 +1,4 @@
-"""Write explanations as lines with labels; lines that many cells share are stored only once."""
+"""Explanations as labelled lines. Lines that many cells share are stored only once."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -14,12 +14,12 @@ from placecat.provenance.made import Made
 def explanations(
     cells: Iterable[Explained], params: Mapping[str, Any], data_versions: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Collect all explanations, for JSON.
+    """Collect all explanations as JSON types.
 
-    `params` has all settings. `data_versions` maps each stage that lists frames to DVC's checksum of that
-    list. Returns three entries. Each of the ``lines`` has a label and a text. Each of the ``blocks`` is a
-    list of line numbers, which start at 0. ``cells`` maps the number of each cell to an ordered list that
-    explains it, in which each item is a line or the number of a block.
+    `params` contains all settings. `data_versions` maps each stage that lists frames to DVC's checksum of
+    that list. Returns ``lines``, ``blocks`` and ``cells``. Each line is a label and a text. Each block is a
+    list of line numbers, which start at 0. ``cells`` maps the number of each cell to the ordered list that
+    explains it. Each item of this list is a line or the number of a block.
     """
     pool: dict[Line, int] = {}
     blocks: dict[tuple[int, ...], int] = {}
@@ -47,7 +47,7 @@ def explanations(
 
 
 def settings_text(values: Mapping[str, Any]) -> str:
-    """Format settings on one line, e.g. "gamma=2.0, base.nu=0.2"."""
+    """Format settings on one line, such as "gamma=2.0, base.nu=0.2"."""
     return ", ".join(f"{name}={value}" for name, value in settings.flatten(values).items())
 
 
@@ -101,7 +101,7 @@ def _listed(frames: Frames) -> str:
 def _end(cell: Explained, data_versions: Mapping[str, str]) -> list[Line]:
     lines: list[Line] = []
     if cell.findings:
-        lines.append(("findings", f"{', '.join(cell.findings)} rest on it"))
+        lines.append(("findings", f"{', '.join(cell.findings)} (based on the same results)"))
     lines += [
         ("data", f"{cell.data[0]}, checksum {data_versions[stage]}")
         for stage in cell.stages

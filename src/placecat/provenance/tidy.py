@@ -1,4 +1,4 @@
-"""Collect all cells in one table, in which each row has a cell and its origin."""
+"""A table of all cells, with the origin of each cell in its row."""
 
 import json
 from collections.abc import Iterable
@@ -19,11 +19,11 @@ def tidy(cells: Iterable[Explained]) -> pd.DataFrame:
 
 
 def write(path: Path, table: pd.DataFrame) -> None:
-    """Write a table as Parquet; the same table and version of Arrow give the same bytes."""
+    """Write a table as Parquet; the same table and version of Arrow always produce the same bytes."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    # Remove pandas's metadata, which contain the version of pandas.
+    # Remove the metadata of pandas, which contain its version.
     arrow = pa.Table.from_pandas(table, preserve_index=False).replace_schema_metadata(None)
     with files.replacing(path) as temporary:
         pq.write_table(arrow, temporary, compression="zstd")

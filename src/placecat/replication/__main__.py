@@ -1,4 +1,4 @@
-"""``python -m placecat.replication``: print each finding's power on 24 homes, from the results in git."""
+"""``python -m placecat.replication``: print the power of each finding on 24 homes, from results in git."""
 
 from placecat.files import read_table
 from placecat.paths import COMPARISONS

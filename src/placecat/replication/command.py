@@ -20,10 +20,10 @@ ACCURACIES, POWER = "accuracies.csv", "power.csv"
 
 
 def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
-    """Run a data set's groups of homes and judge the findings on all homes; return the text to print.
+    """Run the groups of homes in a data set and judge the findings on all homes; return the text to print.
 
     `overrides` are Hydra overrides of conf/ that choose the data set. `numbers` are the groups to run, by
-    default all; their results are written to reports/replication, and those of the other groups are read from
+    default all. Their results are written to reports/replication; results of other groups are read from
     there. Raises PlacecatError for invalid settings, too few homes or an unknown group, if `make repro` has
     not run, or if a stage fails.
     """
@@ -34,7 +34,7 @@ def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
     if unknown:
         raise PlacecatError(f"--groups: group {unknown[0]} does not exist: choose from 1 to {len(planned)}")
     if rest:
-        print(f"Not used, since too few for a group of {chosen.group}: {', '.join(rest)}", flush=True)
+        print(f"Not used (too few for a group of {chosen.group}): {', '.join(rest)}", flush=True)
     for group in planned:
         if not numbers or group.number in numbers:
             state = "done" if groups.run(group) else "nothing to do"
@@ -50,7 +50,7 @@ def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
 
 
 def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options) -> str:
-    """Judge the findings from the groups' results in reports/replication.
+    """Judge the findings from the results of all groups in reports/replication.
 
     Writes the ledger of verdicts to the same folder, and returns a summary as text.
     """
@@ -77,7 +77,7 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
     for name, table in tables.items():
         files.write_csv(paths.REPLICATION / name, table)
     files.write_json(paths.REPLICATION_FACTS, facts)
-    # Remove the results of groups left over from a data set with more homes.
+    # Remove results of groups that are left over from a data set with more homes.
     expected = {group_results.folder_of(group.number) for group in planned}
     for folder in set(paths.REPLICATION.glob("group_*")) - expected:
         shutil.rmtree(folder)
@@ -86,7 +86,7 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
 
 
 def _with_others(table: pd.DataFrame, path: Path, key: str) -> pd.DataFrame:
-    """Add the rows that only the project's own ledger has, and mark them with ``replicated`` False."""
+    """Add the rows that are only in the ledger of the project itself, with ``replicated`` set to False."""
     text = table.select_dtypes(exclude="number").columns
     others = files.read_table(path, text)
     others = others[~others[key].isin(table[key])].assign(replicated=False)

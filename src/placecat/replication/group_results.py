@@ -1,4 +1,4 @@
-"""The results of each group of homes, in reports/replication, and of all groups pooled."""
+"""The results of each group of homes in reports/replication, and of all groups together."""
 
 import hashlib
 import json
@@ -20,20 +20,20 @@ _OTHER_DATA = ("splits/", "toy/")
 
 
 def is_of_homes(result: str) -> bool:
-    """Whether a result is measured in the homes, not the university, the apartments or the toy problem."""
+    """Return whether a result is from homes, not from the university, the apartments or the toy problem."""
     return not result.startswith(_OTHER_DATA)
 
 
 def folder_of(number: int) -> Path:
-    """Return the folder of a group's results, which is in git."""
+    """Return the folder with the results of a group, which is in git."""
     return paths.REPLICATION / f"group_{number}"
 
 
 def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, Any]) -> None:
-    """Copy a group's results from the folder of its run to `target`.
+    """Copy the results of a group from the folder of its run to `target`.
 
-    The files there contain the counts of decisions in the group's homes, all tables together, the missing
-    results, how many frames each information filter drops, and the names of the homes with a checksum of the
+    The files contain the decision counts in the homes of the group, all tables as one, the missing results,
+    the number of frames that each information filter drops, and the names of the homes with a checksum of the
     settings.
     """
     scores = files.read_cells(run / paths.SCORES / "scores.csv")
@@ -56,7 +56,7 @@ def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, An
 def _comparable(params: Mapping[str, Any]) -> str:
     """Return a checksum of all settings except the homes; only groups with the same checksum are pooled."""
     dataset = {name: one for name, one in params["dataset"].items() if name not in ("homes", "root")}
-    # Leave out settings with a value for each home, such as cameras and frame rates.
+    # Leave out settings that have a value for each home, such as cameras and frame rates.
     dataset = {
         name: one for name, one in dataset.items() if not (isinstance(one, Mapping) and name != "aliases")
     }
@@ -69,9 +69,9 @@ def pooled(
 ) -> Results:
     """Read the results of all groups, given by number and homes, as if they were one data set.
 
-    `params` are all settings. `others` are the results of the project's own run, of which those on data other
-    than homes are added. Raises PlacecatError if a group's results are missing, or belong to other homes or
-    settings.
+    `params` are all settings. `others` are the results of the project's own run, of which
+    only those on other data are added. Raises PlacecatError if the results of a group are missing, or belong
+    to other homes or settings.
     """
     scores, missing, dropped = [], [], []
     for number, homes in groups:

@@ -1,4 +1,4 @@
-"""Groups of homes; the thesis's protocol runs on each group in a separate folder."""
+"""Groups of homes. The protocol of the thesis runs on each group in a separate folder."""
 
 import hashlib
 import json
@@ -18,7 +18,7 @@ from placecat.errors import PlacecatError
 from placecat.replication import group_results
 from placecat.runs import items, linked_folder, lock, unchanged
 
-# The stages from the homes to the tables, in order, and the project's other files that they need.
+# The stages from the homes to the tables, in order, and the other files of the project that they need.
 STAGES = (
     *("sequences", "features", "tracks", "codebooks", "cues", "integration"),
     *("filtering", "smoothing", "trials", "scores", "tables"),
@@ -40,14 +40,14 @@ class Group:
 
     @property
     def folder(self) -> Path:
-        """The group's working folder, which is not in git."""
+        """The working folder of the group, which is not in git."""
         return paths.REPLICATION_DATA / f"group_{self.number}"
 
 
 def split(params: Mapping[str, Any], size: int) -> tuple[list[Group], tuple[str, ...]]:
-    """Split a data set's homes into groups of `size`, in the order of ``dataset.homes``.
+    """Split the homes of a data set into groups of `size`, in the order of ``dataset.homes``.
 
-    Returns the groups, and the remaining homes, which are too few for another group. Raises PlacecatError if
+    Returns the groups, and any remaining homes that are too few for another group. Raises PlacecatError if
     there are fewer than two groups.
     """
     homes = [str(home) for home in settings.get(params, "dataset.homes")]
@@ -63,7 +63,7 @@ def split(params: Mapping[str, Any], size: int) -> tuple[list[Group], tuple[str,
 
 
 def _restricted(params: Mapping[str, Any], of_group: Sequence[str], homes: Sequence[str]) -> dict[str, Any]:
-    """Restrict the settings to a group's homes, including those that have one value per home."""
+    """Restrict the settings to the homes of a group, including settings with one value per home."""
     dataset = dict(params["dataset"])
     for name, value in dataset.items():
         if isinstance(value, Mapping) and value and set(value) <= set(homes):
@@ -74,7 +74,7 @@ def _restricted(params: Mapping[str, Any], of_group: Sequence[str], homes: Seque
 
 
 def run(group: Group) -> bool:
-    """Run a group's stages and write its results to reports/replication, unless nothing has changed.
+    """Run the stages of a group and write its results to reports/replication, unless nothing has changed.
 
     A killed run continues where it stopped. Returns whether anything ran. Raises PlacecatError if a stage
     fails, `make repro` has not run, or another process runs this group.
@@ -97,7 +97,7 @@ def run(group: Group) -> bool:
 
 
 def _run_stage(folder: Path, stage: str, command: Sequence[str]) -> None:
-    # These variables make the stage end if this process is killed.
+    # These variables make the stage stop if this process is killed.
     environment = os.environ | {"DVC_STAGE": stage, lifeline.DVC: str(os.getpid())}
     status = subprocess.run(command, cwd=folder, env=environment, check=False).returncode
     if status != 0:
@@ -116,7 +116,7 @@ def _is_done(folder: Path, target: Path) -> bool:
 
 
 def _inputs(folder: Path) -> str:
-    """Return a checksum of the stages' settings, code and data (:func:`placecat.runs.unchanged.state`)."""
+    """Return a checksum of the settings, code and data of all stages; see `placecat.runs.unchanged.state`."""
     with chdir(folder):
         state = {path: of_path for stage in STAGES for path, of_path in unchanged.state(stage).items()}
     return hashlib.sha256(json.dumps(state, sort_keys=True).encode()).hexdigest()

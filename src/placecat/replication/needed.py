@@ -1,4 +1,4 @@
-"""Compute how many homes it takes to decide each finding, from the spread between homes in a run."""
+"""Compute how many homes are needed to decide each finding, from the spread between homes in a run."""
 
 import re
 from typing import NamedTuple
@@ -12,12 +12,12 @@ from placecat.paths import COMPARISONS
 from placecat.replication.options import Options
 from placecat.replication.simulation import power, spread
 
-# Largest number of homes to try, and the required probability of a verdict.
+# The largest number of homes to try, and the required probability of a verdict.
 MOST, _WANTED = 240, 0.8
 
 
 class Run(NamedTuple):
-    """The run that provides the spread: its number of homes and the level of its intervals."""
+    """The run from which the spread is taken, with its number of homes and the level of its intervals."""
 
     homes: int
     level: float
@@ -28,9 +28,9 @@ SIX = Run(6, 0.95)
 
 
 class _Comparison(NamedTuple):
-    """A comparison: its share of homes that count, their spread, the claimed range, and the difference.
+    """A comparison, with the share of homes that count, their spread, the claimed range and two differences.
 
-    The difference is given twice, as published and as measured.
+    The differences are the published one and the measured one.
     """
 
     share: float
@@ -45,12 +45,12 @@ def power_table(comparisons: pd.DataFrame, homes: int, options: Options, run: Ru
 
     `homes` is the number of homes in the replication, a multiple of the group size in `options`.
 
-    Returns one row per finding, with its number, the number of its comparisons, units (how many of the
-    replication's homes count, 0 if unknown) and spread (the largest standard deviation between homes, in
-    points). Two further columns appear twice, first on the assumption that the published differences are
-    true, then that the measured ones are: power (the probability of a verdict with `homes` homes) and needed
-    (the number of homes for a power of 80 %, infinite above `MOST`). Numbers are NaN for comparisons of one
-    home, of stays or of shares, and for unpublished differences.
+    Returns one row per finding, with its number, the number of its comparisons, units (how many homes of the
+    replication count, 0 if unknown) and spread (the largest standard deviation between homes, in points).
+    Each row also has power (the probability of a verdict with `homes` homes) and needed (the number of homes
+    for a power of 80 %, infinite above `MOST`). Both appear twice, assuming first that the published
+    differences are true, and then that the measured ones are. Numbers are NaN for comparisons of one home, of
+    stays or of shares, and for unpublished differences.
     """
     rows = []
     for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):
@@ -97,7 +97,7 @@ def _claimed(text: str) -> Range | None:
 
 
 def _power(known: list[_Comparison], effects: list[float], homes: int, level: float) -> float:
-    """Return the probability of the more likely verdict if comparisons are independent."""
+    """Return the probability of the more likely verdict, assuming that comparisons are independent."""
     wide = corrected_level(level, len(known))
     holds, no_failure = 1.0, 1.0
     for one, effect in zip(known, effects, strict=True):

@@ -22,7 +22,7 @@ class Options(Section):
 
 
 def read(path: Path = SETTINGS) -> Options:
-    """Read the settings; raises PlacecatError if one is unknown, missing, out of range or of a wrong type."""
+    """Read the settings; raise PlacecatError if a setting is unknown, missing or invalid."""
     content = conf_file.read(path, tuple(Options.model_fields))
     schema.check(content, Options)
     return Options(**content)

@@ -30,13 +30,14 @@ def judge(
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
     """Judge every finding about homes on the homes of all groups.
 
-    `findings`, `verdict` and `published` are as for :func:`placecat.thesis.findings.ledger`; the level of
-    `options` replaces that of `verdict`. `results` are from all groups, and `groups` lists the homes of each.
+    `findings`, `verdict` and `published` are as for :func:`placecat.thesis.findings.ledger`, but the level in
+    `options` replaces the one in `verdict`. `results` are from all groups, and `groups` lists the homes of
+    each group.
 
-    Returns the ledger's tables of findings and comparisons, without the findings about other data. Both have
-    a further column ``shared``: the share of variance that a group's homes have in common
-    (:func:`placecat.replication.shared.shared_variance`), NaN if unknown; a finding shows the largest share
-    of its comparisons. If this exceeds `options.shared`, the verdict's reason says so.
+    Returns the tables of findings and comparisons in the ledger, without findings about other data. In both,
+    the additional column ``shared`` is the share of variance that homes in a group have in common
+    (:func:`placecat.replication.shared.shared_variance`), or NaN if unknown. For a finding, it is the largest
+    share among its comparisons. If it exceeds `options.shared`, the reason for the verdict says so.
     """
     of_homes = {name: one for name, one in findings.items() if _is_about_homes(read_finding(name, one))}
     rules = {**verdict, "level": options.level}
@@ -46,7 +47,8 @@ def judge(
     main = details[details["reading"] == ""].groupby("finding")["shared"].max()
     rows["shared"] = rows["number"].map(main)
     rows["reason"] = [
-        f"{reason}; homes of a group share {100 * shared:.0f} % of the variance, so it may err more often"
+        f"{reason}; homes of a group share {100 * shared:.0f} % of the variance, "
+        "so the verdict may be wrong more often"
         if shared > options.shared
         else reason
         for reason, shared in zip(rows["reason"], rows["shared"], strict=True)
@@ -71,11 +73,11 @@ def _shared(judged: Judged, group_of: Mapping[str, int]) -> float:
 
 
 def accuracies(results: Results) -> pd.DataFrame:
-    """Summarize each result's accuracies over homes.
+    """Summarize the accuracies of each result over homes.
 
     Returns the columns result, homes (their number), accuracy (mean), deviation (standard deviation between
-    homes), smallest and largest, in percent or points with 2 decimals. Each home counts with its mean over
-    seeds. Results on other data are left out.
+    homes), smallest and largest, in percent or points with 2 decimals. The accuracy of a home is its mean
+    over seeds. Results on other data are left out.
     """
     rows = []
     for name, one in results.measured.items():

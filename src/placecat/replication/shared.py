@@ -1,4 +1,4 @@
-"""The variance that homes in a group have in common, since each is training data for the others."""
+"""The variance that homes in a group have in common, because each is training data for the others."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -7,12 +7,12 @@ from numpy.typing import ArrayLike
 def shared_variance(values: ArrayLike, groups: ArrayLike) -> float:
     """Estimate the share of variance that members of a group have in common.
 
-    `values` and `groups` are (members,): each member's value and the number of its group. The share is the
-    intraclass correlation of a one-way analysis of variance with random groups, (B - W) / (B + (n - 1) W). B
-    and W are the mean squares between and within groups, and n is the number of members per group (an
-    effective number if groups differ in size). The share is at most 1. It is below 0 if groups differ less
-    than expected by chance. It is NaN if there are fewer than two groups, if every group has only one
-    member, or if all values are equal.
+    `values` and `groups` are (members,): the value of each member and the number of its group. The share is
+    the intraclass correlation (B - W) / (B + (n - 1) W) of a one-way analysis of variance with random groups.
+    B and W are the mean squares between and within groups, and n is the number of members per group (an
+    effective number if group sizes differ). The share is at most 1. It is below 0 if groups differ less than
+    expected by chance. It is NaN if there are fewer than two groups, if every group has only one member, or
+    if all values are equal.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Compute, before a run, how likely a number of homes is to give a verdict on a claim."""
+"""Compute, before a run, how likely a verdict on a claim is with a given number of homes."""
 
 import math
 
@@ -19,13 +19,13 @@ def spread(low: float, high: float, homes: int, level: float = 0.95) -> float:
 def power(
     effect: float, deviation: float, homes: int, claimed: Range, *, level: float = 0.95, wide: float = 0.95
 ) -> tuple[float, float]:
-    """Compute the probability of each verdict if the differences in homes are normal and independent.
+    """Compute the probability of each verdict, assuming normal and independent differences in homes.
 
-    `effect` and `deviation` are the mean and standard deviation of the compared difference over homes, in
-    points; `homes` is their number, at least 2; `claimed` is the range that the claim allows. The interval at
-    `level` must lie inside the range for `holds`, and the one at `wide`
-    (`placecat.evaluation.verdict.corrected_level`) must lie outside for `fails`. Returns the probabilities of
-    `holds` and of `fails`, from 4,000 fixed draws of mean and deviation.
+    `effect` and `deviation` are the mean and standard deviation of the difference over homes, in points.
+    `homes` is the number of homes, at least 2, and `claimed` is the range that the claim allows. For `holds`,
+    the interval at `level` must lie inside the range. For `fails`, the interval at `wide`
+    (`placecat.evaluation.verdict.corrected_level`) must lie outside. Returns the probabilities of `holds` and
+    of `fails`, from 4,000 fixed draws of mean and deviation.
     """
     rng = np.random.default_rng(20210)
     means = effect + deviation / math.sqrt(homes) * rng.standard_normal(_DRAWS)

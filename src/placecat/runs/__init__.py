@@ -1,1 +1,1 @@
-"""Keep results correct if a run is killed or started twice, or if its settings change."""
+"""Keep results correct even if a run is killed or started twice, or if its settings change."""

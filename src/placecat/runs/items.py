@@ -1,4 +1,4 @@
-"""Split a stage's output into items, such as cues or homes, and remake only those whose inputs have changed.
+"""Split the output of a stage into items, such as cues or homes, and remake only those with changed inputs.
 
 Each item has a manifest with checksums of its inputs and files, but no times or absolute paths.
 """
@@ -19,15 +19,15 @@ from placecat.runs import lockfile, unchanged
 
 MANIFEST = "manifest.json"
 
-# An item's work: the arguments of each call, and a function that writes the results to a folder.
+# The work for an item: the arguments of each call, and a function that writes the results to a folder.
 Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 
 @dataclass(frozen=True)
 class Inputs:
-    """An item's inputs: all settings it depends on, in JSON types, and the files and folders it reads.
+    """The inputs of an item: all settings it depends on, as JSON types, and the files and folders it reads.
 
-    The checksums of a path inside another item come from that item's manifest.
+    If a path is inside another item, its checksums are taken from the manifest of that item.
     """
 
     settings: Any
@@ -46,9 +46,9 @@ def refresh(
 
     Each item is written under a temporary name and then renamed, so a killed stage can continue where it
     stopped. The code of `stage` (its src/ dependencies in dvc.yaml) is an input of every item. `wanted` maps
-    each item's name, which is also its folder, to its inputs. `make` is called with a name and the folder to
-    write, which does not exist yet. `begin`, unless None, is called with the names of all items to make,
-    before the first is made.
+    the name of each item, which is also its folder, to its inputs. `make` is called with the name and the
+    folder, which does not exist yet. `begin`, unless None, is called first, with the names of all items to
+    make.
     """
     outdated = list(_outdated(stage, folder, wanted))
     if outdated and begin is not None:
@@ -68,7 +68,7 @@ def refresh_together(
     """Like :func:`refresh`, but the tasks of all items share one pool, which keeps all workers busy.
 
     `function` is the same for all items; see :func:`placecat.compute.parallel.in_parallel`. `plan` is called
-    with an item's name. An item is written when its tasks are done.
+    with the name of an item. An item is written when its tasks are done.
     """
     planned = [(name, made_from, *plan(name)) for name, made_from in _outdated(stage, folder, wanted)]
     if not planned:
@@ -99,7 +99,7 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
 
 @contextmanager
 def _item(folder: Path, made_from: str) -> Iterator[Path]:
-    """Yield a temporary folder for an item's files; then add the manifest and rename the folder."""
+    """Yield a temporary folder for the files of an item; then add the manifest and rename the folder."""
     with files.replacing(folder) as temporary:
         yield temporary
         unchanged.check()
@@ -107,7 +107,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove everything but `names` from a folder, e.g. items of other settings; create a missing folder."""
+    """Remove everything but `names` from a folder, such as unwanted items; create a missing folder."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:

@@ -12,8 +12,8 @@ from placecat.runs.lockfile import defined_stages
 def link(folder: Path, paths: Iterable[Path]) -> None:
     """Link project paths into a folder at the same relative paths, replacing existing links.
 
-    `paths` are relative to the current folder, which is the project's. Raises PlacecatError if a path does
-    not exist.
+    `paths` are relative to the current folder, which must be the project folder. Raises PlacecatError if a
+    path does not exist.
     """
     for path in paths:
         if not path.exists():

@@ -14,7 +14,7 @@ from placecat.errors import PlacecatError
 TEMPORARY = Path(".dvc/tmp")
 # DVC's record of the paths that each process reads and writes.
 DVC_IN_USE = TEMPORARY / "rwlock"
-# Seconds that DVC and its stage may take to end after their run was killed.
+# Time in seconds that DVC and its stage may take to end after their run was killed.
 _ENDING = 12.0
 _FOREVER = -1.0
 
@@ -39,7 +39,7 @@ def alone() -> Iterator[None]:
 
 
 def one_at_a_time(stage: str) -> AbstractContextManager[object]:
-    """Wait while another process runs the same stage, perhaps to clean up after its DVC was killed."""
+    """Wait while another process runs the same stage; it may be cleaning up because its DVC was killed."""
     if not TEMPORARY.parent.is_dir():
         return nullcontext()
     TEMPORARY.mkdir(exist_ok=True)
@@ -59,8 +59,8 @@ def waiting(path: Path, said: str) -> AbstractContextManager[object]:
 def of_folder(folder: Path, work: str) -> AbstractContextManager[object]:
     """Lock a folder during a block; create the folder if it is missing.
 
-    If another process holds the lock, raises a PlacecatError. In its message, `work` says what
-    that process does with the folder, e.g. "runs in".
+    Raises PlacecatError if another process holds the lock. In its message, `work` describes what that process
+    does with the folder, such as "runs in".
     """
     folder.mkdir(parents=True, exist_ok=True)
     held = _acquired(folder / ".lock", 2)
@@ -71,7 +71,7 @@ def of_folder(folder: Path, work: str) -> AbstractContextManager[object]:
 
 def _acquired(path: Path, seconds: float, *, is_singleton: bool = False) -> Any:
     """Acquire a lock for a block; return None if another process still holds it after `seconds`."""
-    # Imported late: it takes longer than the rest of a short command.
+    # Imported late: the import takes longer than the rest of a short command.
     from filelock import FileLock, Timeout
 
     try:
@@ -96,7 +96,7 @@ def _wait_for_dvc() -> None:
 
 
 def _dvc_in_use() -> tuple[int, str] | None:
-    """Return the process ID and command of a DVC that is running a stage in this folder, or None."""
+    """Return the process ID and command of a DVC process that is running a stage in this folder, or None."""
     import psutil
 
     try:
@@ -104,7 +104,7 @@ def _dvc_in_use() -> tuple[int, str] | None:
         writers = list(content["write"].values())
         users = [(int(user["pid"]), str(user["cmd"])) for user in writers]
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        # The record is incomplete: its process was killed while writing.
+        # The record is incomplete: DVC was killed while writing it.
         return None
     for process, command in users:
         try:

@@ -18,7 +18,7 @@ def defined_stages() -> dict[str, Any]:
 
 
 def data_version(stage: str = "sequences") -> str:
-    """Return DVC's checksum of the frame list, which contains the source files' checksums.
+    """Return DVC's checksum of the frame list, which contains the checksums of the source files.
 
     `stage` is ``sequences``, or ``site_sequences`` for the additional data sets. Raises PlacecatError if DVC
     has not run the stage.
@@ -37,8 +37,8 @@ def check_data(params: Mapping[str, Any]) -> None:
     described = {dep["path"]: dep.get("md5") for dep in stages.get("features", {}).get("deps", [])}
     if listed != params["dataset"] or described.get(paths.SEQUENCES.as_posix()) != version:
         raise PlacecatError(
-            "the features come from another data set than the one in params.yaml: first run `placecat repro` "
-            "with this data set, or `dvc repro features tracks`"
+            "the features come from a different data set than the one in params.yaml: first run "
+            "`placecat repro` with this data set, or `dvc repro features tracks`"
         )
 
 

@@ -14,11 +14,11 @@ from placecat import files, settings
 from placecat.runs import lock
 from placecat.runs.lockfile import LOCK, defined_stages
 
-# A complete copy of the records so far, because DVC overwrites dvc.lock in place after each stage.
+# A backup of all complete records, needed because DVC overwrites dvc.lock in place after each stage.
 COPY = lock.TEMPORARY / "dvc.lock.whole"
 # Temporary files older than this, in seconds, are abandoned.
 OLD = 24 * 3600.0
-# Temporary names in placecat.files and placecat.runs.dvc, and the folders that contain such files.
+# Temporary names used by placecat.files and placecat.runs.dvc, and the folders that may contain such files.
 _PARTIAL = re.compile(r"\..+\.[0-9a-f]{8}\.partial(\.\w+)?")
 _PARTIAL_IN = (".", "conf", "data", "data/*", "reports", "reports/*", "predictions")
 # Temporary names in the DVC cache.
@@ -30,7 +30,7 @@ _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair the damage done by a killed run; return one line per repair. Call it inside `lock.alone`."""
+    """Repair the damage done by a killed run; return a line per repair. Call this inside `lock.alone`."""
     said = []
     if LOCK.exists():
         text = LOCK.read_text(encoding="utf-8", errors="replace")
@@ -63,7 +63,7 @@ def keep() -> None:
 
 
 def _mended(text: str) -> tuple[str, list[str]]:
-    """Return the content of dvc.lock, completed from the copy, and the stages whose record is in neither."""
+    """Return the content of dvc.lock, completed from the backup, and the stages whose records are lost."""
     # Leave merge conflicts to the user.
     stages = defined_stages()
     if "\n<<<<<<< " in text or not stages:
@@ -71,7 +71,7 @@ def _mended(text: str) -> tuple[str, list[str]]:
     head, blocks = _blocks(text)
     kept_head, kept = _blocks(COPY.read_text(encoding="utf-8")) if COPY.exists() else ("", {})
     last = next(reversed(blocks), None)
-    # Only the end of a file can be missing, so only the last record can be incomplete.
+    # Only the end of the file can be missing, so only the last record can be incomplete.
     whole = {
         name: block
         for name, block in blocks.items()
@@ -91,7 +91,7 @@ def _mended(text: str) -> tuple[str, list[str]]:
 
 
 def _blocks(text: str) -> tuple[str, dict[str, str]]:
-    """Split dvc.lock, as DVC writes it, into its head ("" if the head is cut off) and its stages."""
+    """Split a dvc.lock written by DVC into its head, or "" if the head is truncated, and its stages."""
     head, *rest = re.split(r"^(?=  [^\s#])", text, flags=re.MULTILINE)
     is_head = head.endswith("stages:\n") or (not rest and head.endswith("stages: {}\n"))
     return head if is_head else "", {block.split(":\n", 1)[0].strip(" '\"\n"): block for block in rest}

@@ -14,18 +14,19 @@ from placecat.errors import PlacecatError
 from placecat.runs import lock, mend
 from placecat.runs.lockfile import LOCK, defined_stages
 
-# Seconds that DVC and its stage have to end after Ctrl-C, which the terminal also sends to them.
+# Time in seconds for DVC and its stage to end after Ctrl-C, which the terminal also sends to them.
 _CTRL_C = 3.0
 
 
 def run(*, force: bool = False, **environment: str) -> int:
     """Clean up after a killed run, then run `dvc repro` in the terminal; return its exit status.
 
-    On Ctrl-C or SIGTERM, the stage cleans up, then DVC ends, then this function returns. `force` runs stages
-    even if no dependency has changed; `environment` holds additional environment variables for the stages.
-    Raises PlacecatError if another run is in progress here, or if this folder is not a git repository.
+    On Ctrl-C or SIGTERM, the stage cleans up, then DVC ends, and then this function returns. With `force`,
+    stages run even if no dependency has changed. `environment` contains additional environment variables for
+    the stages. Raises PlacecatError if another run is in progress here, or if this folder is not a git
+    repository.
     """
-    # Make DVC wait while another process reads the project, or it would lose a stage that has just finished.
+    # DVC waits while another process reads the project; otherwise, it would lose a stage that just finished.
     command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]
     # Stages call `python`, so this Python must be first on the path.
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
@@ -56,7 +57,7 @@ class Before:
         self._params, self._lock = _content(paths.PARAMS), _content(LOCK)
 
     def restore(self) -> None:
-        """Restore params.yaml, unless a stage has finished: then the next run needs the new settings."""
+        """Restore params.yaml, unless a stage has finished and the next run needs the new settings."""
         if _content(LOCK) != self._lock or _content(paths.PARAMS) == self._params:
             return
         if self._params is None:
@@ -72,7 +73,7 @@ def _content(path: Path) -> bytes | None:
 
 
 def _check_git() -> None:
-    """Raise a PlacecatError that says what to do if the folder has no git, such as one from a ZIP file."""
+    """Raise a PlacecatError with a remedy if there is no git repository, for example after a ZIP download."""
     configurations = [path for path in (Path(".dvc/config"), Path(".dvc/config.local")) if path.is_file()]
     if not Path(".git").exists() and not any("no_scm" in path.read_text() for path in configurations):
         raise PlacecatError(
@@ -82,7 +83,7 @@ def _check_git() -> None:
 
 
 def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
-    """End DVC after its stage; return DVC's exit status."""
+    """End the stage and then DVC; return DVC's exit status."""
     try:
         processes = psutil.Process(dvc.pid).children(recursive=True)
     except psutil.NoSuchProcess:
@@ -103,7 +104,7 @@ def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
 
 
 def stages() -> list[str]:
-    """List the stages that `dvc repro` runs in a fresh clone: unfrozen ones with an output outside git."""
+    """List the stages that `dvc repro` runs in a fresh clone: unfrozen stages with outputs outside git."""
 
     def is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
         return isinstance(out, str) or any(options.get("cache", True) for options in out.values())

@@ -1,4 +1,4 @@
-"""Reject packages on PYTHONPATH that hide installed ones, since other versions give different numbers."""
+"""Reject packages on PYTHONPATH that hide installed ones, since other versions produce different numbers."""
 
 import importlib.machinery
 import os
@@ -11,7 +11,7 @@ PACKAGES = ("cv2", "numpy", "scipy", "sklearn", "pandas", "joblib", "matplotlib"
 
 
 def check() -> None:
-    """Raise a PlacecatError with its path if a package on PYTHONPATH hides an installed one."""
+    """Raise PlacecatError if a package on PYTHONPATH hides an installed one; the message gives its path."""
     installed = [str(Path(sysconfig.get_path(kind)).resolve()) for kind in ("purelib", "platlib")]
     folders = [folder for folder in os.environ.get("PYTHONPATH", "").split(os.pathsep) if folder]
     folders = [folder for folder in folders if str(Path(folder).resolve()) not in installed]
@@ -22,4 +22,6 @@ def check() -> None:
         other = find(name, folders)
         # A folder without code is not a package.
         if other is not None and other.origin is not None and find(name, installed) is not None:
-            raise PlacecatError(f"PYTHONPATH hides the installed {name} by {other.origin}: unset PYTHONPATH")
+            raise PlacecatError(
+                f"PYTHONPATH hides the installed {name} behind {other.origin}: unset PYTHONPATH"
+            )

@@ -1,4 +1,4 @@
-"""Record the times of stages, collect them for `placecat repro` and keep them in git; no result uses them."""
+"""Record how long stages take, for `placecat repro` and for git. No result depends on these times."""
 
 import os
 import uuid
@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 
 # Environment variable that names the `placecat repro` call in which a stage runs.
 CALL = "PLACECAT_CALL"
-# `runs` is always 1; the files in git keep this column from the time when some stages ran once per home.
+# `runs` is always 1. The column remains from the time when some stages ran once per home.
 COLUMNS = ["stage", "runs", "seconds"]
 
 
@@ -27,7 +27,7 @@ def record(stage: str, seconds: float) -> None:
 
 
 def gather(call: str) -> pd.DataFrame:
-    """Read the wall times of a call's stages, in seconds, longest first; the columns are `COLUMNS`."""
+    """Read the wall times of all stages in a call, in seconds, longest first; the columns are `COLUMNS`."""
     # Files whose names begin with a dot are unfinished.
     records = [files.read_json(path) for path in paths.TIMES.glob("[!.]*.json")]
     table = pd.DataFrame([one for one in records if one["call"] == call], columns=COLUMNS)
@@ -47,7 +47,7 @@ def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_c
 
 
 def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
-    """Return the last full run's times, as in :func:`gather`, and its facts.
+    """Return the times of the last full run, as in :func:`gather`, and facts about it.
 
     Raises PlacecatError if there was no full run.
     """
@@ -59,7 +59,7 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
 
 
 def known() -> dict[str, float]:
-    """Return each stage's seconds in the last full run here or, without one, in the run kept in git."""
+    """Return the seconds of each stage in the last full run here or, without one, in the run kept in git."""
     try:
         by_stage, _ = read_complete()
     except PlacecatError:

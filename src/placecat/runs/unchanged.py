@@ -1,7 +1,7 @@
-"""Check that a stage's settings, code and data do not change while it runs.
+"""Check that the settings, code and data of a stage do not change while it runs.
 
 DVC records settings and dependencies when a stage has ended. Without this check, DVC would record changes
-made while the stage ran, although its results do not depend on them.
+made while the stage ran, although the results do not reflect them.
 """
 
 import contextlib
@@ -16,14 +16,14 @@ _at_start: tuple[str, dict[str, str]] | None = None
 
 
 def start(stage: str) -> None:
-    """Record the state of a stage's dependencies before it reads them. Later calls do nothing."""
+    """Record the state of all dependencies of a stage before it reads them. Later calls do nothing."""
     global _at_start
     if _at_start is None:
         _at_start = (stage, state(stage))
 
 
 def check() -> None:
-    """Raise PlacecatError if anything has changed since :func:`start`; the message gives the first path."""
+    """Raise PlacecatError if anything has changed since :func:`start`; the message names the first path."""
     if _at_start is None:
         return
     stage, before = _at_start
@@ -39,8 +39,8 @@ def check() -> None:
 def state(stage: str) -> dict[str, str]:
     """Return the states of params.yaml and of every file that dvc.yaml lists for a stage, by path.
 
-    The state of settings and code is a checksum; that of other files, which may be large, is their size and
-    modification time.
+    The state of settings and code is a checksum. The state of other files, which may be large, is their size
+    and modification time.
     """
     found = {}
     for dep in [str(paths.PARAMS), *_dependencies(stage)]:
@@ -48,7 +48,7 @@ def state(stage: str) -> dict[str, str]:
         for file in (Path(dep), *Path(dep).rglob("*")):
             if not file.is_file() or "__pycache__" in file.parts:
                 continue
-            # Another process may remove the file now.
+            # Another process may have just removed the file.
             with contextlib.suppress(FileNotFoundError):
                 stat = file.stat()
                 content = files.checksum(file) if by_content else f"{stat.st_size} {stat.st_mtime_ns}"

@@ -1,4 +1,4 @@
-"""The schemas of params.yaml and of an experiment, which reject wrong settings early."""
+"""Schemas for params.yaml and for experiments, which reject wrong settings early."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,8 +18,8 @@ _SHOWN = 80
 def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
     """Raise SettingError if a setting is unknown, missing, of the wrong type or out of range.
 
-    `content` holds the settings in plain containers, and `model` is the section they belong to. The message
-    gives the dotted name of the first wrong setting.
+    `content` contains the settings in plain containers, and `model` is the section they belong to. The
+    message gives the dotted name of the first wrong setting.
     """
     try:
         model.model_validate(content)
@@ -30,7 +30,7 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
 def check_value(value: Any, adapter: TypeAdapter[Any], where: str, context: Any = None) -> None:
     """Raise SettingError if a value has the wrong type or is out of range.
 
-    `adapter` is from :func:`of_type`, `where` is a dotted name, and `context` is for the type's validators.
+    `adapter` is from :func:`of_type`, `where` is a dotted name, and `context` is for validators of the type.
     """
     try:
         adapter.validate_python(value, context=context)
@@ -39,7 +39,7 @@ def check_value(value: Any, adapter: TypeAdapter[Any], where: str, context: Any 
 
 
 def of_type(kind: Any) -> TypeAdapter[Any]:
-    """Make a strict check for values of a type, which also rejects NaN and infinity."""
+    """Make a strict check for values of a type that also rejects NaN and infinity."""
     return TypeAdapter(kind, config=ConfigDict(strict=True, allow_inf_nan=False))
 
 
@@ -47,7 +47,7 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
     """Describe the first mistake in one line."""
     errors = error.errors(include_url=False)
     places = [_place(content, (*before, *one["loc"])) for one in errors]
-    # If a value may have several types, report the nearest type.
+    # If several types are allowed, report the nearest one.
     same = [number for number, place in enumerate(places) if place[: len(places[0])] == places[0]]
     first = max(same, key=lambda number: (len(places[number]), not errors[number]["type"].endswith("_type")))
     place, told = places[first], errors[first]
@@ -77,7 +77,7 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
 
 
 def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
-    """Return a mistake's place, without the type name that pydantic adds to `loc` for unions."""
+    """Return the place of a mistake, without the type name that pydantic adds to `loc` for unions."""
     place: list[str] = []
     for part in loc:
         is_key = isinstance(content, Mapping) and part in content
@@ -88,6 +88,6 @@ def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
 
 
 def _short(value: Any) -> str:
-    """Write a value roughly as YAML would, and cut out the middle of a long one."""
+    """Write a value roughly as YAML would, without the middle if it is long."""
     text = printable(str(value).replace("\n", "\\n"))
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN // 2]}...{text[-_SHOWN // 2 :]}"

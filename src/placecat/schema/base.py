@@ -1,4 +1,4 @@
-"""Types that the sections of the schema share."""
+"""Types shared by the sections of the schema."""
 
 from typing import Annotated, Any, Literal
 
@@ -26,11 +26,11 @@ Window = Annotated[int, Interval(ge=3, le=999), AfterValidator(_odd)]
 Level = Annotated[int, Interval(ge=1, le=16)]
 """Levels of an image pyramid."""
 Levels = Annotated[list[Level], MinLen(1), AfterValidator(_ascending)]
-# Settings that are checked by the function that takes them.
+# Settings that are checked by the function that receives them.
 Own = dict[str, Any]
 Seeds = Annotated[Distinct[Seed], MinLen(1)]
 Schemes = Annotated[Distinct[Literal["5-5-1", "4-5-1"]], MinLen(1)]
-# Names of cues, descriptors and so on; :mod:`placecat.schema.references` checks that they exist.
+# Names of cues, descriptors and so on. :mod:`placecat.schema.references` checks that they exist.
 Keys = Distinct[Key]
 
 

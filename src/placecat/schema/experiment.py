@@ -9,21 +9,21 @@ from placecat.schema.sections import Descriptor
 
 
 class ExperimentFrames(Section):
-    """An experiment's frames; None uses the value in params.yaml."""
+    """The frames of an experiment; None stands for the value in params.yaml."""
 
     offset: Index | None
     step: Count | None
 
 
 class ExperimentCodebook(Section):
-    """An experiment's codebook; None uses the classifier's default."""
+    """The codebook of an experiment; None stands for the default of the classifier."""
 
     cells: Count | None
     tree: Own
 
 
 class Limits(Section):
-    """An experiment's limits, which users may raise."""
+    """The limits of an experiment, which users may raise."""
 
     kernel_rows: Count
 
@@ -34,7 +34,7 @@ class Experiment(Section):
     descriptor: Descriptor
     classifier: Own
     data: Key
-    # In any spelling, even 1 for Home1.
+    # A home may be spelled in any way, even 1 for Home1.
     test_home: str | int | list[str | int]
     judge: Literal["test_home", "training_homes"]
     frames: ExperimentFrames

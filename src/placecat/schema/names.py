@@ -8,10 +8,10 @@ from typing import Annotated, TypeVar
 from pydantic import AfterValidator
 
 _Item = TypeVar("_Item", bound=Hashable)
-# A file name has at most 255 bytes; some are reserved for a prefix and a suffix.
+# A file name has at most 255 bytes. Some of them are reserved for a prefix and a suffix.
 _LONGEST_NAME, _LONGEST_TEXT = 200, 4000
 _KEY = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]*")
-# Values of `protocol.test_homes` that are not names of homes.
+# Values of `protocol.test_homes` that are not home names.
 _RESERVED = ("all",)
 
 
@@ -19,7 +19,7 @@ def _text(text: str) -> str:
     if not text.strip():
         raise ValueError("it is empty")
     if not text.isprintable():
-        raise ValueError("it has a character that cannot be printed: remove the character")
+        raise ValueError("it contains a character that cannot be printed: remove it")
     if len(text.encode()) > _LONGEST_TEXT:
         raise ValueError(f"it is longer than {_LONGEST_TEXT} bytes")
     return text
@@ -58,7 +58,7 @@ def _file_name(text: str) -> str:
 
 def _key(text: str) -> str:
     if not _KEY.fullmatch(text):
-        raise ValueError("it is part of dotted names: use only the letters a-z and A-Z, digits, _ and -")
+        raise ValueError("it is used in dotted names: use only the letters a-z and A-Z, digits, _ and -")
     return _file_name(text)
 
 
@@ -74,10 +74,10 @@ Text = Annotated[str, AfterValidator(_text)]
 Folder = Annotated[str, AfterValidator(_folder)]
 """The path of a data folder that a stage depends on."""
 Label = Annotated[str, AfterValidator(_short)]
-"""A title, a place or a camera: text in tables and figures."""
+"""The name of a place or camera, or a title, as shown in tables and figures."""
 FileName = Annotated[str, AfterValidator(_file_name)]
-"""A home or a sequence: it names files and folders."""
+"""The name of a home or sequence, which is used for files and folders."""
 Key = Annotated[str, AfterValidator(_key)]
-"""A cue, a codebook or a system: it names files and is part of dotted names."""
+"""The name of a cue, codebook or system, which is used for files and in dotted names."""
 Distinct = Annotated[list[_Item], AfterValidator(_distinct)]
 """A list without duplicates."""

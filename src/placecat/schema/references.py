@@ -1,4 +1,4 @@
-"""Check that everything a setting refers to by name, such as a cue or a codebook, exists."""
+"""Check the names in the settings: every cue, codebook or other item that they refer to must exist."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 from placecat import paths
 from placecat.errors import PlacecatError, did_you_mean
 
-# Where a reference stands, the kind and name of its target, and the names that exist.
+# The place of a reference, the kind and name of its target, and the names that exist.
 _Reference = tuple[str, str, str, Collection[str]]
 _SECTIONS = (
     *("cues", "codebooks", "systems", "filters", "splits"),
@@ -15,7 +15,7 @@ _SECTIONS = (
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Raise a PlacecatError that lists the existing names if a reference's target is missing."""
+    """Raise a PlacecatError that lists the existing names if a setting refers to a missing one."""
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
             question, there = did_you_mean(name, valid), ", ".join(valid) or "none"
@@ -23,7 +23,7 @@ def check(params: Mapping[str, Any]) -> None:
 
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
-    # A missing section is skipped here; the stage that reads it reports it.
+    # A missing section is skipped here and reported by the stage that reads it.
     cues, codebooks, systems, filters, splits, descriptors, smoothing, *others = (
         params.get(name) or {} for name in _SECTIONS
     )
@@ -44,15 +44,15 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
         for cue in system["cues"]:
             yield where, "cue", cue, cues
             if system["temperature"]:
-                yield f"{where} has temperature: true", "cue with cross_validate", cue, judged
+                yield f"{where} (temperature: true)", "cross-validated cue", cue, judged
             if system["integrator"]["method"] == "log_pool":
-                yield f"{where} has method: log_pool", "cue with cross_validate", cue, judged
+                yield f"{where} (method: log_pool)", "cross-validated cue", cue, judged
             yield where, f"cue {cue} with the scheme", system["scheme"], cues[cue]["schemes"]
     for name, own in filters.items():
         yield from _each(_file("filter", name), "cue", own["cues"], cues)
         yield from _each(_file("filter", name), "system", own["systems"], systems)
     yield from _each("smoothing.cues", "cue", smoothing.get("cues", []), cues)
-    yield from _each("smoothing.cues", "cue with cross_validate", smoothing.get("cues", []), judged)
+    yield from _each("smoothing.cues", "cross-validated cue", smoothing.get("cues", []), judged)
     filtered = [f"{name}/{one}" for name, own in filters.items() for one in own["cues"] + own["systems"]]
     yield from _each("smoothing.filtered", "filtered result", smoothing.get("filtered", []), filtered)
     local = descriptors.get("local", {})
@@ -64,7 +64,7 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
             yield from _each(where, f"{kind} descriptor", names, descriptors.get(kind, {}))
         for cue in dict.fromkeys(cue for system in split["systems"].values() for cue in system):
             yield where, "cue", cue, cues
-            whose = f"{where} integrates the cue {cue}, but in its descriptors"
+            whose = f"{where}, descriptors for the cue {cue}"
             yield from _of_descriptor(whose, _described(cues[cue], codebooks), split["descriptors"])
     extra = (protocol.get("extra") or {}).get("split") if "splits" in params else None
     if extra is not None:
@@ -72,13 +72,18 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     if "systems" in params and model:
         yield "model.system", "system", model["system"], systems
     if protocol and model:
-        yield "model.seed", "seed of protocol.seeds", model["seed"], [str(seed) for seed in protocol["seeds"]]
+        yield (
+            "model.seed must be in protocol.seeds",
+            "seed",
+            model["seed"],
+            [str(seed) for seed in protocol["seeds"]],
+        )
     tested = protocol.get("test_homes", "all")
     homes = ["all", *dataset.get("homes", [])]
     yield from _each("protocol.test_homes", "home", [tested] if isinstance(tested, str) else tested, homes)
     for name, cue in cues.items():
         if cue["extra"] and extra is not None:
-            where = f"{_file('cue', name)} has extra: true, but in the descriptors of {_file('split', extra)}"
+            where = f"{_file('split', extra)}, descriptors for {_file('cue', name)} (extra: true)"
             yield from _of_descriptor(where, _described(cue, codebooks), splits[extra]["descriptors"])
 
 
@@ -87,7 +92,7 @@ def _each(where: str, kind: str, names: Iterable[str], valid: Collection[str]) -
 
 
 def _described(cue: Mapping[str, Any], codebooks: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return the descriptor of a cue, or of the cue's codebook if it has one."""
+    """Return the descriptor of a cue, or of its codebook if it has one."""
     own = cue if cue["codebook"] is None else codebooks[cue["codebook"]]
     descriptor: Mapping[str, Any] = own["descriptor"]
     return descriptor
@@ -100,7 +105,7 @@ def _file(group: str, name: str) -> str:
 def _of_descriptor(
     where: str, descriptor: Mapping[str, Any] | None, computed: Mapping[str, Collection[str]]
 ) -> Iterator[_Reference]:
-    """Yield references to a cue's or codebook's descriptor and to the colour descriptor appended to it."""
+    """Yield references to the descriptor of a cue or codebook and to the colour descriptor appended to it."""
     if not isinstance(descriptor, Mapping) or not {"kind", "name"} <= set(descriptor):
         raise PlacecatError(f"{where}: descriptor needs kind (local or holistic) and name")
     yield where, "kind of descriptor", descriptor["kind"], ["local", "holistic"]

@@ -1,7 +1,7 @@
 """The schema of each section of params.yaml: names, types and ranges.
 
-The settings of classifiers, estimators, descriptors and figures are the parameters of their functions, which
-:mod:`placecat.schema.signatures` checks.
+The settings of classifiers, estimators, descriptors and figures are the parameters of their functions.
+:mod:`placecat.schema.signatures` checks them.
 """
 
 from collections.abc import Mapping
@@ -38,7 +38,7 @@ class Dataset(Section):
         folded = [home.casefold() for home in self.homes]
         for home, name in zip(self.homes, folded, strict=True):
             if folded.count(name) > 1:
-                raise ValueError(f"homes: {home!r} and another differ only in capital letters: rename one")
+                raise ValueError(f"homes: {home!r} and another differ only in capitalization: rename one")
         for name in self.ignored:
             if name in self.classes:
                 raise ValueError(f"ignored: {name!r} is also a class; remove it from one of the two")
@@ -47,7 +47,7 @@ class Dataset(Section):
     @model_validator(mode="before")
     @classmethod
     def _without_those_of_the_layout(cls, content: Any) -> Any:
-        """Leave out the layout reader's settings, which the reader checks itself."""
+        """Leave out the settings of the layout reader, which the reader checks itself."""
         if not isinstance(content, Mapping) or set(content) <= set(cls.model_fields):
             return content
         own = lookup.parameters("placecat.sequences", str(content.get("layout")), "read_home")
@@ -222,7 +222,7 @@ class Descriptors(Section):
 
 
 class Descriptor(Section):
-    """A cue's or codebook's reference to a descriptor."""
+    """A reference to a descriptor, in a cue or codebook."""
 
     kind: Literal["local", "holistic"]
     name: Key
@@ -268,7 +268,7 @@ class Integrator(Section):
             if (getattr(self, name) is not None) != (self.method == method):
                 raise ValueError(f"{name} is required by method: {method}, and not allowed otherwise")
         if "smallest" in self.model_fields_set and (self.smallest is None or self.method != "log_pool"):
-            raise ValueError("smallest is a number and needs method: log_pool; leave it out for the default")
+            raise ValueError("smallest must be a number, and needs method: log_pool; omit it for the default")
         return self
 
 
@@ -285,7 +285,7 @@ class System(Section):
     @model_validator(mode="after")
     def _without_extra(self) -> "System":
         if self.extra and self.integrator.method == "log_pool":
-            raise ValueError("extra: true does not work with log_pool, which learns from the cues' homes")
+            raise ValueError("extra: true does not work with log_pool: it learns from the homes of the cues")
         return self
 
 
@@ -300,12 +300,12 @@ class Filter(Section):
     @model_validator(mode="after")
     def _one_of_both(self) -> "Filter":
         if (self.threshold is None) == (self.share is None):
-            raise ValueError("it needs a threshold or a share, not both: set the other one to null")
+            raise ValueError("it needs either a threshold or a share, not both: set the other one to null")
         return self
 
 
 class Part(Section):
-    """A split's training sequence."""
+    """A training sequence of a split."""
 
     sequence: FileName
     places: Annotated[Distinct[Label], MinLen(1)] | None
@@ -325,7 +325,7 @@ class Split(Section):
     @model_validator(mode="after")
     def _cues_are_not_judged(self) -> "Split":
         if self.integrator.method == "log_pool":
-            raise ValueError("log_pool does not work with a fixed split, whose cues are not cross-validated")
+            raise ValueError("log_pool does not work with a fixed split, as its cues are not cross-validated")
         return self
 
 
@@ -346,7 +346,7 @@ class Figures(BaseModel):
 
 
 class Points(Section):
-    """The circles' points."""
+    """The points of the circles."""
 
     radius: Positive
     inside: Annotated[float, Interval(gt=0, lt=0.785)]

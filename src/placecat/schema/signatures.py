@@ -1,6 +1,6 @@
-"""Check that the code named in the settings exists and accepts the settings given for it.
+"""Check that the code named in the settings exists and accepts its settings.
 
-The check does not import the code, so it is quick enough to run when settings are composed.
+The check does not import the code, so it is fast enough to run when settings are composed.
 """
 
 from collections.abc import Mapping
@@ -24,14 +24,14 @@ VISION: dict[str, type[Section]] = {
     "information": Information,
     "tracking": Tracking,
 }
-# Estimator parameters that the code sets.
+# Estimator parameters that are set by the code.
 GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed"})
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Check that the code that settings name exists, and that it accepts its settings.
+    """Check that the code named in the settings exists and accepts its settings.
 
-    `params` holds all settings, already checked by :func:`placecat.schema.check`. Raises a PlacecatError
+    `params` contains all settings and was checked by :func:`placecat.schema.check`. Raises a PlacecatError
     that names the wrong setting, the nearest valid name and all valid names.
     """
     for section in ("dataset", "toy", "codebooks", "cues", "systems", "splits"):
@@ -47,8 +47,8 @@ def check(params: Mapping[str, Any]) -> None:
 def check_part(content: Any, where: str) -> None:
     """Check every classifier, clustering and layout in a part of the settings, like :func:`check`.
 
-    A mapping that has ``layout`` is a data set; ``model`` marks a classifier, and ``tree`` a codebook.
-    `where` names the part in messages, e.g. ``cues``.
+    A mapping with ``layout`` is a data set, one with ``model`` is a classifier, and one with ``tree`` is a
+    codebook. `where` is the name of the part in messages, such as ``cues``.
     """
     if not isinstance(content, Mapping):
         return
@@ -68,9 +68,9 @@ def check_part(content: Any, where: str) -> None:
 def check_estimator(options: Mapping[str, Any], where: str) -> str:
     """Check the settings of an estimator of `placecat.learning`; return the name of its class.
 
-    The settings are ``name``, which is the estimator's module, and its parameters except those in `GIVEN`.
-    `where` names the settings in messages, e.g. ``classifier.base``. The PlacecatError for an unknown setting
-    lists the valid ones.
+    The settings are ``name``, which is the module of the estimator, and its parameters except those in
+    `GIVEN`. `where` is the name of the settings in messages, such as ``classifier.base``. The PlacecatError
+    for an unknown setting lists the valid ones.
     """
     if not isinstance(options, Mapping) or "name" not in options:
         raise SettingError(f"{where} needs the setting 'name'")
@@ -84,14 +84,14 @@ def check_estimator(options: Mapping[str, Any], where: str) -> str:
 def check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
     """Check the module and settings of a descriptor; `kind` is ``local`` or ``holistic``."""
     where, own = f"descriptors.{kind}.{name}", dict(entry)
-    # A variant of a descriptor names its module.
+    # A variant of a descriptor gives the name of its module.
     module = own.pop("descriptor", name)
     lookup.require(f"placecat.vision.{kind}", module, f"{where}: {kind} descriptor", "describe")
     _check(own, _taken(f"placecat.vision.{kind}", module, "describe"), where)
 
 
 def check_vision(section: str, options: Mapping[str, Any], where: str) -> None:
-    """Check settings of a section in `VISION`, none of which is required."""
+    """Check the settings of a section in `VISION`; none of them is required."""
     _check(options, _of_section(section), where)
 
 
@@ -100,7 +100,7 @@ def check_parameters(estimator: Any) -> None:
     kind: Any = type(estimator)
     for name, values in _annotated(kind).items():
         value = getattr(estimator, name)
-        # Convert NumPy's numbers.
+        # Convert NumPy numbers.
         schema.check_value(value.item() if hasattr(value, "item") else value, values, name)
 
 
@@ -134,7 +134,7 @@ def _check_figures(figures: Mapping[str, Any]) -> None:
 
 
 class _Setting(NamedTuple):
-    """A setting: whether it is required, and a check of its values."""
+    """Whether a setting is required, and a check of its values."""
 
     is_needed: bool
     values: TypeAdapter[Any]
@@ -149,7 +149,7 @@ def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
 
 @lru_cache
 def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
-    """Return an estimator's settings except those in `GIVEN`, all of them as optional."""
+    """Return the settings of an estimator, except those in `GIVEN`, as optional."""
     taken = _taken(package, name, definition)
     return {name: one._replace(is_needed=False) for name, one in taken.items() if name not in GIVEN}
 

@@ -1,1 +1,1 @@
-"""Search for an experiment's best settings with Optuna, judging them on training homes only."""
+"""Search for the best settings of an experiment with Optuna, judging them on training homes only."""

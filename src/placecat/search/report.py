@@ -11,12 +11,12 @@ from placecat.templates import environment
 
 SUMMARY = "search.md"
 _PROGRAM = ("placecat", "experiment")
-# Settings that differ between search and test, or that keep their default.
+# Settings that differ between search and test, or that always keep their default.
 _REPLACED = ("search", "judge", "test_home", "track", "data=main")
 
 
 def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, str], home: str) -> str:
-    """Write a summary to the sweep's folder; return it as Markdown.
+    """Write a summary to the folder of the sweep; return it as Markdown.
 
     `tried` lists the settings that were tried, beginning with the starts. `base` maps ``descriptor``,
     ``classifier`` and ``data`` to their chosen options. `home` is the test home, which the search did not

@@ -1,4 +1,4 @@
-"""A search space, read from Hydra's overrides, and the settings that the search starts with."""
+"""A search space, read from Hydra overrides, and the settings with which the search starts."""
 
 import importlib.util
 from collections.abc import Mapping, Sequence
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 JUDGE = "training_homes"
 # Source of the first start.
 SETTINGS = "the settings without a search"
-# Only the method's settings are searched; data, homes, seeds and judge belong to the measurement.
+# Only settings of the method are searched; data, homes, seeds and judge belong to the measurement.
 _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
 
@@ -25,10 +25,10 @@ _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 class Space:
     """A search space.
 
-    `distributions` maps keys to Optuna's distributions, which spell choices as Hydra does. `starts` maps the
-    source of each start, such as ``conf/cue/hog_y.yaml``, to its keys and values. `fixed` are the overrides
-    that all experiments share. `digits` is the number of significant digits of floats that Optuna chooses;
-    starts are not rounded.
+    `distributions` maps keys to Optuna distributions, in which choices are spelled as in Hydra. `starts` maps
+    the source of each start, such as ``conf/cue/hog_y.yaml``, to its keys and values. `fixed` contains the
+    overrides that all experiments share. `digits` is the number of significant digits for floats that Optuna
+    chooses; starts are not rounded.
     """
 
     distributions: "dict[str, BaseDistribution]"
@@ -59,7 +59,7 @@ class Space:
 
 
 def check(config: Mapping[str, Any]) -> None:
-    """Check that the search can run, and that its result will mean something.
+    """Check that the search can run, and that its result will be meaningful.
 
     Raises PlacecatError if Optuna is not installed, if ``judge`` is not ``training_homes``, or if there is
     not exactly one test home.
@@ -80,7 +80,7 @@ def check(config: Mapping[str, Any]) -> None:
 
 
 def values(overrides: Sequence[str]) -> dict[str, str]:
-    """Map the overrides' keys to their values."""
+    """Map the keys of overrides to their values."""
     return dict(one.split("=", 1) for one in overrides)
 
 
@@ -95,10 +95,10 @@ def read(
     """Read the space from the configuration and the command line, which takes precedence.
 
     `spans` maps keys to spans as in conf/search, such as ``interval(0.1, 2)`` or ``choice(a, b)``.
-    `arguments` are overrides; a key that has a single value there is not searched. `config` is the first
-    start: the experiment composed without the searched settings, but with Hydra's. `params` is the content of
-    params.yaml; see :func:`find_starts`. Raises PlacecatError if nothing is searched, if a key does not
-    belong to the method, or if a start lies outside the space.
+    `arguments` are overrides; a key with a single value there is not searched. `config` is the first start:
+    the experiment composed without the searched settings, including Hydra's own settings. `params` is the
+    content of params.yaml; see :func:`find_starts`. Raises PlacecatError if nothing is searched, if a key
+    does not belong to the method, or if a start lies outside the space.
     """
     parser = OverridesParser.create()
     written = [*(f"{key}={value}" for key, value in spans.items()), *arguments]
@@ -130,7 +130,7 @@ def read(
 def _distribution(
     override: Override, found: Mapping[str, Any], parser: OverridesParser
 ) -> "tuple[BaseDistribution, dict[str, Any]]":
-    """Return a setting's distribution, and its value in each start as Optuna represents it."""
+    """Return the distribution of a setting, and its value in each start as Optuna represents it."""
     from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
     from optuna.trial import create_trial
 
@@ -161,8 +161,8 @@ def _distribution(
             create_trial(params={key: value}, distributions={key: distribution}, value=0.0)
         except ValueError:
             raise PlacecatError(
-                f"{override.input_line} does not contain {found[name]}, the value of {name}, which is tried "
-                "first so that the result is at least as good: widen the range"
+                f"{override.input_line} does not contain {found[name]}, the value of {name}: widen "
+                "the range, since this value is tried first"
             ) from None
     return distribution, as_known
 
@@ -170,12 +170,12 @@ def _distribution(
 def find_starts(
     keys: Sequence[str], config: DictConfig, params: Mapping[str, Any]
 ) -> dict[str, dict[str, Any]]:
-    """Find the settings to start a search with.
+    """Find the settings with which a search starts.
 
-    Maps each start's source to the start's values for the searched keys. `config` is the first start: the
-    experiment composed without the searched settings, but with Hydra's. Raises PlacecatError for a key that
-    `config` lacks. Cues of `params` that have the experiment's descriptor and
-    classifier but other settings are also starts, since conf/cue has the thesis's best settings.
+    Maps the source of each start to its values for the searched keys. `config` is the first start: the
+    experiment composed without the searched settings, including Hydra's own settings. Raises PlacecatError
+    for a key that `config` lacks. Cues in `params` that have the same descriptor and classifier as the
+    experiment but other settings are also starts, since conf/cue has the best settings of the thesis.
     """
     first = {key: _value(key, config) for key in keys}
     found = {SETTINGS: first}
@@ -187,7 +187,7 @@ def find_starts(
 
 
 def _value(key: str, config: DictConfig) -> Any:
-    """Return a setting's value, or a group's chosen option."""
+    """Return the value of a setting, or the chosen option of a group."""
     choices = config.hydra.runtime.choices
     if key in choices:
         return choices[key]
@@ -201,7 +201,7 @@ def _value(key: str, config: DictConfig) -> Any:
 def _of_cue(
     cue: Mapping[str, Any], params: Mapping[str, Any], config: DictConfig, keys: Sequence[str]
 ) -> dict[str, Any]:
-    """Return a cue's searched classifier settings; {} if the cue has another descriptor or classifier."""
+    """Return the searched classifier settings of a cue; {} if it has another descriptor or classifier."""
     codebook = cue.get("codebook")
     descriptor = cue["descriptor"] if codebook is None else params["codebooks"][codebook]["descriptor"]
     wanted = {f"descriptor.{name}": value for name, value in descriptor.items()}

@@ -10,7 +10,7 @@ from placecat.search.space import Space
 
 @dataclass(frozen=True)
 class Tried:
-    """Settings that were tried: an experiment's number, overrides, and accuracy in percent or None."""
+    """Settings that were tried: the number, overrides and accuracy (in percent, or None) of an experiment."""
 
     number: int
     overrides: tuple[str, ...]
@@ -29,21 +29,21 @@ def search(
     """Search for the settings with the highest accuracy, using Optuna's tree-structured Parzen estimator.
 
     The first trials are the starts, so the best settings are at least as good as each start. Repeated
-    settings are not run again, since they would give the same accuracy. Returns all settings that were run,
-    in order. Raises PlacecatError if `n_trials` or `batch_size` is too small, or if no experiment has an
+    settings are not run again, since their accuracy would be the same. Returns all settings that were run, in
+    order. Raises PlacecatError if `n_trials` or `batch_size` is too small, or if no experiment has an
     accuracy by the time the sampler starts to use results.
 
     Parameters
     ----------
     run
-        Function that takes experiments' overrides and the first experiment's number, and runs them. It
-        returns their accuracies in percent, or NaN for an experiment that has none.
+        Function that runs experiments, given their overrides and the number of the first one. It returns
+        their accuracies in percent, or NaN for an experiment that has none.
     n_trials
         Number of trials, including starts and repeated settings.
     batch_size
-        Number of settings to choose at once, before any of their results are known.
+        Number of settings to choose at once, before their results are known.
     n_startup_trials
-        Number of trials before the sampler uses results; except for the starts, they are drawn at random.
+        Number of trials before the sampler uses results. They are drawn at random, except for the starts.
     """
     for name, value, least in (("n_trials", n_trials, len(space.starts)), ("batch_size", batch_size, 1)):
         if value < least:
@@ -68,7 +68,7 @@ def search(
         done = asked + len(batch)
         if done >= min(n_startup_trials, n_trials) and all(one.accuracy is None for one in known.values()):
             raise PlacecatError(
-                f"none of the first {len(known)} experiments of the search gave an accuracy: see the "
+                f"none of the first {len(known)} experiments of the search has an accuracy: see the "
                 "reasons in their result.json"
             )
         for trial, one in zip(batch, chosen, strict=True):

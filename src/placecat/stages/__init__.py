@@ -1,4 +1,4 @@
-"""The DVC stages, each in a module of the same name. Stages read and write files; other packages compute."""
+"""The DVC stages, one module per stage. They read and write files; other packages compute."""
 
 import argparse
 import inspect
@@ -16,16 +16,15 @@ from placecat.compute import lifeline
 from placecat.errors import PlacecatError, exiting
 from placecat.runs import lock, mend, shadowed, unchanged
 
-# A stage imports this package first, so the measured time includes the stage's imports.
+# A stage imports this package first, so that the measured time includes its other imports.
 _STARTED = time.perf_counter()
 
 
 def _use_common_kernels() -> None:
     """Make OpenBLAS use its AVX2 kernels, which all current x86-64 processors support.
 
-    By default OpenBLAS picks kernels for the processor, and their sums differ in the last bits. The kernels
-    must be chosen before NumPy is imported, so importing this package chooses them. OPENBLAS_CORETYPE
-    overrides the choice.
+    By default, OpenBLAS picks kernels for the processor, and their sums differ in the last bits. The choice
+    must be made before NumPy is imported, so this package makes it on import. OPENBLAS_CORETYPE overrides it.
     """
     if os.environ.get("OPENBLAS_CORETYPE") or platform.machine() not in ("x86_64", "AMD64"):
         return
@@ -38,9 +37,9 @@ _use_common_kernels()
 
 
 def _end(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
-    """Report an error in a stage's imports.
+    """Report an error that occurs in the imports of a stage.
 
-    A user's mistake gets a message, and any other error a traceback. Ctrl-C is not reported.
+    For a user error, print only the message; for any other error, print a traceback. Ctrl-C is not reported.
     """
     if issubclass(kind, PlacecatError):
         print(f"placecat: {error}", file=sys.stderr)
@@ -53,7 +52,7 @@ sys.excepthook = _end
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 shadowed.check()
 
-# Start before importing the stage's code, which may change a moment later. Workers skip this.
+# Start before the code of the stage is imported, since it may change a moment later. Workers skip this.
 if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
     unchanged.start(os.environ["DVC_STAGE"])
 
@@ -61,10 +60,10 @@ if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
-    The settings determine whether the stage's loops run on this machine or on a cluster
-    (:mod:`placecat.compute`). After a user's mistake, or if its dependencies change while it runs
-    (:mod:`placecat.runs.unchanged`), the stage exits with a message and status 1, without a traceback. On
-    success, it writes its running time to data/times (:mod:`placecat.runs.times`).
+    The settings determine whether the loops of the stage run on this machine or on a cluster
+    (:mod:`placecat.compute`). The stage exits with a message and status 1, without a traceback, after a user
+    error, or if its dependencies change while it runs (:mod:`placecat.runs.unchanged`). On success, it writes
+    its running time to data/times (:mod:`placecat.runs.times`).
     """
     from placecat.config.check import check
 
@@ -82,7 +81,7 @@ def run(stage: Callable[[], None]) -> None:
         with compute.as_set():
             stage()
         unchanged.check()
-        # Import this late, since it imports NumPy.
+        # Imported late: it imports NumPy.
         from placecat.runs import times
 
         times.record(name, time.perf_counter() - _STARTED)

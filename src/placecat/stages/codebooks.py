@@ -1,4 +1,4 @@
-"""Stage `codebooks`: cluster each training set once per seed, for all numbers of clusters and classifiers."""
+"""Stage `codebooks`: cluster each training set once per seed, for all cluster numbers and classifiers."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,7 +14,7 @@ from placecat.training.cue import Cue, cluster, read_frames
 
 
 def main() -> None:
-    """Cluster every codebook's descriptors once for each seed and each training set of its schemes."""
+    """Cluster the descriptors of every codebook, once per seed and training set of its schemes."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [settings.get(params, name) for name in ("dataset.name", "dataset.homes")]
@@ -32,7 +32,7 @@ def main() -> None:
 
 
 def plan(name: str, params: Mapping[str, Any]) -> items.Work:
-    """Plan one codebook's clusterings: one for each seed and each training set of its schemes."""
+    """Plan the clusterings of one codebook: one per seed and training set of its schemes."""
     codebook = settings_of(params, name)
     cue = Cue(codebook["descriptor"], {}, codebook)
     tested = settings.get(params, "protocol.test_homes")
@@ -52,7 +52,7 @@ def plan(name: str, params: Mapping[str, Any]) -> items.Work:
 
 
 def make_one(plan: plans.Plan, cue: Cue, seed: int) -> dict[str, Any]:
-    """Cluster one training set's frames; return the codebook's arrays."""
+    """Cluster the frames of one training set; return the codebook as arrays."""
     return cluster(read_frames(plan.cues, cue.descriptor), plan, cue, seed).to_arrays()
 
 

@@ -58,7 +58,7 @@ def tasks(name: str, params: Mapping[str, Any]) -> dict[tuple[str, str, str], tu
 
 
 def plan(name: str, params: Mapping[str, Any]) -> items.Work:
-    """Plan one cue's training in every fold of its schemes, and name its result files."""
+    """Plan the training of one cue in every fold of its schemes, and name its result files."""
     of_cue = tasks(name, params)
 
     def write(folder: Path, results: list[dict[str, Any]]) -> None:
@@ -72,7 +72,7 @@ def plan(name: str, params: Mapping[str, Any]) -> items.Work:
 def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: bool) -> dict[str, Any]:
     """Train one cue as planned; return its distributions for the frames that later stages need.
 
-    `clusters` is the cue's codebook file; None if the cue has no codebook.
+    `clusters` is the codebook file of the cue, or None if it has no codebook.
     """
     codebook = None if clusters is None else cues.Codebook.from_arrays(files.read_arrays(clusters))
     frames = read_frames(plan.cues, cue.descriptor)

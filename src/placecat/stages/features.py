@@ -1,4 +1,4 @@
-"""Stage `features`: compute every descriptor in one pass over each home's frames."""
+"""Stage `features`: compute all descriptors in one pass over the frames of each home."""
 
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
@@ -30,7 +30,7 @@ def main() -> None:
 
 
 def inputs(home: str, read: Any) -> items.Inputs:
-    """Return the inputs of a home's features: settings, frame lists and the checksums of source files."""
+    """Return the inputs for the features of a home: settings, frame list and checksums of source files."""
     listed = paths.sequences(home)
     return items.Inputs(read, (listed / "frames.csv", listed / "sources.csv", listed / "home.json"))
 
@@ -49,9 +49,9 @@ def plan(
 ) -> items.Work:
     """Plan the tasks for :func:`describe` that cover all frames of a home.
 
-    `home` is as in :func:`placecat.paths.features`, `root` the folder of the data set, and `options` from
-    :func:`feature_options`. `variants` holds variants of the salient regions, and the frames to describe with
-    them, as in conf/region_variants.
+    `home` is as in :func:`placecat.paths.features`, `root` is the folder of the data set, and `options` are
+    from :func:`feature_options`. `variants` contains variants of the salient regions, and the frames to
+    describe with them, as in conf/region_variants.
     """
     frames = listing.read_frames(home)
     also, rows = {}, np.arange(0)
@@ -61,7 +61,7 @@ def plan(
             for name, variant in variants["variants"].items()
         }
         rows = np.arange(variants["frames"]["offset"], len(frames), variants["frames"]["step"])
-    # Reaching a part of a video requires decoding all frames before it, so use few parts.
+    # To reach a part of a video, all frames before it must be decoded, so use few parts.
     is_video = bool((frames["position"] >= 0).any())
     chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
     size, varied = listing.frame_size(home), set(rows.tolist())
@@ -84,7 +84,7 @@ def plan(
 
 
 def describe_home(home: str, root: Path, options: Mapping[str, Any], folder: Path) -> None:
-    """Write the descriptors of one home's frames to a folder; parameters are as in :func:`plan`."""
+    """Write the descriptors of all frames of a home to a folder; parameters are as for :func:`plan`."""
     tasks, write = plan(home, root, options)
     write(folder, parallel.in_parallel(describe, tasks, f"features of {home}"))
 
@@ -97,9 +97,9 @@ def describe(
     variants: Mapping[str, Any],
     rows: Collection[int],
 ) -> dict[str, np.ndarray]:
-    """Describe some of a home's frames; those in `rows` are also described with each region variant.
+    """Describe some frames of a home; those in `rows` are also described with each region variant.
 
-    Each array's first axis is the frame; the variants' arrays contain only the frames in `rows`.
+    The first axis of each array is the frame. Arrays of variants contain only the frames in `rows`.
     """
     keep_freed_memory()
     more = {**options, "variants": variants}
@@ -109,7 +109,7 @@ def describe(
 
 
 def _names(described: Sequence[Mapping[str, np.ndarray]]) -> list[str]:
-    """Return the names of all arrays in order; some parts lack the variants' arrays."""
+    """Return the names of all arrays in order; some parts have no arrays of variants."""
     return list(dict.fromkeys(name for one in described for name in one))
 
 

@@ -1,4 +1,4 @@
-"""Stage `figures`: draw the thesis's figures and additional ones, as far as the data allow."""
+"""Stage `figures`: draw the figures of the thesis and additional ones, if the data allow it."""
 
 import logging
 
@@ -23,7 +23,7 @@ def main() -> None:
             except SettingError:
                 raise
             except PlacecatError as error:
-                # Leave out a figure that cannot be drawn from these data.
+                # This figure cannot be drawn from these data.
                 logging.warning("%s is left out: %s", name, error)
                 entries.append(entry | {"file": None, "reason": str(error)})
         files.write_json(folder / "figures.json", entries)

@@ -49,7 +49,7 @@ def main() -> None:
 
 
 def _threshold(options: Mapping[str, Any], training: Sequence[str]) -> float:
-    """Return a filter's threshold, or compute it from the filter's share and the labelled training frames."""
+    """Return the threshold of a filter, or compute it from its share and the labelled training frames."""
     if options.get("threshold") is not None:
         return float(options["threshold"])
     seen = [_information(home)[listing.read_labels(home) >= 0] for home in training]
@@ -61,13 +61,13 @@ def _information(home: str) -> NDArray[np.float32]:
 
 
 def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str, Path]:
-    """Return the folder of each cue and system that a filter is applied to."""
+    """Return the folders of the cues and systems that a filter is applied to."""
     cues = {cue: paths.CUES / cue / settings.get(params, f"cues.{cue}.schemes")[0] for cue in options["cues"]}
     return cues | {system: paths.INTEGRATION / system for system in options["systems"]}
 
 
 def filter_home(source: Path, home: str, threshold: float) -> dict[str, np.ndarray]:
-    """Return one home's filtered distributions, and the unfiltered arrays that smoothing needs."""
+    """Return the filtered distributions of one home, and the unfiltered arrays that smoothing needs."""
     found = files.read_arrays(source)
     sequences = listing.sequence_slices(home)
     held = hold(found["test"], _information(home), threshold=threshold, sequences=sequences)

@@ -1,4 +1,4 @@
-"""Stage `findings`: judge the thesis's claims against the measurements."""
+"""Stage `findings`: compare the claims of the thesis with the measurements."""
 
 from placecat import files, paths, settings
 from placecat.results.collect import read_results

@@ -1,4 +1,4 @@
-"""Stage `integration`: fuse the cues' distributions into one."""
+"""Stage `integration`: fuse the distributions of several cues into one."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -17,7 +17,7 @@ from placecat.training.saved import CueResults
 
 
 def main() -> None:
-    """Train and apply every system's integration."""
+    """Train and apply the integration of every system."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [homes, settings.get(params, "dataset.classes"), settings.get(params, "protocol")]
@@ -35,7 +35,7 @@ def main() -> None:
 
 
 def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
-    """Train and apply one system's integration in every fold of its scheme, for every seed."""
+    """Train and apply the integration of one system in every fold of its scheme, for every seed."""
     system = settings.get(params, f"systems.{name}")
     tested = settings.get(params, "protocol.test_homes")
     random = [cue for cue in system["cues"] if settings.get(params, f"cues.{cue}.codebook") is not None]

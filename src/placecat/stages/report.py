@@ -20,7 +20,7 @@ from placecat.stages import run
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import read
 
-# Columns to read as text, even if the text looks like a number, such as section 4.10.
+# Columns to read as text, even if it looks like a number, such as section 4.10.
 _TEXT = ("name", "section", "quantity", "home", "note")
 
 
@@ -85,7 +85,7 @@ def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
 
 
 def _if_kept(show: Callable[..., dict[str, Any] | None], *kept: Path) -> dict[str, Any] | None:
-    """Show results that git keeps as files of facts and tables; return None if a file is missing."""
+    """Show results from the given facts and tables, which are in git; return None if a file is missing."""
     facts, *tables = kept
     return show(files.read_json(facts), *tables) if all(path.is_file() for path in kept) else None
 
@@ -105,7 +105,7 @@ def _speed(facts: dict[str, Any], table: Path) -> dict[str, Any]:
 
 
 def _scale(facts: dict[str, Any], *tables: Path) -> dict[str, Any]:
-    """Show the run at the scale of the real home database."""
+    """Show the run on data as large as the real home database."""
     measured, growth = (files.read_table(path, SCALE_TEXT) for path in tables)
     return shown_scale(measured, growth, facts) | {"chart": png_of(growth_chart, measured)}
 

@@ -22,9 +22,9 @@ from placecat.training import protocol
 def main() -> None:
     """Write scores.csv and missing.csv for the main pipeline, the splits, the trials and the toy problem.
 
-    Also write three other files. stays.csv has the splits' scores per stay, dropped.csv has the number of
-    frames that each information filter drops, and probabilities.csv has the quality of the probabilities of
-    the main pipeline and the splits.
+    Three more files are written: stays.csv with the scores of the splits per stay, dropped.csv with the
+    number of frames that each information filter drops, and probabilities.csv with the quality of the
+    probabilities in the main pipeline and the splits.
     """
     params = settings.load()
     rows, by_stay, untested, qualities = ([] for _ in range(4))
@@ -52,7 +52,7 @@ def main() -> None:
 
 
 def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quality]:
-    """Count one result's decisions in its test homes, and measure the quality of its distributions."""
+    """Count the decisions of one result in its test homes, and measure the quality of its distributions."""
     labels = {home: listing.read_labels(source.listed(home)) for home in source.homes}
     parts = {home: listing.sequence_slices(source.listed(home)) for home in source.homes}
     confusion, quality = [], []
@@ -69,7 +69,7 @@ def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quali
 
 
 def measure_stays(source: Source) -> Measured:
-    """Count one result's decisions for each stay in its test homes."""
+    """Count the decisions of one result for each stay in its test homes."""
     names, by_seed, stays = [], [], {}
     for home in source.homes:
         name = source.listed(home)

@@ -22,7 +22,7 @@ def main() -> None:
 
 
 def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
-    """Check a data set's homes and list their frames in `target`; messages call the data set `setting`."""
+    """Check the homes of a data set, called `setting` in messages, and list their frames in `target`."""
     root = Path(dataset["root"])
     if not root.is_dir():
         raise PlacecatError(
@@ -31,7 +31,7 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
         )
     if not dataset["homes"]:
         raise PlacecatError(f"{setting}.homes is empty: name the homes to use")
-    # Only decoding a video shows which frames are readable.
+    # A video must be decoded to find out which of its frames are readable.
     tasks = [(Path.cwd(), dataset, name) for name in dataset["homes"]]
     with files.replacing(target) as folder:
         homes = parallel.stream(_open, tasks, "sequences", unit="homes", locally=True)
@@ -55,14 +55,14 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     if dataset["require_all_classes"]:
         require_classes(labels, classes, home.name)
     elif not (labels >= 0).any():
-        raise PlacecatError(f"{home.name} has no frame of any class: remove it from dataset.homes")
+        raise PlacecatError(f"{home.name} has no frames of any class: remove it from dataset.homes")
     folder.mkdir(parents=True)
     files.write_csv(folder / "frames.csv", home.frames.drop(columns="label"))
     table = pd.DataFrame({"label": home.frames["label"], "class": labels.astype(np.int64)})
     files.write_csv(folder / "labels.csv", table)
     files.write_csv(folder / "sources.csv", _checksums(home))
     facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
-    # Only damaged footage, or footage with a varying frame rate, has these facts.
+    # Only footage that is damaged or has a varying frame rate has these facts.
     odd = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
     facts |= {name: value for name, value in odd.items() if value}
     if not home.is_even:
@@ -71,7 +71,7 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
 
 
 def _checksums(home: Home) -> pd.DataFrame:
-    """Return the SHA-256 of each source file of a home, in frame order; a bag may be a folder."""
+    """Return the SHA-256 checksum of each source file of a home, in frame order; a bag may be a folder."""
     sources = [home.root / source for source in dict.fromkeys(home.frames["source"])]
     listed = [file for path in sources for file in (sorted(path.iterdir()) if path.is_dir() else [path])]
     rows = [(path.relative_to(home.root).as_posix(), files.checksum(path)) for path in listed]

@@ -14,7 +14,7 @@ from placecat.training.saved import smooth_home
 
 
 def main() -> None:
-    """Smooth the results of all systems, and of those cues and filters that the settings list."""
+    """Smooth the results of all systems, and of the cues and filters listed in the settings."""
     params = settings.load()
     tested = settings.get(params, "protocol.test_homes")
     model = smoothing_settings(params)
@@ -31,7 +31,7 @@ def main() -> None:
 
 
 def sources(params: Mapping[str, Any]) -> dict[str, tuple[Path, str]]:
-    """Map the name of each smoothed result to a pair: the folder of its input, and its protocol."""
+    """Map the name of each smoothed result to its input folder and its protocol."""
     smoothing, systems = settings.get(params, "smoothing"), settings.get(params, "systems")
     found = {name: (paths.INTEGRATION / name, system["scheme"]) for name, system in systems.items()}
     for cue in smoothing["cues"]:

@@ -1,4 +1,4 @@
-"""Stage `splits`: train and test everything from cues to smoothing on fixed splits (thesis 4.9, 4.10)."""
+"""Stage `splits`: train and test cues, integration and smoothing on fixed splits (thesis 4.9 and 4.10)."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -38,12 +38,12 @@ def main() -> None:
 
 
 def _cues(split: Mapping[str, Any]) -> list[str]:
-    """Return the names of the cues in a split's systems."""
+    """Return the names of all cues in the systems of a split."""
     return list(dict.fromkeys(cue for system in split["systems"].values() for cue in system))
 
 
 def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
-    """Train on the split's training parts and test on its test sequences, for every seed."""
+    """Train on the training sequences of a split and test on its test sequences, for every seed."""
     own, plan = settings.get(params, f"splits.{split}"), plans.of_split(params, split)
     used = {name: Cue.of(params, name) for name in _cues(own)}
     seeds = list(settings.get(params, "protocol.seeds"))
@@ -75,7 +75,7 @@ def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
 
 
 def apply_cue(plan: plans.Plan, cue: Cue, seed: int | None) -> tuple[Probabilities, Probabilities]:
-    """Train one cue; return its distributions for all tested frames and the integration's training frames."""
+    """Train one cue; return its distributions for training the integration and for all tested frames."""
     numbers = [cue.classifier["clusters"]] if cue.codebook is not None else None
     trained = train(plan, cue, seed, numbers=numbers)
     return trained.predict_chosen(plan.integration), {
@@ -89,7 +89,7 @@ def apply_system(
     integrator: Mapping[str, Any],
     smoothing: Mapping[str, Any],
 ) -> dict[str, Probabilities]:
-    """Integrate the cues' outputs and smooth the decisions for every tested sequence."""
+    """Integrate the outputs of all cues and smooth the decisions for every tested sequence."""
     fused = fuse(plan.integration, [train for train, _ in outputs], plan.classes, integrator)
     assert fused.cross_validated is not None
     model = fit_smoothing(plan.integration, fused.cross_validated, fused.truth, smoothing)

@@ -1,4 +1,4 @@
-"""Stage `tables`: write all accuracies, and compare the thesis's numbers with those of this run."""
+"""Stage `tables`: write all accuracies, and compare the numbers of the thesis with those of this run."""
 
 import pandas as pd
 

@@ -17,11 +17,11 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Train the schemes on each seed's points, and test them on new points.
+    """For each seed, train the schemes on random points and test them on new points.
 
     The results are named ``toy/parallel`` and ``toy/sequential``. Those in ``toy/last/...`` count only points
-    of the class that the sequential scheme decides last. Other radii and other decision rules of the
-    sequential scheme give ``toy/RADIUS/parallel`` and ``toy/RADIUS/sequential/DECISION``.
+    of the class that the sequential scheme decides last. Results with other radii and decision rules are
+    named ``toy/RADIUS/parallel`` and ``toy/RADIUS/sequential/DECISION``.
     """
     toy = settings.get(settings.load(), "toy")
     numbers = toy["training"], toy["testing"]
@@ -55,7 +55,7 @@ def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -
 def compare(
     schemes: Mapping[str, Any], points: Mapping[str, float], training: int, testing: int, seed: int
 ) -> dict[str, np.ndarray]:
-    """Return each scheme's confusion matrix on a seed's test points.
+    """Return the confusion matrix of each scheme on the test points of a seed.
 
     ``last/SCHEME`` counts only points of the class that the sequential scheme decides last.
     """

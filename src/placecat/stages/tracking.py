@@ -1,4 +1,4 @@
-"""Stage `tracking`: log tables, figures and findings to MLflow; each table's rows become nested runs."""
+"""Stage `tracking`: log tables, figures and findings to MLflow; rows of a table become nested runs."""
 
 import json
 from collections.abc import Mapping
@@ -19,7 +19,7 @@ from placecat.thesis.tables import folder_of, read
 
 
 def main() -> None:
-    """Log the tables to MLFLOW_TRACKING_URI, or to mlflow.db in the project's folder."""
+    """Log the tables to MLFLOW_TRACKING_URI, or to mlflow.db in the project folder."""
     params = settings.load()
     results, trials = read_results(params), trials_of(params)
 
@@ -52,7 +52,7 @@ def main() -> None:
 
 
 def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the settings behind a table's numbers; changes to other settings do not supersede the table."""
+    """Return the settings that affect a table; changes to other settings do not supersede it."""
     shown: dict[str, Any] = {"protocol": params["protocol"]}
     if "trial" in table:
         return shown | {

@@ -1,4 +1,4 @@
-"""Stage `tracks`: track each home's salient regions and describe them (thesis 4.7)."""
+"""Stage `tracks`: track the salient regions in each home and describe them (thesis 4.7)."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -18,7 +18,7 @@ from placecat.vision.tracking import RegionTracker
 
 
 def main() -> None:
-    """Write the tracked regions in all frames of every home, and the regions' descriptors."""
+    """Write the tracked regions in all frames of every home, with their descriptors."""
     params = settings.load()
     wanted = {}
     for home in settings.get(params, "dataset.homes"):
@@ -55,7 +55,7 @@ def plan(home: str, params: Mapping[str, Any]) -> items.Work:
 
 
 def _found_regions(home: str, max_regions: int) -> list[np.ndarray]:
-    """Return each frame's strongest salient regions, (n, 4), from the `features` stage."""
+    """Return the strongest salient regions of each frame, (n, 4), from the `features` stage."""
     folder = paths.features(home)
     regions = files.read_array(folder / "regions.npy")
     counts = files.read_array(folder / "count.npy")
@@ -70,13 +70,13 @@ def track(
     tracking: Mapping[str, Any],
     options: Mapping[str, Any],
 ) -> dict[str, np.ndarray]:
-    """Track and describe one sequence's regions; each array's first axis is the frame."""
+    """Track and describe the regions in one sequence; the first axis of each array is the frame."""
     keep_freed_memory()
     tracker = RegionTracker(**tracking)
     described = []
     for image, regions in zip(read_frames(root, frames, size=size), found, strict=True):
         described.append(describe_frame(image, options, regions=tracker.step(image, regions)))
-    # A frame's information does not depend on the regions; the features already contain it.
+    # The information of a frame does not depend on the regions; the features already contain it.
     names = [name for name in described[0] if name != "information"]
     return {name: np.stack([one[name] for one in described]) for name in names}
 

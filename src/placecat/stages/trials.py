@@ -1,4 +1,4 @@
-"""Stage `trials`: train and test the cues in each study's tables (thesis 4.2 and 4.4)."""
+"""Stage `trials`: train and test the cues in the tables of each study (thesis 4.2 and 4.4)."""
 
 import json
 import logging
@@ -22,7 +22,7 @@ from placecat.training.trial import Outcome, judge, of_settings
 
 logger = logging.getLogger(__name__)
 
-# A trial's key, home and seed.
+# The key, home and seed of a trial.
 _Cell = tuple[str, str, int | None]
 
 FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoids"]
@@ -62,7 +62,7 @@ def main() -> None:
     flat = sum(int(files.read_table(path)["flat_sigmoids"].sum()) for path in facts)
     if flat:
         logger.warning(
-            "%d sigmoids are flat: held-out decision values say nothing about their class or are reversed "
+            "%d sigmoids are flat: held-out decision values do not indicate the class, or are reversed "
             "(flat_sigmoids in %s)",
             flat,
             paths.TRIALS / "*" / "facts.csv",
@@ -70,7 +70,7 @@ def main() -> None:
 
 
 class Outcomes:
-    """The outcomes of several studies' trials.
+    """The outcomes of the trials in several studies.
 
     Trials with the same clusters, or with the same kind of classifier and the same descriptors, share
     computations and form one task, even across studies.
@@ -84,7 +84,7 @@ class Outcomes:
         self._waiting: Iterator[tuple[list[_Cell], list[Outcome]]] = iter(())
 
     def plan(self, studies: Sequence[Sequence[Trial]]) -> None:
-        """Start all studies' trials in one pool, study by study."""
+        """Start the trials of all studies in one pool, study by study."""
         groups = list(self._group([trial for trials in studies for trial in trials]).values())
         tasks = [
             (self._plans[home], [of_settings(json.loads(key)) for key, _, _ in cells], seed)
@@ -95,7 +95,7 @@ class Outcomes:
         self._waiting = zip(groups, results, strict=True)
 
     def of(self, trial: Trial) -> dict[_Cell, Outcome]:
-        """Return a trial's outcomes, one per home and seed. Homes that are not tested are left out."""
+        """Return the outcomes of a trial, one per home and seed. Homes that are not tested are left out."""
         cells = [cell for cell in self._cells(trial) if cell[1] in self._plans]
         while not self._computed.keys() >= set(cells):
             group, results = next(self._waiting)
@@ -124,8 +124,8 @@ class Outcomes:
 def _shared(trial: Mapping[str, Any]) -> str:
     """Return a key that is the same for all trials that share computations.
 
-    The key consists of the descriptor and the codebook. If there is no codebook, the classifier replaces it,
-    without its scheme, and with only the name of its base classifier.
+    The key consists of the descriptor and the codebook. Without a codebook, the classifier takes its place,
+    except for its scheme and the settings of its base classifier.
     """
     codebook, classifier = trial.get("codebook"), trial["classifier"]
     if codebook is None:
@@ -135,7 +135,7 @@ def _shared(trial: Mapping[str, Any]) -> str:
 
 
 def make(trials: Sequence[Trial], folder: Path, outcomes: Outcomes, params: Mapping[str, Any]) -> None:
-    """Write the outcomes of a study's trials."""
+    """Write the outcomes of all trials in a study."""
     classes, seeds = list(settings.get(params, "dataset.classes")), settings.get(params, "protocol.seeds")
     computed = {cell: outcome for trial in trials for cell, outcome in outcomes.of(trial).items()}
     scores, missing = _collect(trials, computed, seeds, classes)
@@ -150,7 +150,7 @@ def _collect(
     seeds: Sequence[int],
     classes: Sequence[str],
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """Return rows of counts and rows of reasons; a home has counts only if every seed has a result."""
+    """Return a table of counts and a table of reasons; a home has counts only if every seed has a result."""
     scores, missing = [], []
     for trial in trials:
         own_seeds = list(seeds) if trial.settings.get("codebook") is not None else [None]
@@ -172,7 +172,7 @@ def _collect(
 
 
 def _facts(trials: Sequence[Trial], outcomes: Mapping[_Cell, Outcome]) -> pd.DataFrame:
-    """Return the range of nu and the number of flat sigmoids for trials with two-class classifiers."""
+    """Return the range of nu and the number of flat sigmoids, for trials with two-class classifiers."""
     rows = []
     for trial in trials:
         for (key, home, seed), (_, facts) in outcomes.items():
