@@ -28,7 +28,7 @@ def armchair(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     modern = style.modern
     kinds = (_like_sofa, wing_chair, tub_chair, rocking_chair, recliner, bent_chair)
@@ -73,9 +73,9 @@ def wing_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _plate(profile: list[tuple[float, float]], thickness: float) -> Mesh:
-    """Draw an upright plate. Its outline (y, z) runs counter-clockwise as seen from +x."""
+    """Draw an upright plate whose outline (y, z) is counter-clockwise when seen from +x."""
     flat = extrude(profile, thickness, smooth=True)
-    # The outline (y, z) is drawn in the x-y plane. Turning it by 90 degrees about x, then z, puts it upright.
+    # The outline (y, z) is drawn in the x-y plane. A 90-degree turn about x, then z, makes it upright.
     return flat.turned(90, "x").turned(90).moved(-thickness / 2)
 
 
@@ -89,7 +89,7 @@ def tub_chair(rng: np.random.Generator, style: Style) -> Mesh:
 
     def shell(inside: bool) -> Mesh:
         def surface(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
-            # The inner surface runs the other way round so that it faces inwards.
+            # The inner surface is traced in the opposite direction so that it faces inwards.
             s = 1 - s if inside else s
             a = -math.pi / 2 + (s - 0.5) * span
             rim = low + (height - low) * np.cos((s - 0.5) * math.pi) ** 1.5
@@ -178,7 +178,7 @@ def recliner(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def bent_chair(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a light chair with a long cushion on two springy bentwood frames."""
+    """Draw a lightweight chair with a long cushion on two springy bentwood frames."""
     frame, skin = style.any_wood(rng), cover(rng, style)
     width, depth = between(rng, 0.62, 0.7), 0.78
     parts = []

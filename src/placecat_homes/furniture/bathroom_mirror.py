@@ -1,4 +1,4 @@
-"""Mirrors and mirror cabinets to hang above washbasins."""
+"""Mirrors and mirrored cabinets for the wall above a washbasin."""
 
 import math
 
@@ -39,7 +39,7 @@ def bathroom_mirror(
     Returns
     -------
     Mesh
-        A mirror with its lower edge at z = 0. There may be a lamp above it.
+        A mirror with its lower edge at z = 0, possibly with a lamp above it.
     """
     kind = kind or str(rng.choice(("plain", "framed", "round", "cabinet"), p=(0.25, 0.25, 0.18, 0.32)))
     width = width or rng.uniform(0.45, 0.8)
@@ -81,7 +81,7 @@ def _framed(rng: np.random.Generator, style: Style, width: float, height: float)
 def _round(rng: np.random.Generator, style: Style, width: float, height: float) -> list[Mesh]:
     outline = rounded(width, height, (width / 2, height / 2), points=9)
     disc = loft([(outline, 0.0), (outline, 0.012)]).turned(90, "x").mirrored()
-    # The disc was lying with its back edge at y = 0. It now stands on z = 0 and extends towards -y.
+    # Rotated upright, the disc stands on z = 0 and extends towards -y.
     disc = disc.moved(0, 0.014)
     angle = np.linspace(0, 2 * math.pi, 33)
     path = [(width / 2 * math.cos(a), 0.01, height / 2 + height / 2 * math.sin(a)) for a in angle]

@@ -29,7 +29,7 @@ def _load(rng: np.random.Generator, style: Style, width: float, fill: float) -> 
 
 
 def bathroom_shelf(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an open floor-standing rack of wood or metal, full of bottles and towels."""
+    """Draw an open floor-standing rack, made of wood or metal and full of bottles and towels."""
     width, height, depth = rng.uniform(0.35, 0.6), rng.uniform(0.9, 1.75), rng.uniform(0.24, 0.3)
     wood = style.any_wood(rng)
     boards = max(3, round(height / 0.38))
@@ -50,7 +50,7 @@ def bathroom_shelf(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def bathroom_wall_shelf(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw one to three wall shelves with bottles and jars. The lowest point is at z = 0."""
+    """Draw one to three wall shelves with bottles and jars. Their lowest point is at z = 0."""
     width, depth = rng.uniform(0.4, 0.7), rng.uniform(0.14, 0.2)
     material = palette.GLASS if rng.random() < 0.3 else style.any_wood(rng)
     parts = []

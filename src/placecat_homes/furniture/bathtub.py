@@ -44,7 +44,7 @@ def bathtub(
     length
         Length in metres; chosen at random if None.
     tiles
-        Tiles on the wall behind a built-in tub, and sometimes on its panel; chosen at random if None.
+        Tiles for the wall behind a built-in tub and sometimes for its panel; chosen at random if None.
     screen
         Screen in front of a built-in tub: "curtain", "glass" or "none"; chosen at random if None.
     wall_height
@@ -68,7 +68,7 @@ def bathtub(
 def _hollow(
     width: float, depth: float, round_: tuple[float, float], y: float, top: float, deep: float
 ) -> list[tuple[Outline, float]]:
-    """Return the rings of the inner surface. The end at +x slopes."""
+    """Return the rings of the inner surface, which slopes at the +x end."""
     rings = []
     for short, narrow, down in (
         (0, 0, 0),
@@ -192,7 +192,7 @@ def _things(
 
 
 def _free(rng: np.random.Generator, style: Style, ceramic: Material, length: float, kind: str) -> Mesh:
-    """Draw a free-standing tub a little away from the wall, with a floor-standing mixer tap."""
+    """Draw a free-standing tub slightly away from the wall, with a floor-standing mixer tap."""
     depth, gap = rng.uniform(0.72, 0.8), 0.12
     top = 0.58
     outer_paint = palette.paint(rng) if rng.random() < 0.4 else ceramic

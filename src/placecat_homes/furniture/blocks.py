@@ -58,7 +58,7 @@ def block(
 
 
 def backed(mesh: Mesh) -> Mesh:
-    """Centre a piece in x and move its back to y = 0. Its z coordinates stay the same."""
+    """Centre a piece on x = 0 and move its back to y = 0. Its z coordinates stay the same."""
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1]), 0.0)
 
@@ -80,14 +80,14 @@ def leg(
     height
         Height in metres.
     thick, thin
-        Radius at the top and at the foot in metres.
+        Radius at the top and at the foot, in metres.
     segments
         Number of segments around the axis.
 
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     straight = lathe([(0, 0), (thin, 0), (thick, height), (0, height)], segments)
     up = straight.vertices[:, 2:3] / height
@@ -107,7 +107,7 @@ def legs(
     kind
         "square", "round", "tapered", "splayed", "turned" or "sled".
     width, depth
-        Outer size of the rectangle they stand on, in metres.
+        Outer size of the rectangle formed by the legs, in metres.
     height
         Height in metres.
     material
@@ -118,7 +118,7 @@ def legs(
     Returns
     -------
     Mesh
-        The legs, centred in x, with the back of the rectangle at y = 0.
+        The legs, centred on x = 0, with the back of the rectangle at y = 0.
     """
     t = thickness
     parts: list[Mesh] = []
@@ -167,7 +167,7 @@ def open_box(
     bottom: bool = True,
     top: bool = True,
 ) -> Mesh:
-    """Draw a case of boards with an open front, for shelves and cupboards.
+    """Draw an open-fronted case made of boards, for shelves and cupboards.
 
     Parameters
     ----------
@@ -178,12 +178,12 @@ def open_box(
     board
         Thickness of the boards in metres.
     back, bottom, top
-        Whether the case has these boards.
+        Whether to include each of these boards.
 
     Returns
     -------
     Mesh
-        A case with its back on y = 0.
+        A case with its back at y = 0.
     """
     width, depth, height = size
     parts = [block(material, (board, depth, height), (side * (width - board) / 2, 0, 0)) for side in (-1, 1)]
@@ -244,14 +244,14 @@ def shade(low: float, high: float, height: float, material: Material, segments: 
     height
         Height in metres.
     material
-        Material of the inside and the outside.
+        Material of both the inside and the outside.
     segments
         Number of segments around the axis.
 
     Returns
     -------
     Mesh
-        A shade around the z axis, with its lower rim on z = 0.
+        A shade around the z axis, with its lower rim at z = 0.
     """
     t = 0.003
     return lathe([(low - t, 0), (low, 0), (high, height), (high - t, height), (low - t, 0)], segments).of(

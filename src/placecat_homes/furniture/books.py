@@ -45,7 +45,7 @@ def row(
     Returns
     -------
     Mesh
-        The books stand on z = 0 with their spines facing +y.
+        Books standing on z = 0, with their spines facing +y.
     """
     pool = covers(rng) if pool is None else pool
     parts: list[Mesh] = []
@@ -99,7 +99,7 @@ def stack(rng: np.random.Generator, count: int | None = None, pool: list[Materia
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     pool = covers(rng) if pool is None else pool
     count = int(rng.integers(2, 7)) if count is None else count

@@ -37,7 +37,7 @@ def bookshelf(
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width = between(rng, 0.6, 1.1) if width is None else width
     height = (
@@ -170,7 +170,7 @@ def _frame(rng: np.random.Generator, style: Style, width: float, height: float, 
 def wall_unit(
     rng: np.random.Generator, style: Style, width: float | None = None, screen: bool | None = None
 ) -> Mesh:
-    """Draw a wide wall unit of cupboards, shelves and glass doors, often with a television.
+    """Draw a wide wall unit with cupboards, shelves and glass doors, and often a television.
 
     Parameters
     ----------
@@ -186,7 +186,7 @@ def wall_unit(
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width = between(rng, 2.0, 3.2) if width is None else width
     height, low, depth = between(rng, 1.8, 2.15), between(rng, 0.48, 0.62), between(rng, 0.38, 0.45)
@@ -253,7 +253,7 @@ def wall_shelf(rng: np.random.Generator, style: Style, width: float | None = Non
     Returns
     -------
     Mesh
-        The lowest point of the mesh is at z = 0.
+        A mesh whose lowest point is at z = 0.
     """
     width = between(rng, 0.6, 1.2) if width is None else width
     wood, depth, pool = style.any_wood(rng), between(rng, 0.2, 0.26), covers(rng)

@@ -35,7 +35,7 @@ def cardboard(
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     w = between(rng, 0.3, 0.6) if width is None else width
     d = w * between(rng, 0.6, 0.85) if depth is None else depth
@@ -87,7 +87,7 @@ def storage_box(
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     w = between(rng, 0.25, 0.42) if width is None else width
     d = between(rng, 0.25, 0.36) if depth is None else depth
@@ -141,7 +141,7 @@ def basket(rng: np.random.Generator, style: Style, height: float | None = None) 
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     h = between(rng, 0.2, 0.45) if height is None else height
     r = h * between(rng, 0.4, 0.7)
@@ -175,7 +175,7 @@ def pile(rng: np.random.Generator, style: Style, count: int = 3) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     parts, z = [], 0.0
     w, d = between(rng, 0.4, 0.6), between(rng, 0.3, 0.42)

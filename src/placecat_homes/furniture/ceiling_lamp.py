@@ -12,14 +12,14 @@ from placecat_homes.shapes import box, cylinder, lathe, superellipsoid, tube
 from placecat_homes.style import Style
 
 GLOW = Material((1.0, 0.93, 0.82), emission=1.6)
-"""Glass or cloth lit from behind."""
+"""Backlit glass or fabric."""
 
 BULB = Material((1.0, 0.95, 0.85), emission=4.0)
 """A bulb."""
 
 
 def light_colour(rng: np.random.Generator) -> Colour:
-    """Choose a light colour between warm white and neutral white."""
+    """Choose a light colour from warm white to neutral white."""
     warm = rng.random()
     return (1.0, 0.8 + 0.15 * warm, 0.58 + 0.34 * warm)
 
@@ -37,7 +37,7 @@ def ceiling_lamp(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        A lamp centred in x and y, with the ceiling at z = 0.
+        A lamp centred on the z axis, with the ceiling at z = 0.
     """
     designs = (_globe, _drum, _spots, _strip, _bare, _panel)
     modern = style.modern
@@ -109,7 +109,7 @@ def _panel(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def pendant(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a pendant lamp, like those above dining tables.
+    """Draw a pendant lamp of the kind used above dining tables.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def pendant(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        A lamp centred in x and y, with the ceiling at z = 0.
+        A lamp centred on the z axis, with the ceiling at z = 0.
     """
     drop = between(rng, 0.7, 1.0)
     designs = (_shade, _dome, _ball, _several, _chandelier)

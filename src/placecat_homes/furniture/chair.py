@@ -33,7 +33,7 @@ def chair(
     design
         One of `DESIGNS`; chosen to suit the style if None.
     armrests
-        Whether the chair has armrests; if None, it rarely does.
+        Whether the chair has armrests; chosen at random if None, but rarely True.
 
     Returns
     -------
@@ -57,7 +57,7 @@ def chair(
 
 
 def _post(x: float, low: float, high: float, lean: float, size: float) -> Mesh:
-    """Draw a rear post. Its leg is splayed backwards and its upper part leans back."""
+    """Draw a rear post with a leg that splays backwards and an upper part that leans back."""
     half = size / 2
     lower = [(-0.05 - half, 0), (-0.05 + half, 0), (half, low), (-half, low)]
     upper = [(-half, low), (half, low), (half * 0.7 - lean, high), (-half - lean, high)]
@@ -83,7 +83,7 @@ def _towards(point: tuple[float, float], other: tuple[float, float], distance: f
 
 
 def _pad(outline: Sequence[tuple[float, float]], height: float) -> Mesh:
-    """Draw a padded seat over an outline, with its underside on z = 0."""
+    """Draw a padded seat with the given outline and its underside at z = 0."""
     points = np.asarray(outline)
     middle = points.mean(axis=0)
     rings = [

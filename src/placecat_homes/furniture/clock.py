@@ -25,7 +25,7 @@ def clock(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The lowest point of the mesh is at z = 0.
+        A mesh whose lowest point is at z = 0.
     """
     radius = between(rng, 0.11, 0.2)
     frame = choose(rng, (style.metal, style.wood, palette.paint(rng)))

@@ -114,7 +114,7 @@ def _body(top: float, hem: float, thick: float, long: float, slope: float, fold:
         drop = np.interp(t, [0, 0.12, 1], [0, 0.08 if slope > 0.05 else 0.02, long])
         return x, y, -drop
 
-    # Because t runs down, s is reversed. Otherwise the surface would face inwards.
+    # t runs downwards, so s is reversed to make the surface face outwards.
     return sheet(lambda s, t: surface(1 - s, t), 14, 6, (2 * top, long))
 
 
@@ -132,15 +132,14 @@ def hanging(
     width
         Length of the rod in metres.
     long
-        Space below the rod in metres.
+        Clearance below the rod in metres.
     full
         How full the rod is, from 0 (nearly empty) to 1 (crowded).
 
     Returns
     -------
     Mesh
-        The clothes without the rod. They hang centred below the x axis and extend about 0.25 m to either side
-        along y.
+        The clothes without the rod. They hang below the x axis and extend about 0.25 m to either side of it.
     """
     hanger = choose(rng, HANGER)
     kinds = ["shirt", "shirt", "shirt", "jacket", "trousers", "skirt"]
@@ -188,7 +187,7 @@ def folded(
     Returns
     -------
     Mesh
-        The pile stands on z = 0, with its back on y = 0 and the folds in front.
+        A pile on z = 0, with its back at y = 0 and the folds facing forwards.
     """
     count = int(rng.integers(2, 7)) if count is None else count
     parts, z = [], 0.0
@@ -216,7 +215,7 @@ def shoes(rng: np.random.Generator, style: Style, kind: str | None = None) -> Me
     Returns
     -------
     Mesh
-        The shoes stand on z = 0 with their heels at y = 0.
+        Shoes standing on z = 0, with their heels at y = 0.
     """
     kind = choose(rng, ("shoe", "sneaker", "boot")) if kind is None else kind
     skin = (

@@ -26,7 +26,7 @@ def clothes_rail(rng: np.random.Generator, style: Style, width: float | None = N
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width = between(rng, 0.8, 1.4) if width is None else width
     height, depth = between(rng, 1.5, 1.7), 0.48
@@ -51,7 +51,7 @@ def clothes_rail(rng: np.random.Generator, style: Style, width: float | None = N
 
 
 def coat_hooks(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a wall board with hooks that carry coats, bags and hats.
+    """Draw a wall-mounted board with coats, bags and hats on its hooks.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def coat_hooks(rng: np.random.Generator, style: Style, width: float | None = Non
     Returns
     -------
     Mesh
-        The lowest point is at z = 0, and the board is up to 1.3 m above it.
+        A mesh whose lowest point is at z = 0, with the board up to 1.3 m above it.
     """
     width = between(rng, 0.5, 1.1) if width is None else width
     wood = style.any_wood(rng)

@@ -30,7 +30,7 @@ def mug(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     r, h = between(rng, 0.036, 0.046), between(rng, 0.07, 0.1)
     skin = palette.ceramic(rng)
@@ -57,7 +57,7 @@ def remote(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        A remote control lying along y on z = 0.
+        A remote control lying on z = 0, parallel to the y axis.
     """
     long = between(rng, 0.15, 0.22)
     parts = [block(palette.RUBBER, (0.045, long, 0.018), (0, 0, 0), 0.004)]
@@ -82,7 +82,7 @@ def small_thing(rng: np.random.Generator, style: Style, height: float = 0.4) -> 
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     kind = choose(rng, (vase, figure, bowl, candle, "plant", "books"), (2, 3, 1.5, 1, 2, 1))
     if kind == "plant":
@@ -122,7 +122,7 @@ def fill(
     Returns
     -------
     Mesh
-        The contents, centred in x, with their back on y = 0.
+        The contents, centred on x = 0, with their back at y = 0.
     """
     kind = choose(
         rng,
@@ -183,7 +183,7 @@ def table_things(rng: np.random.Generator, style: Style, width: float, depth: fl
     Returns
     -------
     Mesh
-        Objects on z = 0 around the middle of the table.
+        Objects standing on z = 0, around the middle of the table.
     """
     parts: list[Mesh] = []
     taken: list[tuple[float, float, float]] = []

@@ -12,7 +12,7 @@ from placecat_homes.style import Style
 
 
 def coat_rack(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a wall board with hooks that carry coats and bags. The lowest point is at z = 0.
+    """Draw a wall-mounted board with coats and bags on its hooks. Its lowest point is at z = 0.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def coat_rack(rng: np.random.Generator, style: Style, width: float | None = None
 
 
 def hall_wardrobe(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a hall unit with a panel of hooks and coats, a bench for shoes, and a shelf for hats."""
+    """Draw a hall unit with coats on a hook panel, a shoe bench and a hat shelf."""
     width, high = between(rng, 0.8, 1.3), between(rng, 1.85, 2.05)
     wood = choose(rng, (style.wood, style.any_wood(rng)))
     deep = between(rng, 0.34, 0.4)

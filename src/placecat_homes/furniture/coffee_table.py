@@ -30,7 +30,7 @@ def coffee_table(rng: np.random.Generator, style: Style, width: float | None = N
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width = between(rng, 0.75, 1.25) if width is None else width
     kind = choose(rng, (_rectangular, _round, _glass, _chest, _nest), (3, 2, 1.5, 0.8, 0.8))

@@ -19,7 +19,7 @@ DARK = Material((0.03, 0.03, 0.035), gloss=0.03)
 
 
 def monitor(rng: np.random.Generator, style: Style, *, case: Material | None = None) -> Mesh:
-    """Draw a monitor on its stand, with a flat screen or an old picture tube."""
+    """Draw a monitor on a stand, either a flat screen or an old CRT."""
     case = case or _case(rng)
     if chance(rng, 0.12 + 0.2 * (1 - style.modern)):
         return _tube_monitor(rng, case)
@@ -27,7 +27,7 @@ def monitor(rng: np.random.Generator, style: Style, *, case: Material | None = N
 
 
 def keyboard(rng: np.random.Generator, style: Style, *, case: Material | None = None) -> Mesh:
-    """Draw a keyboard whose keys are a texture."""
+    """Draw a keyboard, using a texture for the keys."""
     case = case or _case(rng)
     wide, deep = choose(rng, ((0.45, 0.155), (0.43, 0.14), (0.29, 0.125)))
     keys = palette.shade(case.colour, 0.95)
@@ -39,7 +39,7 @@ def keyboard(rng: np.random.Generator, style: Style, *, case: Material | None = 
 
 
 def mouse(rng: np.random.Generator, style: Style, *, case: Material | None = None) -> Mesh:
-    """Draw a mouse, often with a mouse pad and a cable that runs to the back."""
+    """Draw a mouse, often with a mouse pad and a cable running to the back of the desk."""
     case = case or _case(rng)
     parts = [superellipsoid(0.06, 0.105, 0.036, 0.8, 0.8, 12).moved(0, 0.12, 0.003).of(case)]
     if chance(rng, 0.6):

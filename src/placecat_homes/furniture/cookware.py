@@ -135,7 +135,7 @@ def cutting_board(rng: np.random.Generator, style: Style, *, leaning: bool | Non
 
 
 def hanging_rail(rng: np.random.Generator, style: Style, *, width: float | None = None) -> Mesh:
-    """Draw a wall rail with ladles, spatulas and pans hanging from hooks. The lowest point is at z = 0."""
+    """Draw a wall rail with ladles, spatulas and pans hanging from hooks. Its lowest point is at z = 0."""
     length = width or float(rng.uniform(0.5, 0.9))
     parts = [tube([(-length / 2, 0.045, 0), (length / 2, 0.045, 0)], 0.007, 8).of(style.metal)]
     for x in (-length / 2 + 0.03, length / 2 - 0.03):

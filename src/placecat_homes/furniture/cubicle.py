@@ -86,14 +86,14 @@ def grab_rails(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def _inside(x: float, total: float) -> float:
-    """Limit x so that a post 12 cm wide stays within the row."""
+    """Clamp x so that a post 12 cm wide stays within the row."""
     return min(max(x, -total / 2 + 0.06), total / 2 - 0.06)
 
 
 def _door(
     width: float, height: float, material: Material, metal: Material, side: float, locked: bool
 ) -> Mesh:
-    """Draw a door leaf with a knob, a lock, and hinges at the -x or +x end (`side` -1 or 1)."""
+    """Draw a door leaf with a knob, a lock, and hinges on the -x or +x side (`side` is -1 or 1)."""
     free = -side * (width / 2 - 0.06)
     sign = Material((0.75, 0.1, 0.1) if locked else (0.1, 0.55, 0.2))
     parts = [

@@ -13,7 +13,7 @@ from placecat_homes.shapes import quad, sheet, superellipsoid, tube
 from placecat_homes.style import Style
 
 NET = Material((0.95, 0.95, 0.93), opacity=0.5)
-"""Thin white cloth that lets light through."""
+"""Thin white fabric that lets light through."""
 
 
 def curtains(rng: np.random.Generator, style: Style, width: float = 1.3, height: float = 1.6) -> Mesh:
@@ -26,14 +26,14 @@ def curtains(rng: np.random.Generator, style: Style, width: float = 1.3, height:
     style
         Style of the home.
     width
-        Width of the window in metres; the rod is longer.
+        Width of the window in metres; the rod extends beyond it.
     height
         Height of the rod above the hem in metres.
 
     Returns
     -------
     Mesh
-        The lowest point of the mesh is at z = 0.
+        A mesh whose lowest point is at z = 0.
     """
     overhang = between(rng, 0.12, 0.28)
     cloth = palette.fabric(rng) if chance(rng, 0.5) else palette.plain_fabric(rng)
@@ -72,7 +72,7 @@ def _rod(rng: np.random.Generator, width: float, material: Material) -> Mesh:
 
 
 def _tied(width: float, height: float, folds: int, side: int) -> Mesh:
-    """Draw a curtain held back at its outer side by a band."""
+    """Draw a curtain tied back at its outer side."""
     middle = 0.42
 
     def surface(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
@@ -83,7 +83,7 @@ def _tied(width: float, height: float, folds: int, side: int) -> Mesh:
         y = 0.03 + 0.03 * np.sin(s * folds * 2 * math.pi) * (1 - 0.5 * waist)
         return x, y, t * height
 
-    # The surface faces +y, into the room, because s runs towards smaller x and t upwards.
+    # s runs towards -x and t runs upwards, so the surface faces +y, into the room.
     return sheet(surface, folds * 6, 12, (width, height))
 
 
@@ -102,7 +102,7 @@ def blind(rng: np.random.Generator, style: Style, width: float = 1.2, height: fl
     Returns
     -------
     Mesh
-        A blind in a window whose bottom is at z = 0.
+        A blind for a window whose bottom edge is at z = 0.
     """
     drop = height * (between(rng, 0.12, 0.55) if chance(rng, 0.75) else between(rng, 0.55, 0.95))
     kind = choose(rng, ("roller", "venetian", "roman"))
@@ -160,7 +160,7 @@ def net(rng: np.random.Generator, style: Style, width: float = 1.2, height: floa
     Returns
     -------
     Mesh
-        The lowest point of the mesh is at z = 0.
+        A mesh whose lowest point is at z = 0.
     """
     drop = height if chance(rng, 0.6) else height * between(rng, 0.35, 0.6)
     low = 0.0 if drop < height else 0.02

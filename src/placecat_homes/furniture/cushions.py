@@ -14,12 +14,12 @@ from placecat_homes.style import Style
 
 
 def seat(width: float, depth: float, thickness: float, softness: float = 0.25) -> Mesh:
-    """Draw a seat cushion lying on z = 0 with its back on y = 0."""
+    """Draw a seat cushion lying on z = 0 with its back at y = 0."""
     return superellipsoid(width, depth, thickness, softness * 1.6, softness * 0.6, 20).moved(0, depth / 2, 0)
 
 
 def upright(width: float, thickness: float, height: float, softness: float = 0.3) -> Mesh:
-    """Draw a back cushion standing on z = 0 with its back on y = 0."""
+    """Draw a back cushion standing on z = 0 with its back at y = 0."""
     lying = superellipsoid(width, height, thickness, softness * 1.6, softness * 0.8, 20)
     return lying.moved(0, height / 2, -thickness).turned(90, "x")
 
@@ -67,8 +67,8 @@ def thrown(
     Parameters
     ----------
     path
-        Points (y, z) of the surface, from one end of the blanket to the other. The outside of the surface is
-        to the left of the path.
+        Points (y, z) along the surface, from one end of the blanket to the other, with the outside on the
+        left.
     width
         Width along x in metres.
     material
@@ -79,7 +79,7 @@ def thrown(
     Returns
     -------
     Mesh
-        A thin sheet, centred in x.
+        A thin sheet, centred on x = 0.
     """
     points = np.asarray(path, float)
     steps = np.diff(points, axis=0)

@@ -12,7 +12,7 @@ from placecat_homes.shapes import box, tube
 from placecat_homes.style import Style
 
 HEIGHT = 0.74
-"""Height of every desk top in metres."""
+"""Height of all desk tops in metres."""
 
 
 def desk(

@@ -37,7 +37,7 @@ def pen_cup(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def desk_lamp(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a desk lamp with a bent arm. It shines down and forwards."""
+    """Draw a desk lamp with a bent arm, shining down and forwards."""
     material = choose(rng, (style.metal, palette.paint(rng), Material((0.05, 0.05, 0.05), gloss=0.03)))
     high, reach = between(rng, 0.32, 0.45), between(rng, 0.15, 0.28)
     lean = between(rng, -0.12, 0.02)
@@ -64,7 +64,7 @@ def desk_lamp(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def phone(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a desk telephone with its handset and coiled cord."""
+    """Draw a desk telephone with a handset and a coiled cord."""
     case = Material(choose(rng, ((0.07, 0.07, 0.08), (0.75, 0.74, 0.7), (0.3, 0.3, 0.32))), gloss=0.04)
     parts = [
         block(case, (0.2, 0.2, 0.03), bevel=0.008),
@@ -122,7 +122,7 @@ def mug(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def in_tray(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw stacked letter trays with papers in them."""
+    """Draw stacked letter trays holding papers."""
     tray = choose(rng, (palette.plastic(rng), Material((0.1, 0.1, 0.1)), style.metal))
     parts = []
     for k in range(int(rng.integers(1, 5))):
@@ -206,7 +206,8 @@ def clutter(
     rng, style
         Random number generator and style of the home.
     width, depth
-        Width and depth of the desk top in metres. It is centred in x at z = 0, with its back edge on y = 0.
+        Width and depth of the desk top in metres. The desk top is at z = 0, centred on x = 0, with its back
+        edge at y = 0.
     middle
         Width of the free space in the middle, in metres.
     amount

@@ -45,7 +45,7 @@ def dining_set(
     Returns
     -------
     Mesh
-        The set, centred in x, with its back on y = 0.
+        The set, centred on x = 0, with its back at y = 0.
     """
     number = seats or int(rng.choice([4, 6, 6, 8]))
     form = shape or choose(

@@ -79,7 +79,7 @@ def _under(
     wood: Material,
     glass: bool,
 ) -> Mesh:
-    """Draw the legs and the apron, centred on the origin."""
+    """Draw the legs and apron, centred on the origin."""
     m = style.modern
     kinds: tuple[str, ...]
     weights: tuple[float, ...]
@@ -173,7 +173,7 @@ def table_cloth(
     style
         Style of the home.
     outline
-        Outline of the centred table top, counter-clockwise; a rectangle of 1.2 m by 0.8 m if None.
+        Counter-clockwise outline of the centred table top; a 1.2 m by 0.8 m rectangle if None.
     drop
         Length of the overhang in metres.
 
@@ -222,7 +222,7 @@ def small_table(rng: np.random.Generator, style: Style, *, width: float | None =
 
 
 def folding_table(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a narrow folding table to put against the wall of a small kitchen."""
+    """Draw a narrow folding table that goes against the wall of a small kitchen."""
     wood = style.any_wood(rng)
     w, d = between(rng, 0.8, 1.1), between(rng, 0.45, 0.55)
     top = box(w, d, 0.03, 0.005).moved(z=HEIGHT - 0.03).of(wood)

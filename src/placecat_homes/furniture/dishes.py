@@ -74,7 +74,7 @@ def plates(
 def standing_plate(
     rng: np.random.Generator, style: Style, *, radius: float | None = None, china: Material | None = None
 ) -> Mesh:
-    """Draw an upright plate leaning at the back of a shelf."""
+    """Draw an upright plate leaning against the back of a shelf."""
     disc = _plate(radius or float(rng.uniform(0.1, 0.14)), china or _china(rng), 18)
     return grounded(disc.turned(-78, "x"))
 
@@ -142,7 +142,7 @@ def cup(rng: np.random.Generator, style: Style, *, china: Material | None = None
 
 
 def tea_cup(rng: np.random.Generator, style: Style, *, china: Material | None = None) -> Mesh:
-    """Draw a cup on its saucer."""
+    """Draw a cup on a saucer."""
     material = china or _china(rng)
     saucer = _plate(0.075, material, 14)
     return grounded(join(saucer, _middle(cup(rng, style, china=material)).moved(z=0.008)))
@@ -274,7 +274,7 @@ def jug(rng: np.random.Generator, style: Style, *, china: Material | None = None
 
 
 def dish_rack(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a draining rack with plates, cups and cutlery in it."""
+    """Draw a draining rack holding plates, cups and cutlery."""
     width, depth = float(rng.uniform(0.36, 0.46)), 0.3
     wire = style.metal if rng.random() < 0.6 else palette.plastic(rng)
     parts = [box(width, depth, 0.012, bevel=0.004).of(palette.plastic(rng))]

@@ -20,7 +20,7 @@ def _shell(rng: np.random.Generator, style: Style) -> Material:
 
 
 def soap_box(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a wall-mounted soap dispenser. It should hang 1.05 m above the floor."""
+    """Draw a soap dispenser. It should be mounted 1.05 m above the floor."""
     shell = _shell(rng, style)
     outline = rounded(0.11, 0.1, 0.03, 0.003)
     return join(
@@ -47,7 +47,7 @@ def towel_dispenser(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def hand_dryer(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a warm-air hand dryer. It should hang 1.1 m above the floor."""
+    """Draw a warm-air hand dryer. It should be mounted 1.1 m above the floor."""
     shell = _shell(rng, style)
     if rng.random() < 0.4:
         slot = rounded(0.3, 0.22, 0.04, 0.003)
@@ -65,7 +65,7 @@ def hand_dryer(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def paper_dispenser(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a round dispenser for large rolls of toilet paper. It should hang 0.75 m above the floor."""
+    """Draw a round dispenser for large toilet rolls. It should be mounted 0.75 m above the floor."""
     shell = _shell(rng, style)
     body = cylinder(0.13, 0.11, 20, bevel=0.012).turned(-90, "x").moved(0, 0, 0.17)
     return grounded(

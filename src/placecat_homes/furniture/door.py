@@ -1,4 +1,4 @@
-"""Doors with a frame and a leaf that is open or shut."""
+"""Doors with a frame and an open or shut leaf."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -12,7 +12,7 @@ from placecat_homes.shapes import box, cylinder, tube
 from placecat_homes.style import Style
 
 LEAF = 0.04
-"""Thickness of a leaf in metres."""
+"""Thickness of a door leaf in metres."""
 
 _LINING = 0.02
 
@@ -42,7 +42,7 @@ def door(
     angle
         Opening angle of the leaf in degrees; 0 is shut.
     hinge
-        Side of the hinge ("left" or "right"), as seen from the room the leaf swings into.
+        Which side the hinge is on ("left" or "right"), as seen from the room the leaf swings into.
     glass
         Whether the leaf is a pane of glass in a narrow frame.
 
@@ -74,7 +74,7 @@ def door(
 
 
 def frame(style: Style, width: float, height: float, wall: float = 0.12, casing: float = 0.07) -> Mesh:
-    """Build the lining and casings of an opening in a wall.
+    """Build the lining and casings for an opening in a wall.
 
     Parameters
     ----------
@@ -177,12 +177,12 @@ def _framed(
 
 
 def _upright(mesh: Mesh) -> Mesh:
-    """Turn the wood grain upright."""
+    """Make the wood grain vertical."""
     return replace(mesh, uv=np.ascontiguousarray(mesh.uv[:, ::-1]))
 
 
 def _handle(metal: Material, knob: bool, width: float) -> Mesh:
-    """Draw a handle on the face y = 0 at hand height. It points towards the hinge (+x)."""
+    """Draw a handle at hand height on the face y = 0, pointing towards the hinge (+x)."""
     z = 1.03
     if knob:
         ball = cylinder(0.028, 0.03, 12, 0.01).turned(-90, "x").moved(0, 0.03, z)

@@ -45,7 +45,7 @@ def standing_mirror(rng: np.random.Generator, style: Style, width: float = 0.5, 
         if rng.random() < 0.55
         else rounded(width, height, 0.04, points=4)
     )
-    # The glass is drawn face down and then raised so that it faces +y.
+    # The glass is drawn face down, then turned upright to face +y.
     glass = loft([(outline, 0.0), (outline, 0.006)]).turned(90, "x").moved(0, 0.02, 0)
     frame = style.any_wood(rng) if rng.random() < 0.7 else style.metal
     rim = tube([(float(x), 0.012, float(z)) for x, z in [*outline, outline[0]]], 0.016, 6)

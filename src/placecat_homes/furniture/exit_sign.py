@@ -17,7 +17,7 @@ def exit_sign(rng: np.random.Generator, style: Style, *, hanging: bool = False) 
     rng, style
         Random number generator and style of the home.
     hanging
-        Whether to hang a two-sided sign from the ceiling. The ceiling is then at z = 0.
+        Whether to hang a two-sided sign from the ceiling, which is then at z = 0.
     """
     width = between(rng, 0.3, 0.42)
     height = width / 2

@@ -48,7 +48,7 @@ def fireplace(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     return grounded(stove(rng, style) if chance(rng, 0.3) else mantel(rng, style))
 
@@ -85,7 +85,7 @@ def mantel(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def stove(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an iron stove with a glass door and a pipe."""
+    """Draw an iron stove with a glass door and a flue pipe."""
     width, depth, height, foot = (
         between(rng, 0.45, 0.6),
         between(rng, 0.38, 0.46),

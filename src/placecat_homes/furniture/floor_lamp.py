@@ -26,7 +26,7 @@ def floor_lamp(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     return backed(choose(rng, (_shaded, _tripod, _arc, _uplighter))(rng, style))
 

@@ -105,7 +105,7 @@ def bread_box(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def jar(rng: np.random.Generator, style: Style, *, height: float | None = None) -> Mesh:
-    """Draw a filled storage jar with its lid."""
+    """Draw a full storage jar with a lid."""
     tall = height or float(rng.uniform(0.12, 0.26))
     r = float(rng.uniform(0.042, 0.058))
     lid = (palette.wood, palette.metal, palette.plastic)[int(rng.integers(3))](rng)
@@ -120,7 +120,7 @@ def jar(rng: np.random.Generator, style: Style, *, height: float | None = None) 
 
 
 def jars(rng: np.random.Generator, style: Style, *, count: int | None = None) -> Mesh:
-    """Draw a row of storage jars of decreasing height."""
+    """Draw a row of storage jars, from tallest to shortest."""
     number = count or int(rng.integers(3, 6))
     seed = int(rng.integers(2**31))
     things = []
@@ -169,7 +169,7 @@ def packets(rng: np.random.Generator, style: Style, *, count: int | None = None)
 
 
 def paper_roll(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a roll of kitchen paper on its stand."""
+    """Draw a roll of kitchen paper on a stand."""
     foot = cylinder(0.075, 0.012, 16, 0.003).of(style.metal)
     pole = cylinder(0.007, 0.32, 8, 0.002).of(style.metal)
     roll = cylinder(float(rng.uniform(0.045, 0.065)), 0.23, 16, 0.004).moved(z=0.014)

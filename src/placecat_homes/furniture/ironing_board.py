@@ -15,7 +15,7 @@ from placecat_homes.style import Style
 
 
 def iron(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an iron standing on its soleplate."""
+    """Draw an iron resting on its soleplate."""
     skin = palette.plastic(rng)
     outline = [(-0.055, 0), (0.055, 0), (0.055, 0.1), (0.035, 0.19), (0, 0.24), (-0.035, 0.19), (-0.055, 0.1)]
     sole = extrude(outline, 0.012).of(palette.METALS[0])
@@ -43,7 +43,7 @@ def ironing_board(rng: np.random.Generator, style: Style, folded_up: bool | None
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     away = chance(rng, 0.5) if folded_up is None else folded_up
     long, wide = between(rng, 1.1, 1.3), between(rng, 0.34, 0.42)

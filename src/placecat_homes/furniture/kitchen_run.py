@@ -39,11 +39,11 @@ def kitchen_run(
     design
         Design of the kitchen; chosen at random if None.
     ceiling
-        Height of the room in metres.
+        Height of the ceiling in metres.
     wall_cabinets
         Whether to draw anything on the wall above the worktop.
     windows
-        Left end, right end and sill height of each window, in metres. Nothing hangs in front of a window.
+        Left edge, right edge and sill height of each window, in metres. Nothing hangs in front of a window.
     dishwasher
         Whether there is a dishwasher; if None, chosen at random where there is space.
     cooker

@@ -13,7 +13,7 @@ from placecat_homes.style import Style
 
 
 def kitchen_shelf(rng: np.random.Generator, style: Style, *, width: float | None = None) -> Mesh:
-    """Draw one or two wall shelves with dishes and jars. Cups may hang from hooks below.
+    """Draw one or two wall shelves with dishes and jars, and sometimes cups on hooks underneath.
 
     Parameters
     ----------

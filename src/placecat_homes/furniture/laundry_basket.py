@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def laundry_basket(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a wicker, plastic or cloth basket, either closed or with clothes hanging out."""
+    """Draw a wicker, plastic or fabric basket, either closed or with clothes hanging out."""
     width, height = rng.uniform(0.36, 0.5), rng.uniform(0.45, 0.65)
     depth = width * rng.uniform(0.75, 1.0)
     kind = str(rng.choice(("wicker", "plastic", "cloth"), p=(0.5, 0.25, 0.25)))
@@ -69,7 +69,7 @@ def heap(rng: np.random.Generator, cloth: Material, width: float, height: float)
 
 
 def laundry_heap(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a few pieces of clothing dropped on the floor."""
+    """Draw a few items of clothing dropped on the floor."""
     parts = []
     for k in range(int(rng.integers(1, 4))):
         cloth = style.any_fabric(rng) if rng.random() < 0.5 else palette.plain_fabric(rng)

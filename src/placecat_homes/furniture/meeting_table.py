@@ -11,7 +11,7 @@ from placecat_homes.style import Style
 
 
 def meeting_table(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a desk-height table, either round on a column or square on legs."""
+    """Draw a desk-height table, either a round one on a column or a square one on legs."""
     wide = between(rng, 0.8, 1.1)
     top = surface(rng, style)
     if chance(rng, 0.6):

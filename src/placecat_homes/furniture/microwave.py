@@ -19,7 +19,7 @@ BUTTON = Material(colour=(0.75, 0.75, 0.75), gloss=0.03)
 
 
 def microwave(rng: np.random.Generator, style: Style, *, width: float | None = None) -> Mesh:
-    """Draw a microwave oven with a door window, a handle, a display and buttons or dials."""
+    """Draw a microwave oven with a window in the door, a handle, a display and buttons or dials."""
     w = width or float(rng.uniform(0.45, 0.53))
     height, depth = w * 0.58, 0.34
     shell = SHELLS[int(rng.integers(3))] if rng.random() < 0.85 else palette.plastic(rng)
@@ -53,5 +53,5 @@ def microwave(rng: np.random.Generator, style: Style, *, width: float | None = N
     for sx in (-1, 1):
         for y in (0.04, depth - 0.04):
             parts.append(cylinder(0.015, 0.014, 8, 0).moved(sx * (w / 2 - 0.04), y).of(DARK))
-    # Seen from the front, +x is on the left. The buttons belong on the right.
+    # Seen from the front, +x is on the left, and the buttons belong on the right.
     return join(parts).mirrored()

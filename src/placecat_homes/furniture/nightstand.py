@@ -49,7 +49,7 @@ def _glass(rng: np.random.Generator) -> Mesh:
 
 
 def _tops(rng: np.random.Generator, style: Style, width: float, depth: float, height: float) -> Mesh:
-    """Put a lamp, books, a clock and a glass on a table top without overlap."""
+    """Arrange a lamp, books, a clock and a glass on a table top without letting them overlap."""
     parts = []
     side = float(rng.choice((-1, 1)))
     if rng.random() < 0.85:
@@ -88,7 +88,7 @@ def nightstand(rng: np.random.Generator, style: Style, *, seed: int | None = Non
     style
         Style of the home.
     seed
-        Seed for the design, so that the tables on both sides of a bed can match; random if None.
+        Seed for the design, so that the tables on either side of a bed can match; random if None.
 
     Returns
     -------

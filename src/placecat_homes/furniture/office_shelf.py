@@ -20,7 +20,7 @@ CARD = Material((0.66, 0.52, 0.36))
 def office_shelf(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw a filled office bookcase, sometimes with doors below.
+    """Draw a full office bookcase, sometimes with doors at the bottom.
 
     Parameters
     ----------

@@ -15,7 +15,7 @@ EBONY = Material((0.03, 0.03, 0.03), gloss=0.04, roughness=0.2)
 
 
 def piano(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an upright piano with its stool.
+    """Draw an upright piano with a stool.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def piano(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width, height, depth = 1.46, between(rng, 1.1, 1.28), 0.36
     case = (

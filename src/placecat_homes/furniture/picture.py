@@ -30,7 +30,7 @@ def picture(
     Returns
     -------
     Mesh
-        The lowest point of the mesh is at z = 0.
+        A mesh whose lowest point is at z = 0.
     """
     if width is None and height is None:
         long, short = between(rng, 0.3, 1.0), between(rng, 0.62, 0.85)
@@ -127,7 +127,7 @@ def poster(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The lowest point of the mesh is at z = 0.
+        A mesh whose lowest point is at z = 0.
     """
     width = choose(rng, (0.42, 0.5, 0.6, 0.7))
     height = width * 1.414

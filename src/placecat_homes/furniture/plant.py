@@ -149,12 +149,12 @@ def plant(rng: np.random.Generator, style: Style, height: float | None = None) -
     style
         Style of the home.
     height
-        Height including the pot, in metres; a floor plant if None. Plants below 0.6 m suit a sill or table.
+        Height including the pot, in metres; a floor plant if None. Plants under 0.6 m suit a sill or table.
 
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     height = between(rng, 0.7, 1.8) if height is None else height
     if height < 0.6:

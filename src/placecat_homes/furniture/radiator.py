@@ -1,4 +1,4 @@
-"""Radiators made of flat panels, grooved panels or columns of pipes."""
+"""Radiators with flat panels, grooved panels or columns of pipes."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from placecat_homes.style import Style
 def radiator(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Build a radiator to hang about 0.12 m above the floor.
+    """Build a radiator to be mounted about 0.12 m above the floor.
 
     Parameters
     ----------

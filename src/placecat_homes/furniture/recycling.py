@@ -14,7 +14,7 @@ DARK = Material((0.06, 0.06, 0.065), gloss=0.03)
 
 
 def recycling(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw two or three adjacent bins with signs and lids of different colours."""
+    """Draw two or three bins side by side, with signs and differently coloured lids."""
     body = palette.plastic(rng) if chance(rng, 0.6) else style.metal
     wide, deep, high = between(rng, 0.28, 0.36), between(rng, 0.3, 0.4), between(rng, 0.6, 0.85)
     parts = []
@@ -59,7 +59,7 @@ def paper_bin(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def shredder(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a paper shredder on its bin, with shreds visible through a window."""
+    """Draw a paper shredder on top of its bin, with shreds visible through a window."""
     wide, deep, high = between(rng, 0.35, 0.45), between(rng, 0.26, 0.36), between(rng, 0.5, 0.75)
     skin, head = palette.plastic(rng), palette.plastic(rng) if chance(rng, 0.4) else DARK
     window = (wide * 0.5, 0.003, high * 0.3)

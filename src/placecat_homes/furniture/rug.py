@@ -28,7 +28,7 @@ def rug(
     Returns
     -------
     Mesh
-        A rug 1 cm thick with its back edge on y = 0.
+        A rug 1 cm thick, with its back edge at y = 0.
     """
     width = between(rng, 1.2, 2.4) if width is None else width
     depth = width * between(rng, 0.6, 0.75) if depth is None else depth
@@ -61,7 +61,7 @@ def mat(rng: np.random.Generator, style: Style, width: float = 0.8, depth: float
     Returns
     -------
     Mesh
-        A mat with its back edge on y = 0.
+        A mat with its back edge at y = 0.
     """
     cloth = choose(rng, (palette.rug(rng, width, depth), palette.carpet(rng), palette.fabric(rng)))
     if chance(rng, 0.2):

@@ -11,7 +11,7 @@ from placecat_homes.style import Style
 
 
 def shoe_rack(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a rack of two or three shelves with pairs of shoes on them."""
+    """Draw a rack with pairs of shoes on two or three shelves."""
     width, deep = between(rng, 0.55, 0.95), between(rng, 0.28, 0.32)
     levels = int(rng.integers(2, 4))
     step = between(rng, 0.17, 0.21)

@@ -35,7 +35,7 @@ def shower(
     ceramic
         Material of the tray; chosen at random if None.
     tiles
-        Tiles of the back wall; chosen at random if None.
+        Tiles on the back wall; chosen at random if None.
     width
         Width in metres; chosen at random if None.
     kind
@@ -134,7 +134,7 @@ def _pane(width: float, height: float, metal: Material) -> Mesh:
 def _glass_walls(
     rng: np.random.Generator, style: Style, width: float, depth: float, rim: float, height: float
 ) -> Mesh:
-    """Draw glass on three sides. The front has one or two doors, and a single door may be ajar."""
+    """Draw glass walls on three sides. The front has one or two doors, and a single door may be ajar."""
     frame = style.metal if rng.random() < 0.6 else Material((0.9, 0.9, 0.9), gloss=0.05)
     tall = height - rim
     side = _pane(depth - 0.03, tall, frame).turned(90)

@@ -1,4 +1,4 @@
-"""Shut doors, modelled as reliefs on a wall."""
+"""Shut doors, modelled in relief on a wall."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ DEEP = 0.012
 def shut_door(
     rng: np.random.Generator, style: Style, width: float = 0.9, height: float = 2.05, hinge: str = "left"
 ) -> Mesh:
-    """Draw the visible side of a shut door that is flat against a wall.
+    """Draw the visible side of a shut door, flat against a wall.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ def shut_door(
     width, height
         Width and height of the opening in metres.
     hinge
-        Side of the hinge: "left" or "right".
+        Which side the hinge is on: "left" or "right".
     """
     whole = door(rng, style, width, height, DEEP, 0.0, hinge)
     keep = whole.vertices[whole.triangles, 1].max(axis=1) > -DEEP

@@ -1,4 +1,4 @@
-"""Small tables beside a sofa or bed."""
+"""Small tables that stand beside a sofa or bed."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 def side_table(
     rng: np.random.Generator, style: Style, height: float | None = None, lamp: bool | None = None
 ) -> Mesh:
-    """Draw a small table with a lamp, a plant or other small objects on it.
+    """Draw a small table with a lamp, a plant or other small objects on top.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def side_table(
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     height = between(rng, 0.45, 0.62) if height is None else height
     size = between(rng, 0.36, 0.52)

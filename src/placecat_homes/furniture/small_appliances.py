@@ -84,7 +84,7 @@ def toaster(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def coffee_machine(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a filter coffee machine with its jug, or an espresso machine."""
+    """Draw a filter coffee machine with a jug, or an espresso machine."""
     shell = _shell(rng)
     if rng.random() < 0.55:
         width, depth, height = 0.2, 0.25, float(rng.uniform(0.31, 0.36))
@@ -117,7 +117,7 @@ def coffee_machine(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def mixer(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a stand mixer with its bowl, or a blender."""
+    """Draw a stand mixer with a bowl, or a blender."""
     shell = palette.plastic(rng) if rng.random() < 0.7 else STEEL
     if rng.random() < 0.6:
         foot = loft(

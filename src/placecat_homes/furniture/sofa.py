@@ -15,7 +15,7 @@ from placecat_homes.style import Style
 
 
 def cover(rng: np.random.Generator, style: Style) -> Material:
-    """Choose a material for the covers."""
+    """Choose an upholstery material."""
     kind = rng.random()
     if kind < 0.5:
         return palette.plain_fabric(rng)
@@ -39,7 +39,7 @@ def sofa(rng: np.random.Generator, style: Style, seats: int | None = None) -> Me
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     seats = int(choose(rng, (2, 3, 3))) if seats is None else seats
     modern = style.modern
@@ -189,11 +189,11 @@ def buttoned(rng: np.random.Generator, style: Style, seats: int) -> Mesh:
         parts.append(
             seat(each - 0.004, depth - back + 0.02, 0.16, 0.25).moved(x, back - 0.02, top - 0.14).of(skin)
         )
-    # The buttons pull the padding in, so it is drawn as a wavy sheet with small knobs.
+    # The buttons pull the padding in, so the back is drawn as a wavy sheet with small knobs.
     columns, pitch = round(inner / 0.14), inner / round(inner / 0.14)
 
     def padding(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:
-        # The surface faces the front, because t runs from right to left and s upwards.
+        # t runs from right to left and s runs upwards, so the surface faces forwards.
         x = (0.5 - t) * inner
         z = top + s * (tall - top - 0.06)
         wave = np.abs(np.sin(math.pi * (x / pitch + s * 2))) * np.abs(np.sin(math.pi * (x / pitch - s * 2)))
@@ -212,7 +212,7 @@ def buttoned(rng: np.random.Generator, style: Style, seats: int) -> Mesh:
 
 
 def framed(rng: np.random.Generator, style: Style, seats: int) -> Mesh:
-    """Draw a light sofa on a wooden or metal frame with splayed legs."""
+    """Draw a lightweight sofa on a wooden or metal frame with splayed legs."""
     skin, frame = cover(rng, style), style.any_wood(rng)
     each, depth = between(rng, 0.56, 0.66), between(rng, 0.76, 0.86)
     inner = each * seats
@@ -245,7 +245,7 @@ def framed(rng: np.random.Generator, style: Style, seats: int) -> Mesh:
 
 
 def corner_sofa(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a sofa with a long seat at one end.
+    """Draw a corner sofa with a chaise longue at one end.
 
     Parameters
     ----------
@@ -325,7 +325,7 @@ def footstool(rng: np.random.Generator, style: Style, skin: Material | None = No
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     skin = cover(rng, style) if skin is None else skin
     width, depth, height = between(rng, 0.45, 0.8), between(rng, 0.42, 0.6), between(rng, 0.36, 0.44)

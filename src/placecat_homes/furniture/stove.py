@@ -38,7 +38,7 @@ def stove(
     Returns
     -------
     Mesh
-        A range with burners or plates on top, an oven in front and a drawer below.
+        A range with burners or hotplates on top, and an oven above a drawer at the front.
     """
     w = width or choose(rng, (0.5, 0.6, 0.9), (0.3, 0.5, 0.2))
     depth = 0.6

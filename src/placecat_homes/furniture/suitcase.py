@@ -27,7 +27,7 @@ def suitcase(rng: np.random.Generator, style: Style, lying: bool | None = None) 
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     w, h, d = between(rng, 0.38, 0.5), between(rng, 0.52, 0.74), between(rng, 0.2, 0.28)
     lying = chance(rng, 0.25) if lying is None else lying

@@ -23,7 +23,7 @@ def table_lamp(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     return backed(choose(rng, (_shaded, _shaded, _arm, _ball))(rng, style))
 

@@ -33,7 +33,7 @@ FLAME = Material(colour=(1.0, 0.8, 0.4), emission=3.0)
 
 @dataclass(frozen=True)
 class Tableware:
-    """Tableware shared by all places at one table.
+    """Tableware shared by all place settings at one table.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class Tableware:
 
 
 def place_setting(rng: np.random.Generator, style: Style, *, ware: Tableware | None = None) -> Mesh:
-    """Draw a plate, cutlery, a glass and a napkin. The person sits at y < 0 and faces +y.
+    """Draw a plate, cutlery, a glass and a napkin. The diner sits at y < 0 and faces +y.
 
     Parameters
     ----------
@@ -85,12 +85,12 @@ def place_setting(rng: np.random.Generator, style: Style, *, ware: Tableware | N
     style
         Style of the home.
     ware
-        Tableware shared by all places at the table; chosen at random if None.
+        Tableware shared by all place settings at the table; chosen at random if None.
 
     Returns
     -------
     Mesh
-        A setting of about 0.45 m by 0.35 m. The edge of the table is at y = 0.
+        A setting about 0.45 m wide and 0.35 m deep. The edge of the table is at y = 0.
     """
     kit = ware or Tableware.draw(rng, style)
     parts: list[Mesh] = []
@@ -154,7 +154,7 @@ def candlestick(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def runner(rng: np.random.Generator, style: Style, *, length: float = 1.2, width: float = 0.35) -> Mesh:
-    """Draw a strip of cloth along the middle of a table."""
+    """Draw a cloth runner along the middle of a table."""
     return block(style.any_fabric(rng), (length, width, 0.003))
 
 

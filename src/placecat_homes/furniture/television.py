@@ -23,7 +23,7 @@ def _picture(rng: np.random.Generator, width: float, height: float) -> Material:
 
 
 def _panel(rng: np.random.Generator, width: float, lit: bool) -> Mesh:
-    """Draw a flat screen with its lower edge on z = 0."""
+    """Draw a flat screen with its lower edge at z = 0."""
     height = width * 9 / 16
     rim = between(rng, 0.008, 0.025)
     screen = _picture(rng, width - 2 * rim, height - 2 * rim) if lit else palette.BLACK_GLASS
@@ -38,7 +38,7 @@ def _panel(rng: np.random.Generator, width: float, lit: bool) -> Mesh:
 def television(
     rng: np.random.Generator, style: Style, width: float | None = None, lit: bool | None = None
 ) -> Mesh:
-    """Draw a flat television with its own stand, to put on a piece of furniture.
+    """Draw a flat-screen television on its own stand, for use on top of furniture.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def television(
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width = between(rng, 0.75, 1.35) if width is None else width
     on = chance(rng, 0.3) if lit is None else lit
@@ -72,7 +72,7 @@ def television(
 def wall_television(
     rng: np.random.Generator, style: Style, width: float | None = None, lit: bool | None = None
 ) -> Mesh:
-    """Draw a flat television to hang on a wall.
+    """Draw a wall-mounted flat-screen television.
 
     Parameters
     ----------
@@ -88,14 +88,14 @@ def wall_television(
     Returns
     -------
     Mesh
-        The lowest point of the mesh is at z = 0.
+        A mesh whose lowest point is at z = 0.
     """
     width = between(rng, 0.9, 1.5) if width is None else width
     return _panel(rng, width, chance(rng, 0.3) if lit is None else lit).moved(0, 0.03, 0)
 
 
 def crt(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw an old tube television.
+    """Draw an old CRT television.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def crt(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width = between(rng, 0.5, 0.72)
     height, depth = width * 0.78, width * 0.72
@@ -147,7 +147,7 @@ def speaker(rng: np.random.Generator, style: Style, height: float | None = None)
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     height = between(rng, 0.25, 1.05) if height is None else height
     width = between(rng, 0.14, 0.2) if height < 0.5 else between(rng, 0.18, 0.24)
@@ -178,7 +178,7 @@ def stereo(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     wood = style.any_wood(rng)
     height, width, depth = between(rng, 0.55, 0.75), 0.52, 0.42
@@ -226,7 +226,7 @@ def bench(rng: np.random.Generator, style: Style, width: float | None = None) ->
     Returns
     -------
     Mesh
-        The cabinet stands on z = 0. Its top is the highest part.
+        A cabinet with its base at z = 0 and nothing above its top.
     """
     width = between(rng, 1.2, 2.0) if width is None else width
     depth, height, foot = between(rng, 0.38, 0.46), between(rng, 0.4, 0.56), between(rng, 0.04, 0.16)
@@ -284,12 +284,12 @@ def tv_bench(rng: np.random.Generator, style: Style, width: float | None = None,
     width
         Width of the cabinet in metres; chosen at random if None.
     hung
-        Whether the television hangs on the wall above. If it does, it is not drawn.
+        Whether the television is on the wall above, in which case it is not drawn.
 
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     old = style.modern < 0.35 and not hung and chance(rng, 0.45)
     low = bench(rng, style, width)

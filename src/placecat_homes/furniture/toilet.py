@@ -31,8 +31,8 @@ def toilet(
     ceramic
         Material of the bowl; chosen at random if None.
     kind
-        "close-coupled" (cistern on the bowl), "wall-hung" (cistern in a boxed wall), "low" (cistern halfway
-        up the wall) or "high" (an old cistern with a chain); chosen at random if None.
+        "close-coupled" (cistern on the bowl), "wall-hung" (concealed cistern), "low" (cistern halfway up the
+        wall) or "high" (an old cistern with a chain); chosen at random if None.
     open_lid
         Whether the lid is open; open with probability 0.4 if None.
 
@@ -83,7 +83,7 @@ def toilet(
 
 
 def toilet_brush(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a toilet brush in its pot."""
+    """Draw a toilet brush in its holder."""
     pot = palette.plastic(rng) if rng.random() < 0.6 else style.metal
     profile = [(0, 0), (0.05, 0), (0.055, 0.03), (0.045, 0.14), (0.04, 0.14), (0.045, 0.02), (0, 0.02)]
     brush = join(
@@ -103,7 +103,7 @@ def _bowl_inside(back: float, width: float, length: float, top: float) -> list[t
 
 
 def _standing(ceramic: Material, back: float, rng: np.random.Generator) -> Mesh:
-    """Draw a bowl on a foot. The rim starts at y = `back`, 40 cm above the floor."""
+    """Draw a floor-standing bowl. Its rim is 40 cm above the floor and starts at y = `back`."""
     width, length = 0.36, 0.47
     waist = rng.uniform(0.17, 0.22)
 
@@ -136,7 +136,7 @@ def _seat(
     opened: bool,
     lean: float,
 ) -> Mesh:
-    """Draw the seat and the lid on the rim. An open lid has `lean` metres of space behind it."""
+    """Draw the seat and lid on the rim. `lean` is the space behind an open lid, in metres."""
     outer = rounded(0.375, 0.455, (0.187, 0.29), (0.13, 0.1), points=8)
     inner = rounded(0.22, 0.29, (0.11, 0.17), (0.09, 0.09), y=0.09, points=8)
     seat = ring(outer, inner, 0.02, 0.006)
@@ -175,7 +175,7 @@ def _tank(rng: np.random.Generator, ceramic: Material, metal: Material) -> Mesh:
 def _hung(
     rng: np.random.Generator, ceramic: Material, metal: Material, seat: Material, opened: bool
 ) -> list[Mesh]:
-    """Draw a bowl without a foot in front of a boxed wall with a flush plate."""
+    """Draw a wall-hung bowl in front of a boxed-in wall with a flush plate."""
     boxed = palette.tiles(rng) if rng.random() < 0.6 else palette.paint(rng)
     width, height, depth = rng.uniform(0.6, 1.0), rng.uniform(1.05, 1.2), rng.uniform(0.12, 0.2)
     back = depth + 0.07

@@ -9,7 +9,7 @@ from placecat_homes.style import Style
 
 
 def toilet_paper(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a roll on a wall holder. The lowest point, at z = 0, should be about 0.6 m above the floor."""
+    """Draw a roll on a wall holder. Its lowest point, at z = 0, should be about 0.6 m above the floor."""
     metal = style.metal
     parts = [
         roll(rng, rng.uniform(0.06, 0.14)).moved(0, 0.07),

@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def cloths(rng: np.random.Generator, style: Style, count: int) -> list[Material]:
-    """Choose materials for towels. They may or may not match."""
+    """Choose towel materials, which may or may not match."""
     first = palette.plain_fabric(rng)
     match = rng.random() < 0.5
     return [
@@ -118,7 +118,7 @@ def _ring(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def towel_radiator(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a heated towel rail: a ladder of bars with towels. Its lower end is at z = 0."""
+    """Draw a heated towel rail: a ladder of bars with towels. Its lower edge is at z = 0."""
     width, height = rng.uniform(0.45, 0.6), rng.uniform(1.1, 1.6)
     metal = style.metal if rng.random() < 0.45 else Material((0.92, 0.92, 0.91), gloss=0.04)
     bars = np.arange(0.05, height, 0.06)

@@ -58,7 +58,7 @@ def car(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def bricks(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw building bricks, some piled up."""
+    """Draw toy building bricks, some of them stacked."""
     colours = [_bright(rng) for _ in range(5)]
     edge = between(rng, 0.04, 0.07)
     parts = []
@@ -75,7 +75,7 @@ def bricks(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def toys(rng: np.random.Generator, style: Style, count: int | None = None) -> Mesh:
-    """Draw toys scattered on the floor.
+    """Draw toys scattered across the floor.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def toys(rng: np.random.Generator, style: Style, count: int | None = None) -> Me
     Returns
     -------
     Mesh
-        Toys standing on z = 0 within a square of about one metre.
+        Toys standing on z = 0, within an area about one metre square.
     """
     count = int(rng.integers(2, 5)) if count is None else count
     parts = []

@@ -33,7 +33,7 @@ def urinal(
     Returns
     -------
     Mesh
-        Urinals with their rims 0.62 m above the floor. The floor is at z = 0.
+        Urinals with their rims 0.62 m above the floor, which is at z = 0.
     """
     ceramic = ceramic or palette.ceramic(rng)
     pitch = rng.uniform(0.7, 0.85)
@@ -56,7 +56,7 @@ def urinal(
 
 
 def _bowl(ceramic: Material) -> Mesh:
-    """Draw one urinal as a shell that is open in front above its lip."""
+    """Draw one urinal as a shell, open at the front above its lip."""
 
     def ring(width: float, depth: float, z: float, inside: float = 0.0) -> tuple[np.ndarray, float]:
         w, d = width - 2 * inside, depth - 2 * inside

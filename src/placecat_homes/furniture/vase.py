@@ -31,7 +31,7 @@ def vase(rng: np.random.Generator, style: Style, flowers: bool | None = None) ->
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     h, r = between(rng, 0.14, 0.3), between(rng, 0.04, 0.08)
     profile = choose(
@@ -84,7 +84,7 @@ def bouquet(rng: np.random.Generator, height: float, radius: float) -> Mesh:
     Returns
     -------
     Mesh
-        Flowers around the z axis, from z = 0 upwards.
+        Flowers around the z axis, extending upwards from z = 0.
     """
     count = int(rng.integers(5, 12))
     green = palette.foliage(rng)
@@ -121,7 +121,7 @@ def candle(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     wax = Material(palette.colour(rng, 0.5, 0.7, 0.97))
     parts = []
@@ -153,7 +153,7 @@ def bowl(rng: np.random.Generator, style: Style, fruit: bool | None = None) -> M
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     r, h = between(rng, 0.1, 0.17), between(rng, 0.06, 0.1)
     skin = choose(rng, (palette.ceramic(rng), palette.wood(rng), palette.paint(rng), style.metal))
@@ -191,7 +191,7 @@ def figure(rng: np.random.Generator, style: Style) -> Mesh:
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     kind = choose(rng, ("photo", "photo", "globe", "turned", "stone"))
     if kind == "photo":

@@ -14,7 +14,7 @@ DARK = Material((0.05, 0.05, 0.055), gloss=0.04)
 
 
 def vending_machine(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a lit vending machine with a coin panel, and rows of snacks and bottles behind a window."""
+    """Draw an illuminated vending machine with a coin panel and rows of snacks and bottles behind glass."""
     wide, deep, high = between(rng, 0.8, 0.95), between(rng, 0.7, 0.82), between(rng, 1.75, 1.9)
     skin = choose(rng, (DARK, Material(ink(rng), gloss=0.04), Material((0.85, 0.85, 0.84), gloss=0.04)))
     glass_wide, low = wide * 0.68, high * 0.26

@@ -237,7 +237,7 @@ def garment(rng: np.random.Generator, cloth: Material) -> Mesh:
 def _open(
     rng: np.random.Generator, style: Style, material: Material, width: float, depth: float, height: float
 ) -> Mesh:
-    """Draw a wardrobe without doors, with a rail of clothes, shelves of folded clothes, and shoes below."""
+    """Draw an open wardrobe with a rail of clothes, shelves of folded clothes, and shoes below."""
     thick, shelf_width = 0.022, min(0.5, width * 0.38)
     split = width / 2 - shelf_width
     parts = [
@@ -289,7 +289,7 @@ def _open(
 
 
 def clothes_rail(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a free-standing rail with clothes."""
+    """Draw a free-standing rail of clothes."""
     width, height, depth = rng.uniform(0.8, 1.3), rng.uniform(1.5, 1.65), 0.44
     metal = style.metal
     parts = [tube([(-width / 2, depth / 2, height), (width / 2, depth / 2, height)], 0.014, 8).of(metal)]
@@ -308,7 +308,7 @@ def clothes_rail(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def hanging_clothes(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a garment on a hook for a wall or door. Its hem is at z = 0."""
+    """Draw a garment hanging from a hook on a wall or door. Its hem is at z = 0."""
     piece = garment(rng, style.any_fabric(rng)).turned(90).moved(0, 0.07, 0)
     hook = handle("knob", style.metal).moved(0, 0, 0.03)
     mesh = join(piece, hook)

@@ -28,7 +28,7 @@ def on_shelf(rng: np.random.Generator, style: Style, width: float, height: float
     Returns
     -------
     Mesh
-        The contents stand on z = 0, centred in x, with their back on y = 0.
+        The contents, standing on z = 0 and centred on x = 0, with their back at y = 0.
     """
     kind = choose(rng, ("folded", "boxes", "shoes", "mixed"), (5, 1.5, 1.5, 2))
     parts: list[Mesh] = []
@@ -126,7 +126,7 @@ def wardrobe_shelf(
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width = between(rng, 1.0, 2.2) if width is None else width
     height = between(rng, 1.95, 2.15) if height is None else height
@@ -187,7 +187,7 @@ def low_shelf(
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width = between(rng, 0.5, 1.0) if width is None else width
     height = between(rng, 0.65, 0.85) if height is None else height
@@ -204,7 +204,7 @@ def low_shelf(
 
 
 def wall_board(rng: np.random.Generator, style: Style, width: float | None = None) -> Mesh:
-    """Draw a high wall shelf with boxes and folded clothes on it and a rod of clothes below.
+    """Draw a high wall shelf holding boxes and folded clothes, with clothes on a rod below.
 
     Parameters
     ----------
@@ -251,7 +251,7 @@ def shoe_rack(rng: np.random.Generator, style: Style, width: float | None = None
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     width = between(rng, 0.55, 0.9) if width is None else width
     wood, depth, rows = style.any_wood(rng), 0.32, int(rng.integers(2, 5))

@@ -24,7 +24,7 @@ def washbasin(
     width: float | None = None,
     clutter: float | None = None,
 ) -> Mesh:
-    """Draw a washbasin with a tap and the usual objects.
+    """Draw a washbasin with a tap and the objects usually kept there.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def washbasin(
     ceramic
         Material of the basin; chosen at random if None.
     kind
-        "pedestal", "wall" (with its drain showing), "vanity" (a cabinet with the basin as its top), "vessel"
+        "pedestal", "wall" (with an exposed drain), "vanity" (a cabinet with the basin as its top), "vessel"
         (a bowl on a counter) or "stand" (a bowl on a table); chosen at random if None.
     width
         Width in metres; chosen at random if None. A vanity of 1.1 m or more has two basins.
@@ -65,7 +65,7 @@ def washbasin(
 def hollow(
     width: float, depth: float, radius: tuple[float, float], y: float, top: float, deep: float
 ) -> list[tuple[Outline, float]]:
-    """Return the rings of a hollow, from its edge to its bottom."""
+    """Return the rings of a hollow, from the edge to the bottom."""
     rings = []
     for share, down in ((1.0, 0.0), (0.97, 0.02), (0.86, 0.75), (0.7, 0.95), (0.4, 1.0)):
         outline = rounded(width, depth, radius, y=y)

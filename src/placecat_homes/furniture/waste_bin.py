@@ -14,7 +14,7 @@ from placecat_homes.style import Style
 
 
 def waste_bin(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a waste-paper bucket, wire basket or box with crumpled paper in it."""
+    """Draw a waste-paper bin, wire basket or box with crumpled paper in it."""
     high, radius = between(rng, 0.26, 0.38), between(rng, 0.12, 0.16)
     kind = rng.random()
     if kind < 0.5:

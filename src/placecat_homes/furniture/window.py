@@ -16,7 +16,7 @@ def window(
     depth: float = 0.2,
     to_floor: bool = False,
 ) -> Mesh:
-    """Build a window for an opening in an outer wall.
+    """Build a window for an opening in an exterior wall.
 
     Parameters
     ----------

@@ -8,14 +8,14 @@ from placecat_homes.mesh import Mesh, join
 
 
 def grounded(*parts: Mesh | Iterable[Mesh]) -> Mesh:
-    """Join meshes into one that stands on z = 0, centred in x, with its back on y = 0."""
+    """Join meshes into one that stands on z = 0, centred on x = 0, with its back at y = 0."""
     mesh = join(*parts)
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1]), -float(low[2]))
 
 
 def centred(mesh: Mesh) -> Mesh:
-    """Move a mesh in x and y so that its middle is above the origin."""
+    """Move a mesh in x and y so that its centre is above the origin."""
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1] + high[1]) / 2)
 
@@ -32,7 +32,7 @@ def in_a_row(
     things
         Standing objects in order of increasing x.
     width
-        Width of the shelf in metres; it is centred in x, with its back on y = 0.
+        Width of the shelf in metres. The shelf is centred on x = 0, with its back at y = 0.
     depth
         Depth of the shelf in metres; 0 puts all objects at the back edge.
     gap
@@ -41,7 +41,7 @@ def in_a_row(
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     chosen: list[Mesh] = []
     used = 0.0
@@ -73,7 +73,7 @@ def scattered(
     gap: float = 0.02,
     tries: int = 20,
 ) -> Mesh:
-    """Put objects at random places on a table top, without overlap. Objects that do not fit are left out.
+    """Place objects at random on a table top, without overlaps. Any that do not fit are left out.
 
     Parameters
     ----------
@@ -82,16 +82,16 @@ def scattered(
     things
         Standing objects. They are not rotated.
     width, depth
-        Width and depth of the top in metres; it is centred on the origin.
+        Width and depth of the table top in metres. The top is centred on the origin.
     gap
         Minimum distance between objects in metres.
     tries
-        Number of places tried for each object.
+        Number of positions tried for each object.
 
     Returns
     -------
     Mesh
-        The mesh stands on z = 0.
+        A mesh with its base at z = 0.
     """
     taken: list[tuple[float, float, float, float]] = []
     placed = []

@@ -47,8 +47,8 @@ def cover(
     top
         Height of the top of the mattress in metres.
     side, foot
-        How far the blanket hangs down at each side and at the foot, in metres. If `foot` is 0, it ends on the
-        mattress.
+        How far the blanket hangs down at each side and at the foot, in metres. If `foot` is 0, the blanket
+        ends on the mattress.
     thickness, crease
         Thickness of the blanket and height of its creases in metres.
     slant
@@ -126,7 +126,7 @@ def pillows(
     *,
     upright: bool | None = None,
 ) -> Mesh:
-    """Draw one or two rows of pillows at the head (y = 0). Single beds have one per row, others have two.
+    """Draw one or two rows of pillows at the head (y = 0). Single beds get one per row, wider beds two.
 
     Parameters
     ----------

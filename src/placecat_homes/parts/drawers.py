@@ -1,4 +1,4 @@
-"""Chests of drawers, their handles, and desk surfaces."""
+"""Chests of drawers, drawer handles and desk surfaces."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from placecat_homes.style import Style
 
 
 def pull(style: Style, width: float, *, kind: str | None = None) -> Mesh:
-    """Draw a handle for a front `width` metres wide. It is centred on the origin and faces +y."""
+    """Draw a handle, centred on the origin and facing +y, for a front `width` metres wide."""
     kind = kind or style.handle
     if kind == "knob":
         return cylinder(0.013, 0.025, 10).turned(-90, "x").of(style.metal)
@@ -43,7 +43,7 @@ def chest(
     shares
         Relative heights of the drawers from the top down.
     case, front
-        Materials of the case and of the drawer fronts.
+        Materials of the case and drawer fronts.
     plinth
         Height of the base in metres.
     handle

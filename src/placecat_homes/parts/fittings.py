@@ -16,7 +16,7 @@ TAPS = ("mixer", "tall", "two handles", "square")
 
 
 def front(width: float, height: float, material: Material, design: str = "flat") -> Mesh:
-    """Draw an upright drawer or door front, 2 cm thick, with its back on y = 0.
+    """Draw an upright drawer or door front, 2 cm thick, with its back at y = 0.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def front(width: float, height: float, material: Material, design: str = "flat")
     Returns
     -------
     Mesh
-        A front standing on z = 0, centred in x.
+        A front standing on z = 0, centred on x = 0.
     """
     border = min(0.07, width * 0.18, height * 0.28)
     if design == "flat" or border < 0.025:
@@ -62,7 +62,7 @@ def front(width: float, height: float, material: Material, design: str = "flat")
 
 
 def handle(kind: str, metal: Material, length: float = 0.14, *, upright: bool = False) -> Mesh:
-    """Draw a handle that sticks out towards +y from the origin.
+    """Draw a handle at the origin, sticking out towards +y.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def handle(kind: str, metal: Material, length: float = 0.14, *, upright: bool = 
     length
         Length of a bar in metres.
     upright
-        Whether a bar is upright, as on doors.
+        Whether a bar is vertical, as on doors.
 
     Returns
     -------
@@ -112,14 +112,14 @@ def fronts(
     gap: float = 0.004,
     doors: bool = False,
 ) -> Mesh:
-    """Cover a rectangle with fronts and their handles.
+    """Cover a rectangle with fronts and handles.
 
     Parameters
     ----------
     width, height
         Width and height of the rectangle in metres.
     material, metal
-        Materials of the fronts and of the handles.
+        Materials of the fronts and handles.
     rows, columns
         Number of fronts in each direction.
     design
@@ -134,7 +134,7 @@ def fronts(
     Returns
     -------
     Mesh
-        The fronts stand on z = 0, centred in x, with their backs on y = 0.
+        The fronts, standing on z = 0 and centred on x = 0, with their backs at y = 0.
     """
     parts: list[Mesh] = []
     w, h = width / columns, height / rows
@@ -160,7 +160,7 @@ def fronts(
 
 
 def tap(rng: np.random.Generator, metal: Material, kind: str | None = None, size: float = 1.0) -> Mesh:
-    """Draw a tap that stands on z = 0, with its spout towards +y.
+    """Draw a tap standing on z = 0, with its spout pointing towards +y.
 
     Parameters
     ----------

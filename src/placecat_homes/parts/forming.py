@@ -10,14 +10,14 @@ from placecat_homes.shapes import extrude
 
 
 def board(width: float, depth: float, height: float, radius: float, steps: int = 4) -> Mesh:
-    """Draw a horizontal board with rounded corners and its back on y = 0.
+    """Draw a horizontal board with rounded corners and its back at y = 0.
 
     Parameters
     ----------
     width, depth, height, radius
         Dimensions in metres.
     steps
-        Number of edges in each corner.
+        Number of segments in each corner.
     """
     return extrude(rectangle(width, depth, radius, steps), height, smooth=False).moved(y=depth / 2)
 

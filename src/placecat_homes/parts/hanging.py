@@ -11,7 +11,7 @@ from placecat_homes.shapes import extrude
 def curtain(
     width: float, height: float, folds: int = 8, depth: float = 0.05, thickness: float = 0.004
 ) -> Mesh:
-    """Draw hanging cloth in folds, with its back near y = 0.
+    """Draw a cloth hanging in folds, with its back near y = 0.
 
     Parameters
     ----------
@@ -23,7 +23,7 @@ def curtain(
     Returns
     -------
     Mesh
-        A cloth whose lower edge is on z = 0, centred in x.
+        A cloth centred on x = 0, with its lower edge at z = 0.
     """
     steps = folds * 6
     x = np.linspace(-width / 2, width / 2, steps + 1)

@@ -23,7 +23,7 @@ def rounded(
     y: float = 0.0,
     points: int = 5,
 ) -> Outline:
-    """Return a rectangle with rounded corners, counter-clockwise and centred in x.
+    """Return a rectangle with rounded corners, counter-clockwise and centred on x = 0.
 
     Parameters
     ----------
@@ -65,10 +65,10 @@ def loft(rings: Sequence[tuple[Outline, float]], *, bottom: bool = True, top: bo
     ----------
     rings
         Outlines with the same number of points, and their heights, from the bottom up. For a vessel they go
-        up the outside and then down the inside. Where the profile turns by more than 40 degrees, the edge
-        stays sharp.
+        up the outside and then down the inside. The edge stays sharp wherever the profile turns by more than
+        40 degrees.
     bottom, top
-        Whether to close the first outline (seen from below) and the last (seen from above).
+        Whether to close the first outline (visible from below) and the last (visible from above).
 
     Returns
     -------
@@ -157,7 +157,7 @@ def ring(outer: Outline, inner: Outline, height: float, bevel: float = 0.004) ->
 
 
 def pillow(width: float, depth: float, height: float, cells: int = 10) -> Mesh:
-    """Draw a pillow with pointed corners, lying on z = 0 with its back edge on y = 0."""
+    """Draw a pillow with pointed corners, lying on z = 0 with its back edge at y = 0."""
 
     def half(sign: float) -> Mesh:
         def surface(s: NDArray[np.float64], t: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:

@@ -21,7 +21,7 @@ def rectangle(width: float, depth: float, radius: float = 0.0, steps: int = 4) -
     width, depth, radius
         Dimensions in metres.
     steps
-        Number of edges in each rounded corner.
+        Number of segments in each rounded corner.
 
     Returns
     -------
@@ -51,7 +51,7 @@ def oval(width: float, depth: float, steps: int = 24) -> Outline:
 
 
 def frontal(outline: Sequence[tuple[float, float]], depth: float, *, smooth: bool = False) -> Mesh:
-    """Draw an upright board whose outline is seen from the front or back.
+    """Draw an upright board with the given outline, as seen from the front or back.
 
     Parameters
     ----------
@@ -65,13 +65,13 @@ def frontal(outline: Sequence[tuple[float, float]], depth: float, *, smooth: boo
     Returns
     -------
     Mesh
-        A board with its back on y = 0.
+        A board with its back at y = 0.
     """
     return extrude(outline, depth, smooth=smooth).turned(90, "x").moved(y=depth)
 
 
 def sideways(outline: Sequence[tuple[float, float]], width: float, *, smooth: bool = False) -> Mesh:
-    """Draw a solid whose outline is seen from the side.
+    """Draw a solid with the given outline, as seen from the side.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def sideways(outline: Sequence[tuple[float, float]], width: float, *, smooth: bo
     Returns
     -------
     Mesh
-        A solid centred in x.
+        A solid centred on x = 0.
     """
     return extrude(outline, width, smooth=smooth).turned(90, "x").turned(90, "z").moved(x=-width / 2)
 
@@ -96,10 +96,10 @@ def loft(rings: Sequence[NDArray[np.float64]], *, close: bool = False) -> Mesh:
     Parameters
     ----------
     rings
-        Points of each ring, shape (n, 3). If a skin goes up the outside, the points run
-        counter-clockwise as seen from above.
+        Points of each ring, shape (n, 3). For a skin that goes up the outside, they run counter-clockwise as
+        seen from above.
     close
-        Whether to close the last ring with a fan around its middle.
+        Whether to close the last ring with a triangle fan around its centre.
 
     Returns
     -------
@@ -133,6 +133,6 @@ def ring(outline: Sequence[tuple[float, float]], z: float) -> NDArray[np.float64
 
 
 def textured(mesh: Mesh, *, u: float = 0.0, v: float = 0.0, quarter: bool = False) -> Mesh:
-    """Shift a mesh's texture by `u` and `v` metres. `quarter` turns it by 90 degrees for upright grain."""
+    """Shift a mesh's texture by `u` and `v` metres. `quarter` rotates it by 90 degrees for vertical grain."""
     uv = mesh.uv[:, ::-1] if quarter else mesh.uv
     return replace(mesh, uv=(uv + np.array([u, v], np.float32)).astype(np.float32))

@@ -19,7 +19,7 @@ PAPERS: tuple[Colour, ...] = (
 
 
 def ink(rng: np.random.Generator) -> Colour:
-    """Choose a strong colour for headings, binders and pens."""
+    """Choose a bold colour for headings, binders and pens."""
     hue, deep = rng.random(), rng.uniform(0.2, 0.9)
     wheel = np.clip(np.abs((hue * 6 + np.array([0, 4, 2])) % 6 - 3) - 1, 0, 1)
     r, g, b = (float(v) for v in deep * (1 - rng.beta(1.6, 1.3) * (1 - wheel)))
@@ -27,7 +27,7 @@ def ink(rng: np.random.Generator) -> Colour:
 
 
 def leaf(rng: np.random.Generator, *, white: float = 0.8) -> Material:
-    """Choose a plain paper material. It is white with probability `white`."""
+    """Choose a plain paper material, which is white with probability `white`."""
     first = rng.random() < white
     return Material(PAPERS[int(rng.integers(3))] if first else PAPERS[int(rng.integers(3, len(PAPERS)))])
 
@@ -68,6 +68,6 @@ def stack(rng: np.random.Generator, high: float, *, loose: float = 0.01) -> Mesh
 
 
 def pinned(rng: np.random.Generator, width: float, height: float, *, large: bool = False) -> Mesh:
-    """Draw a sheet that hangs flat on a board or wall, with its back on y = 0 and its lower edge on z = 0."""
+    """Draw a sheet that hangs flat on a board or wall, with its back at y = 0 and its lower edge at z = 0."""
     material = poster(rng, width, height) if large else page(rng, width, height, white=0.65)
     return quad(width, height).of(material).moved(y=0.002)

@@ -57,7 +57,7 @@ class Canvas:
         self.stroke([(x, y), (x, y)], 2 * radius, colour)
 
     def stroke(self, points: ArrayLike, width: float, colour: ArrayLike) -> None:
-        """Draw a line with round ends through the points."""
+        """Draw a line with rounded ends through the points."""
         line = np.asarray(points, np.float64)
         for a, b in itertools.pairwise(line):
             low, high = np.minimum(a, b) - width, np.maximum(a, b) + width
@@ -84,7 +84,7 @@ class Canvas:
     def words(
         self, rng: np.random.Generator, x0: float, x1: float, y: float, height: float, colour: ArrayLike
     ) -> None:
-        """Draw a row of words between x0 and x1 on the line y, as small letter-sized blocks."""
+        """Draw a row of words between x0 and x1 at height y, as small letter-sized blocks."""
         x = x0
         step = height * 0.7
         while x + 2 * step < x1:

@@ -15,7 +15,7 @@ PAPER = Material((0.94, 0.93, 0.91))
 
 
 def bright(rng: np.random.Generator) -> Colour:
-    """Choose a typical packaging colour: white, pastel or strong."""
+    """Choose a typical packaging colour: white, pastel or bold."""
     if rng.random() < 0.3:
         return (0.93, 0.93, 0.9)
     hue, strength, value = rng.uniform(0, 6), rng.uniform(0.2, 0.85), rng.uniform(0.35, 0.95)
@@ -30,7 +30,7 @@ def _label(rng: np.random.Generator, width: float, height: float, y: float, z: f
 
 
 def bottle(rng: np.random.Generator) -> Mesh:
-    """Draw a centred bottle of shampoo, gel or lotion, 12 to 25 cm high, with a cap or a pump."""
+    """Draw a centred bottle of shampoo, gel or lotion, 12 to 25 cm tall, with a cap or a pump."""
     height, width = rng.uniform(0.11, 0.2), rng.uniform(0.05, 0.08)
     body = Material(bright(rng), gloss=0.05, roughness=0.2)
     cap = Material(bright(rng), gloss=0.04)
@@ -74,7 +74,7 @@ def flacon(rng: np.random.Generator) -> Mesh:
 
 
 def squeeze_tube(rng: np.random.Generator) -> Mesh:
-    """Draw a tube of toothpaste or cream that stands on its cap."""
+    """Draw a tube of toothpaste or cream standing on its cap."""
     wide, thin = (
         rounded(0.05, 0.006, 0.002, y=-0.003, points=3),
         rounded(0.036, 0.036, 0.018, y=-0.018, points=3),
@@ -86,7 +86,7 @@ def squeeze_tube(rng: np.random.Generator) -> Mesh:
 
 
 def soap_dispenser(rng: np.random.Generator, metal: Material) -> Mesh:
-    """Draw a centred soap dispenser with its pump towards +y."""
+    """Draw a centred soap dispenser with its pump facing +y."""
     body = Material(bright(rng), gloss=0.06, roughness=0.1)
     height = rng.uniform(0.1, 0.14)
     shape = [(0, 0), (0.034, 0), (0.035, height * 0.8), (0.03, height * 0.93), (0.014, height), (0, height)]
@@ -126,7 +126,7 @@ def tooth_brushes(rng: np.random.Generator) -> Mesh:
 
 
 def roll(rng: np.random.Generator, tail: float = 0.0) -> Mesh:
-    """Draw a roll of toilet paper around the x axis, with its end hanging down in front."""
+    """Draw a roll of toilet paper around the x axis, with its loose end hanging down in front."""
     radius = rng.uniform(0.045, 0.06)
     body = lathe([(0.02, 0), (radius, 0), (radius, 0.1), (0.02, 0.1), (0.02, 0)], 16).moved(z=-0.05)
     parts = [body.turned(90, "y").of(PAPER)]
@@ -136,7 +136,7 @@ def roll(rng: np.random.Generator, tail: float = 0.0) -> Mesh:
 
 
 def standing_roll(rng: np.random.Generator) -> Mesh:
-    """Draw a roll of toilet paper that stands on end."""
+    """Draw a roll of toilet paper standing on end."""
     radius = rng.uniform(0.05, 0.06)
     return lathe([(0.02, 0), (radius, 0), (radius, 0.1), (0.02, 0.1), (0.02, 0.01)], 14).of(PAPER)
 
@@ -148,7 +148,7 @@ def cosmetic(rng: np.random.Generator) -> Mesh:
 
 
 def row(rng: np.random.Generator, width: float, fill: float = 0.7) -> Mesh:
-    """Draw a row of bottles, jars and tubes, centred in x and near y = 0.
+    """Draw a row of bottles, jars and tubes, centred on x = 0 and near y = 0.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ def row(rng: np.random.Generator, width: float, fill: float = 0.7) -> Mesh:
     width
         Width of the shelf in metres.
     fill
-        Fraction of the places that are filled.
+        Fraction of the slots to fill.
 
     Returns
     -------
@@ -174,7 +174,7 @@ def row(rng: np.random.Generator, width: float, fill: float = 0.7) -> Mesh:
 
 
 def folded_towels(rng: np.random.Generator, cloths: list[Material], width: float = 0.34) -> Mesh:
-    """Draw a stack of folded towels with its back on y = 0.
+    """Draw a stack of folded towels with its back at y = 0.
 
     Parameters
     ----------
@@ -183,12 +183,12 @@ def folded_towels(rng: np.random.Generator, cloths: list[Material], width: float
     cloths
         Material of each towel, from the bottom up.
     width
-        Width in metres. The stack is three quarters as deep.
+        Width in metres. The depth is three quarters of the width.
 
     Returns
     -------
     Mesh
-        The stack. Each towel consists of two rounded layers with the fold in front.
+        The stack. Each towel consists of two rounded layers, with the fold at the front.
     """
     parts = []
     z = 0.0
@@ -202,7 +202,7 @@ def folded_towels(rng: np.random.Generator, cloths: list[Material], width: float
 
 
 def rolled_towel(cloth: Material, length: float = 0.3, radius: float = 0.05) -> Mesh:
-    """Draw a rolled-up towel lying along y on z = 0, with its back on y = 0."""
+    """Draw a rolled-up towel lying on z = 0 parallel to the y axis, with its back at y = 0."""
     turns = [(radius * f, length + 0.004 * math.sin(9 * f)) for f in (1.0, 0.8, 0.6, 0.4, 0.2)]
     body = lathe([(0, 0), (radius, 0), *turns, (0, length)], 14)
     return body.turned(-90, "x").moved(z=radius).of(cloth)

@@ -37,14 +37,14 @@ def base(
     design
         Design of the kitchen.
     units
-        The cabinets of the row.
+        The cabinets in the row.
     cook
-        Whether there may be pots on the hob.
+        Whether pots may be placed on the hob.
 
     Returns
     -------
     Mesh
-        A row with its back on y = 0.
+        A row with its back at y = 0.
     """
     parts: list[Mesh] = []
     holes: list[Hole] = []

@@ -72,7 +72,7 @@ def worktop_things(
     Returns
     -------
     Mesh
-        The objects in the coordinates of the cabinet row.
+        The objects, in the coordinate system of the cabinet row.
     """
     parts: list[Mesh] = []
     microwave_due = oven and rng.random() < 0.5
@@ -111,7 +111,7 @@ def worktop_things(
 
 
 def stretches(units: tuple[Unit, ...]) -> list[tuple[float, float]]:
-    """Return the left and right ends of each part of the worktop without a sink or hob."""
+    """Return the left and right ends of each stretch of worktop without a sink or hob."""
     free: list[tuple[float, float]] = []
     for unit in units:
         if unit.kind == "cooker":

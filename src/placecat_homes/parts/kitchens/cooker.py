@@ -28,14 +28,14 @@ def _plates(width: float, depth: float) -> list[tuple[float, float, float]]:
 
 
 def hob(rng: np.random.Generator, kind: str, width: float, depth: float, *, knobs: bool = True) -> Mesh:
-    """Draw a hob that lies on z = 0 with its back on y = 0.
+    """Draw a hob lying on z = 0, with its back at y = 0.
 
     Parameters
     ----------
     rng
         Random number generator.
     kind
-        "glass", "gas" or "iron" (plates).
+        "glass", "gas" or "iron" (hotplates).
     width, depth
         Size in metres.
     knobs
@@ -108,7 +108,7 @@ def oven_front(
     Returns
     -------
     Mesh
-        An oven front with its back on y = 0 and its lower edge on z = 0.
+        An oven front with its back at y = 0 and its lower edge at z = 0.
     """
     controls = 0.11 if height > 0.5 else 0.09
     door = height - controls - 0.006

@@ -1,4 +1,4 @@
-"""The design shared by all cabinets of a kitchen."""
+"""The design shared by all cabinets in a kitchen."""
 
 from dataclasses import dataclass
 

@@ -29,7 +29,7 @@ def handle(design: Design, kind: str, length: float, *, upright: bool) -> Mesh:
 
 
 def front(design: Design, width: float, height: float, material: Material, *, glass: bool = False) -> Mesh:
-    """Draw a door leaf or drawer front without a handle, standing on z = 0 with its back on y = 0."""
+    """Draw a door leaf or drawer front without a handle, standing on z = 0 with its back at y = 0."""
     w, h = width - GAP, height - GAP
     upright = h > w
     kind = "frame" if glass else design.door
@@ -83,7 +83,7 @@ def door(
     upper: bool = False,
     glass: bool = False,
 ) -> Mesh:
-    """Draw a door with its handle opposite the hinge. `hinge` is the side along x (-1 or 1)."""
+    """Draw a door with its handle opposite the hinge, which is at -x or +x (`hinge` is -1 or 1)."""
     leaf = front(design, width, height, design.upper_fronts if upper else design.fronts, glass=glass)
     length = min(0.16, height * 0.4)
     x = -hinge * (width / 2 - 0.045)
@@ -96,7 +96,7 @@ def door(
 def doors(
     design: Design, width: float, height: float, *, hinge: int = 1, upper: bool = False, glass: bool = False
 ) -> Mesh:
-    """Draw one door, or two if the width is more than 0.62 m."""
+    """Draw one door, or two if the width exceeds 0.62 m."""
     if width <= 0.62:
         return door(design, width, height, hinge=hinge, upper=upper, glass=glass)
     return join(
@@ -106,7 +106,7 @@ def doors(
 
 
 def drawer(design: Design, width: float, height: float) -> Mesh:
-    """Draw a drawer front with its handle."""
+    """Draw a drawer front with a handle."""
     length = min(0.5 * width, 0.32) if design.handle == "bar" else 0.1
     z = height / 2 if height < 0.24 else height - 0.07
     pull = handle(design, design.handle, length, upright=False)

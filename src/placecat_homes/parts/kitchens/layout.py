@@ -17,7 +17,7 @@ class Unit:
     kind
         ``sink``, ``cooker``, ``dishwasher``, ``doors``, ``drawers``, ``mixed``, ``open`` or ``corner``.
     x
-        Position of the middle in metres.
+        Position of the centre in metres.
     width
         Width in metres.
     """
@@ -46,7 +46,7 @@ def row(
     corners: Sequence[int] = (),
     corner_width: float = 0.62,
 ) -> tuple[Unit, ...]:
-    """Fill a length with cabinets.
+    """Fill the given length with cabinets.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def row(
 def _worth(
     units: Sequence[Unit], start: float, end: float, sink_at: float | None, corners: Sequence[float]
 ) -> float:
-    """Rate an order by the space beside the hob and sink and by where the sink and dishwasher are."""
+    """Score an order by the space beside the hob and sink and by the positions of the sink and dishwasher."""
     at = {unit.kind: unit for unit in units}
     worth = 0.0
     sink, cooker, washer = at.get("sink"), at.get("cooker"), at.get("dishwasher")

@@ -45,14 +45,14 @@ def overhead(
     units
         The cabinets below.
     windows
-        Left end, right end and sill height of each window in metres.
+        Left edge, right edge and sill height of each window, in metres.
     ceiling
-        Height of the room in metres.
+        Height of the ceiling in metres.
 
     Returns
     -------
     Mesh
-        The upper half at its final height, in the coordinates of the base cabinets.
+        The upper half at its final height, in the coordinate system of the base cabinets.
     """
     left, right = units[0].left, units[-1].right
     top = min(design.top, ceiling - 0.06)
@@ -164,7 +164,7 @@ def _flat_sided(rings: list[np.ndarray]) -> Mesh:
 
 
 def _stretch(rng: np.random.Generator, style: Style, design: Design, length: float, top: float) -> Mesh:
-    """Draw what hangs on a free part of the wall. It is centred in x."""
+    """Draw whatever hangs on a free stretch of wall, centred on x = 0."""
     kind = design.overhead
     if kind in ("cabinets", "glass") and chance(rng, 0.12):
         kind = "shelves"

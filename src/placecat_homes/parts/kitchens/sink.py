@@ -36,7 +36,7 @@ def rim(width: float, depth: float, inner_width: float, inner_depth: float, radi
 
 
 def tap(rng: np.random.Generator, metal: Material) -> Mesh:
-    """Draw a mixer tap that stands on z = 0 with its spout towards +y."""
+    """Draw a mixer tap standing on z = 0, with its spout pointing towards +y."""
     kind = rng.random()
     foot = cylinder(0.025, 0.012, 12, 0.003)
     if kind < 0.4:
@@ -81,7 +81,7 @@ def tap(rng: np.random.Generator, metal: Material) -> Mesh:
 def sink(
     rng: np.random.Generator, kind: str, metal: Material, width: float, depth: float
 ) -> tuple[Mesh, tuple[float, float, float, float]]:
-    """Draw a sink with its rim on z = 0 and its back on y = 0.
+    """Draw a sink with its rim at z = 0 and its back at y = 0.
 
     Parameters
     ----------
