@@ -95,8 +95,8 @@ def test_dropped_frames_are_counted_with_and_without_labels():
 @pytest.mark.parametrize(
     ("threshold", "share", "message"),
     [
-        (None, None, "needs a threshold or a share"),
-        (0.1, 0.1, "needs a threshold or a share"),
+        (None, None, "needs either a threshold or a share"),
+        (0.1, 0.1, "needs either a threshold or a share"),
         (-0.1, None, "threshold=-0.1: it must be greater than or equal to 0"),
         (float("nan"), None, "threshold=nan: it must be a finite number"),
         (None, 0.0, "share=0.0: it must be greater than 0"),
