@@ -69,8 +69,7 @@ def compute_maps(
     check_scales(levels, width, height)
     in_color = "color" in fields or "color_contrast" in fields
     total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
-    # The sum of the colours is a whole number, so a flat frame stays exactly flat if the division by 3 comes
-    # last.
+    # The sum of the colour channels is an integer, so dividing by 3 last keeps a flat frame exactly flat.
     totals = gaussian_pyramid(total, 1, levels[-1] + 1)
     grey = {s: totals[s] / np.float32(3) for s in sorted({*levels, *(s + 1 for s in levels)})}
     pyramids = [gaussian_pyramid(plane, 1, levels[-1]) for plane in planes]
