@@ -45,7 +45,7 @@ def describe(
     kernel
         The kernel of the Laplacian (see `placecat.vision.census.laplacian`).
     interpolation
-        How to reduce the frame: ``area`` or ``linear``. The thesis does not specify this.
+        How to scale the frame down: ``area`` or ``linear``. The thesis does not specify this.
 
     Returns
     -------
@@ -56,7 +56,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        If no pixel of the frame has a code.
+        If the frame is too small for any pixel to have a code.
 
     References
     ----------
