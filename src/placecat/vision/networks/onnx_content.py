@@ -68,7 +68,8 @@ def check(path: Path, sha256: str | None) -> None:
                 )
             if name in _ENDLESS:
                 raise PlacecatError(
-                    f"{path} has the operator {name}, which may never terminate: export the network without it"
+                    f"{path} has the operator {name}, which may never terminate: export the network "
+                    "without it"
                 )
         files = [_weights(path, name) for name in weights]
         if sha256 is not None and (found := fingerprint(path, files)) != sha256:
