@@ -228,8 +228,7 @@ def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
 
 
 def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
-    """Double (k, ceil(height / 2), ceil(width / 2)) maps in size bilinearly. Even pixels keep their
-    values."""
+    """Double the size of (k, ceil(height / 2), ceil(width / 2)) maps bilinearly, keeping even pixels."""
     count, rows, columns = stack.shape
     flat = stack.reshape(-1, columns)
     between = np.empty_like(flat)

@@ -66,7 +66,7 @@ def spectral_residual(
     mean = _periodic_mean(logarithm, small.shape[1], residual_box)
     spectrum *= np.exp(np.float32(-0.5) * mean)
     power = np.square(scipy.fft.irfft2(spectrum, s=small.shape))
-    # Stretch before the blur, because the values of the whitened image are about 1 / number of pixels.
+    # Stretch before blurring, because the values of the whitened image are about 1 / number of pixels.
     power /= power.max()
     if residual_sigma > 0:
         power = cv2.GaussianBlur(power, (0, 0), residual_sigma, borderType=cv2.BORDER_REFLECT_101)
