@@ -46,14 +46,14 @@ class BagFrame:
 class BagRecording:
     """The frames of a bag: the pictures of one topic, ordered by their stamps.
 
-    Opening reads the topic once. A frame that is not later than every frame before it arrived late or is a
-    duplicate. Such a frame is skipped and not numbered. Raises PlacecatError if the bag cannot be read, if
-    the topic has no pictures, or if its times are implausible.
+    Opening reads the topic once. Frames that are not later than all frames before them (late arrivals and
+    duplicates) are skipped and not numbered. Raises PlacecatError if the bag cannot be read, if the topic has
+    no pictures, or if its times are implausible.
 
     Parameters
     ----------
     topic
-        The topic; None uses the only topic with pictures.
+        The topic; None selects the only topic with pictures.
     fps
         Frame rate in frames per second, for bags with wrong stamps. If it is set, the frames are assumed to
         be evenly spaced, and none are skipped. None uses the stamps or, if any stamp is zero, the reception

@@ -1,6 +1,6 @@
 """Read topics, pictures and strings from a ROS 1 or ROS 2 bag.
 
-The rosbags library reads the bag and decodes messages with its built-in definitions. The definitions in the
+The rosbags library reads the bag and decodes messages using its built-in definitions. The definitions in the
 bag are not used, because they are untrusted and rosbags would turn them into Python code.
 """
 
@@ -51,7 +51,7 @@ class Picture:
     _name: str
 
     def image(self) -> NDArray[np.uint8]:
-        """Decode to (height, width, 3) uint8 BGR; raises the errors of `placecat.footage.image_messages`."""
+        """Decode to (H, W, 3) uint8 BGR; raises the same errors as `placecat.footage.image_messages`."""
         decode = compressed_image if hasattr(self._message, "format") else raw_image
         return decode(self._message, self._name)
 
@@ -95,7 +95,7 @@ class Bag:
         return having[0]
 
     def require(self, topic: str, kinds: Collection[str], setting: str) -> None:
-        """Raise an error if a topic is missing, empty, or of another type."""
+        """Raise an error if a topic is missing, empty, or of the wrong type."""
         if topic not in self.topics:
             raise PlacecatError(
                 f"{self.path}: there is no topic {topic!r}{did_you_mean(topic, self.topics)}; the bag has "

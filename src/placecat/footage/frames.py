@@ -23,13 +23,13 @@ def read_frames(
 
     In a video, decoding starts at the latest frame from which the first row can be decoded. A bag is read
     from its start. If a frame precedes the previously read frame in its file, reading restarts, so rows in
-    ascending order need only one pass. The code never seeks in a file, because containers may silently return
-    a nearby frame.
+    ascending order need only one pass. The code never seeks within a file, because some containers would
+    silently return a nearby frame.
 
     `home_root` is `Home.root`, and `frames` are any rows of `Home.frames`, in any order. `size` is the
     (width, height) in pixels that every frame must have after rotation; None uses the size of the first
     frame. Yields (H, W, 3) uint8 BGR. Each frame is rotated by the angle in the ``turn`` column, if there is
-    one. Raises a PlacecatError that names the file if a frame is missing, unreadable, or of another size.
+    one. Raises a PlacecatError that names the file if a frame is missing, unreadable, or of a different size.
     """
     root = Path(home_root)
     turns = frames["turn"] if "turn" in frames else [0] * len(frames)

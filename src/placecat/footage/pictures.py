@@ -100,8 +100,8 @@ def read_image(path: Path) -> NDArray[np.uint8]:
     A greyscale picture is returned as three equal channels.
 
     Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or
-    truncated, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (16-bit greyscale) and
-    transparent, animated or CMYK pictures also raise it.
+    truncated, or is larger than `MOST_BYTES` or `MOST_PIXELS`. The same goes for depth pictures (16-bit
+    greyscale) and for transparent, animated or CMYK pictures.
     """
     try:
         status = path.stat()
@@ -157,7 +157,7 @@ def check_size(path: Path | str, width: int, height: int) -> None:
     """Raise an error if a picture has more than `MOST_PIXELS`, before memory is allocated for it."""
     if width * height > MOST_PIXELS:
         raise PlacecatError(
-            f"{path}: {width}x{height} pixels are more than {MOST_PIXELS // 10**6} million; scale it down."
+            f"{path}: {width}x{height} is more than {MOST_PIXELS // 10**6} million pixels; scale it down."
         )
 
 

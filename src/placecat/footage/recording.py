@@ -24,9 +24,9 @@ from placecat.footage.pictures import TURNS
 Size = tuple[int, int]
 
 MOST_PIXELS = 2**26
-"""Largest number of pixels in a frame; 8K video has half as many."""
+"""Maximum number of pixels in a frame; 8K video has half as many."""
 _FLATTEST = 4.0
-# Playlist formats are excluded: FFmpeg would open the files and addresses that they list.
+# Playlist formats are excluded, because FFmpeg would open the files and URLs that they list.
 _FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
 _OPENING = {"format_whitelist": _FORMATS, "protocol_whitelist": "file"}
 # BT.2020 colours, common in HDR video from phones, are converted to BT.709 if swscale supports their transfer
@@ -210,7 +210,7 @@ class Recording:
         return PlacecatError(f"{self.path}: the video has no readable frames; restore or convert it.")
 
     def _stream(self, container: av.container.InputContainer) -> VideoStream:
-        """Return the first video stream, ignoring the cover pictures of music files."""
+        """Return the first video stream, ignoring the cover art of music files."""
         cover = av.stream.Disposition.attached_pic
         videos = [one for one in container.streams.video if not one.disposition & cover]
         if not videos:
@@ -240,7 +240,7 @@ class Recording:
         return stream
 
     def _read_index(self, container: av.container.InputContainer, stream: VideoStream) -> None:
-        """Find the timestamps of all frames, and whether the file is complete."""
+        """Find the timestamps of all frames, and check whether the file is complete."""
         name = container.format.name
         # Frames removed by an edit list do not count.
         entries = [entry for entry in stream.index_entries if not entry.is_discard] if "mov" in name else []
@@ -267,7 +267,7 @@ class Recording:
         self.count, self._tick = len(stamps), stream.time_base or Fraction(1)
         self.positions = np.arange(self.count)
         shown, coded = zip(*stamps, strict=True)
-        # AVI has only decoding times.
+        # AVI stores only decoding times.
         are_distinct = None not in shown and len(set(shown)) == len(shown)
         is_known = name != "avi" and are_distinct and streams.run_forward(coded)
         self._numbers = {pts: number for number, pts in enumerate(sorted(shown), 1)} if is_known else {}
@@ -290,7 +290,7 @@ class Recording:
                 self._unread.append(f"it ends {until - furthest:.1f} s early: it may be cut off")
 
     def _decoded(self, start: int) -> Generator[Picture, None, None]:
-        """Decode once, starting at the frame `start`, but yield only frames after `_reached`.
+        """Decode once, starting at frame `start`, but yield only frames after `_reached`.
 
         Raises _Damaged if an error occurs while several frames are decoded at once.
         """

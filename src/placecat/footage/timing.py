@@ -55,8 +55,8 @@ def measure(
 ) -> Timing | None:
     """Determine the frame times and the frame rate.
 
-    Containers round times, some of them to milliseconds. If every time could be a rounded multiple of one
-    frame period, the times are replaced by the exact multiples. Returns None if no rate is plausible.
+    Container formats round times, some of them to milliseconds. If every time could be a rounded multiple of
+    one frame period, the times are replaced by the exact multiples. Returns None if no rate is plausible.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def measure(
         The duration of the last frame in ticks. It is used only if it is plausible compared with the
         durations of the other frames.
     rates
-        Frame rates stored in the file, the most reliable first.
+        Frame rates stored in the file, most reliable first.
     """
     if len(ticks) == 1:
         return usual(1, rates)

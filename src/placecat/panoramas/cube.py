@@ -34,9 +34,9 @@ def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint
     """Prepare the faces of a cube for `look`.
 
     `faces` are six (N, N, 3) uint8 pictures in the order of `FACES`. See
-    :func:`placecat.panoramas.sphere.prepare` for `focal`. Faces of higher resolution are scaled down to (N',
-    N', 3). Returns all faces in one picture, (2 (N' + 2), 3 (N' + 2), 3) uint8, each surrounded by a border
-    of pixels from its neighbours.
+    :func:`placecat.panoramas.sphere.prepare` for `focal`. Faces of higher resolution are scaled down to
+    (N', N', 3). Returns all faces in one picture, (2 (N' + 2), 3 (N' + 2), 3) uint8, each surrounded by a
+    border of pixels from its neighbours.
     """
     side = min(len(faces[0]), int(np.ceil(2 * focal)))
     if side < len(faces[0]):

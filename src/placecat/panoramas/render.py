@@ -1,6 +1,6 @@
 """Render the frames that show one panorama, as seen by a pinhole camera that turns on the spot.
 
-Directions are (x, y, z): x to the right, y down, z ahead, as seen from a camera at zero pan and tilt.
+Directions are (x, y, z): x to the right, y down, z forward, as seen from a camera at zero pan and tilt.
 """
 
 from pathlib import Path

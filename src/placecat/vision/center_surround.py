@@ -41,10 +41,11 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int]) -> FloatArray:
 
 
 def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int]) -> FloatArray:
-    """Return how far R, G, B and Y in the centre exceed the surround (thesis 3.1.1.1).
+    """Return by how much R, G, B and Y in the centre exceed the surround (thesis 3.1.1.1).
 
-    `planes` are the colour planes of one level, as in `placecat.vision.color.channels`. Returns (radii, 4, h,
-    w) float32. The values are dimensionless and non-negative. Values up to `COLOR_ROUNDING` are set to 0.
+    `planes` are the colour planes of one level, as in `placecat.vision.color.channels`. Returns
+    (radii, 4, h, w) float32. The values are dimensionless and non-negative. Values up to `COLOR_ROUNDING` are
+    set to 0.
     """
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
     difference = np.empty_like(planes[0])

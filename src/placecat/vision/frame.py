@@ -20,7 +20,7 @@ SECTIONS = ("attention", "regions", "local", "holistic", "information", "variant
 def check(features: Mapping[str, Mapping[str, Any]]) -> None:
     """Check sections, descriptors, settings and their values before any frame is read.
 
-    `features` has the same form as the settings of `describe_frame`. Raises a PlacecatError that names the
+    `features` has the same form as `settings` in `describe_frame`. Raises a PlacecatError that names the
     setting if anything is unknown or invalid. For an unknown setting, the error lists the valid ones.
     """
     settings.refuse_unknown(features, list(SECTIONS), "the features section")
@@ -53,8 +53,8 @@ def describe_frame(
         in ``local``).
     regions
         (n, 4) float32 regions to describe, at most ``max_regions`` of them, such as tracked regions (thesis
-        4.7). If None, the regions are found in the frame. If regions are passed, variants and maps that no
-        descriptor reads are not computed.
+        4.7). If None, the regions are found in the frame. If regions are passed, variants are not computed,
+        nor are maps that no descriptor reads.
 
     Returns
     -------

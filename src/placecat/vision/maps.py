@@ -39,7 +39,7 @@ class FrameMaps:
         (2 radii, 2, h_s, w_s), the centre-surround responses of the intensity in 3x3 and 7x7 neighbourhoods.
         The sub-channels are on (bright spot) and off (dark spot), both >= 0.
     color_contrast
-        (2 radii, 4, h_s, w_s), how far R, G, B, Y in the centre exceed the surround, >= 0.
+        (2 radii, 4, h_s, w_s), by how much R, G, B, Y in the centre exceed the surround, >= 0.
     orientation
         (4, h_s, w_s), Gabor magnitudes at 0, 45, 90, 135 degrees on the Laplacian pyramid, >= 0.
     residual

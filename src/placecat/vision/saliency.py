@@ -76,11 +76,11 @@ def saliency(
 ) -> Saliency:
     """Fuse a frame's feature maps (thesis 3.1.1.1).
 
-    Within each sub-channel, maps are added across scales and radii. Sub-channels are added, with weights 1 /
-    sqrt(m), to form conspicuity maps. Each conspicuity map is stretched linearly to [0, largest local maximum
-    of its sub-channels] and divided by its unit. Then the conspicuity maps are added, again with weights 1 /
-    sqrt(m). Here, m is the number of a map's local maxima that are strictly above their median. If m is 0,
-    the weight is also 0, so a map with a single peak does not count.
+    Within each sub-channel, maps are added across scales and radii. Sub-channels are added, with weights
+    1 / sqrt(m), to form conspicuity maps. Each conspicuity map is stretched linearly to [0, largest local
+    maximum of its sub-channels] and divided by its unit. Then the conspicuity maps are added, again with
+    weights 1 / sqrt(m). Here, m is the number of a map's local maxima that are strictly above their median.
+    If m is 0, the weight is also 0, so a map with a single peak does not count.
 
     Parameters
     ----------
@@ -167,8 +167,8 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     and only if all of them are local maxima. A flat area next to a higher pixel therefore has no maximum, and
     neither does a constant map.
 
-    `plane` is (h, w) float32 and finite. `window` is the side length of the neighbourhood, odd and at least
-    3. The thesis does not specify it. Returns flat indices in ascending order.
+    `plane` is (h, w) float32 and finite. `window` is the side length of the neighbourhood, which must be odd
+    and at least 3. The thesis does not specify it. Returns flat indices in ascending order.
     """
     if plane.size < 2:
         return np.zeros(0, np.intp)
@@ -228,7 +228,10 @@ def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
 
 
 def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
-    """Double the size of (k, ceil(height / 2), ceil(width / 2)) maps bilinearly, keeping even pixels."""
+    """Double the size of (k, ceil(height / 2), ceil(width / 2)) maps by bilinear interpolation.
+
+    Even pixels keep their values.
+    """
     count, rows, columns = stack.shape
     flat = stack.reshape(-1, columns)
     between = np.empty_like(flat)

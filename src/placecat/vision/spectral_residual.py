@@ -19,9 +19,9 @@ def spectral_residual(
     """Return the spectral residual saliency of an image (thesis 3.1.1.2).
 
     The function subtracts the box mean from the log amplitude spectrum, restores the original phase and
-    inverts the transform. Like the authors' code, it smooths the squared magnitude and stretches it to [0,
-    1], so that scales can be added. Like the spectrum, the box filter is periodic, so the inverse transform
-    is real.
+    inverts the transform. Like the authors' code, it smooths the squared magnitude and stretches it to
+    [0, 1], so that scales can be added. Like the spectrum, the box filter is periodic, so the inverse
+    transform is real.
 
     Parameters
     ----------

@@ -75,7 +75,7 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
         )
     # Without a fixed size, the network pads the edges of each image as needed.
     network = package.EfficientNet.from_name(name.replace("_", "-"), image_size=None)
-    # The loader in the package would unpickle anything in the file.
+    # The package's own loader would unpickle anything in the file.
     network.load_state_dict(torch.load(path, map_location="cpu", weights_only=True))
     network.eval()
 

@@ -22,7 +22,8 @@ _VALUES, _INDICES = 1, 2
 _EXTERNAL = 13
 _KEY, _VALUE = 1, 2
 
-# Maps each kind of message to the fields that contain other messages, and these fields to their kinds.
+# Maps each kind of message to the fields that contain other messages, and each of these fields to the kind of
+# message that it contains.
 _INSIDE = {
     "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
     "function": {_FUNCTION_NODE: "node"},
@@ -92,7 +93,7 @@ def fingerprint(path: Path, weights: list[Path]) -> str:
 
 
 def _weights(path: Path, name: str) -> Path:
-    """Return the path of a weight file, which must be in the folder of the network."""
+    """Return the path of a weight file, which must be in the network's folder."""
     relative, folder = PurePosixPath(name), path.parent
     file = folder / relative
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
