@@ -177,7 +177,7 @@ class Recording:
         return cast(NDArray[np.uint8], image if turn is None else cv2.rotate(image, turn))
 
     def _square(self, frame: VideoFrame) -> Size:
-        """Return the size in square pixels, before the frame is rotated."""
+        """Return the size in square pixels, before rotation."""
         return max(1, round(frame.width * self._flatness)), frame.height
 
     def _shown(self, frame: VideoFrame) -> Size:
@@ -231,7 +231,7 @@ class Recording:
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
         # Worker processes of `placecat.compute.parallel` have one thread. With more threads, FFmpeg would use
-        # a fifth more CPU time.
+        # 20% more CPU time.
         if self._is_careful or cv2.getNumThreads() == 1:
             stream.codec_context.thread_count = 1
             stream.thread_type = "NONE"

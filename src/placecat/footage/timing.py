@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 MOST_RATE = 500.0
-"""Highest plausible number of frames per second. Slow-motion video has 240. A value of 1,000 or more in a
-header is a clock rate."""
+"""Highest plausible number of frames per second. Slow-motion video is shot at 240. A value of 1,000 or more
+in a header is a clock rate."""
 LONGEST = 3600.0
 """Longest plausible gap between two frames, in seconds. If a gap is longer, the timestamps are damaged."""
 

@@ -19,7 +19,7 @@ from placecat.settings import read_yaml
 
 SETTINGS = paths.CONF / "panoramas.yaml"
 LOOKS = "looks.csv"
-# The data set in conf/dataset that reads these homes.
+# The data set configuration in conf/dataset that reads these homes.
 DATASET = "my_homes"
 # Maximum number of unused panoramas listed on the terminal. The data card lists all of them.
 _NAMED = 5

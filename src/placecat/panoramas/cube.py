@@ -24,7 +24,7 @@ _AXES = np.array(
     ],
     dtype=np.float64,
 )
-# Pixels added around each face, for interpolation across its edges.
+# Number of pixels added around each face for interpolation across its edges.
 _BORDER = 1
 # Number of faces in a row of the combined picture.
 _IN_ROW = 3

@@ -1,4 +1,4 @@
-"""Plan a walk through a home, floor by floor, and the view direction of each frame."""
+"""Plan a walk through a home floor by floor, with the view direction of each frame."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-# Pixels added on every side, for interpolation across the seam and the poles.
+# Number of pixels added on every side for interpolation across the seam and the poles.
 _BORDER = 1
 
 

@@ -1,4 +1,4 @@
-"""Compute means and variances in the cells of a regular grid."""
+"""Compute means and variances over the cells of a regular grid."""
 
 from functools import lru_cache
 

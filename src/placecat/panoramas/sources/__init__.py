@@ -60,7 +60,7 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
 
 
 def _check_names(panoramas: list[Panorama]) -> None:
-    """Raise an error if the names of homes differ only in case, or if a picture is listed twice."""
+    """Raise an error if the names of two homes differ only in case, or if a picture is listed twice."""
     homes: dict[str, str] = {}
     files: dict[str, str] = {}
     for one in panoramas:
