@@ -97,7 +97,7 @@ def test_a_clock_that_was_set_is_refused(tmp_path):
     refused(
         "hours after the previous one", walk(tmp_path / "gap.mcap", stamps=[START, START + 4 * 3600 * 10**9])
     )
-    refused(r"do not yield a frame rate \(1 frame in 0 s\)", walk(tmp_path / "one.mcap", count=1))
+    refused(r"no frame rate .* stamps of .* \(1 frame in 0 s\)", walk(tmp_path / "one.mcap", count=1))
 
 
 def test_topics(tmp_path):

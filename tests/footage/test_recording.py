@@ -167,7 +167,7 @@ def test_pixels_that_are_not_square_are_made_so(tmp_path):
     assert shown(recording) == intact(3)
     assert {picture.image().shape for picture in recording.pictures()} == {(48, 64, 3)}
     path = write_clip(tmp_path / "b.mp4", steady(3), shape=Fraction(8, 1))
-    with pytest.raises(PlacecatError, match=r"b\.mp4: .* pixels are 8 times as wide as high"):
+    with pytest.raises(PlacecatError, match=r"b\.mp4: .* pixels are 8 times as wide as they are high"):
         Recording(path)
 
 

@@ -171,7 +171,7 @@ def test_existing_files_are_never_replaced(folder):
     [
         (
             np.zeros((32, 60, 3), np.uint8),
-            "100.jpg: the picture is 60x32, but a full sphere must be twice as wide as high",
+            "100.jpg: the picture is 60x32, but a full sphere must be twice as wide as it is high",
         ),
         (None, "100.jpg: not a readable image"),
     ],
@@ -247,15 +247,15 @@ def test_panoramas_in_no_frame_are_reported(folder, capsys):
     shown = set(pd.read_csv(folder / "homes/Home1/looks.csv")["panorama"])
     assert shown == {"Home1/20.jpg", "Home1/36.jpg"}
     missing = [f"Home1/{grey}.jpg" for _, grey in rooms[2:]]
-    assert f"7 of 9 panoramas appear in no frame: {', '.join(missing[:5])}, ...\n" in said
+    assert f"7 of 9 panoramas do not appear in any frame: {', '.join(missing[:5])}, ...\n" in said
     card = (folder / "homes/README.md").read_text()
     assert "\n1 home, " in card
     lines = "".join(f"- `{one}`\n" for one in missing)
-    assert f"\n7 of 9 panoramas appear in no frame:\n\n{lines}\n## What it is not\n" in card
+    assert f"\n7 of 9 panoramas do not appear in any frame:\n\n{lines}\n## What it is not\n" in card
     shutil.rmtree(folder / "homes")
     run("visits=[4,4]", "longest_look=1", "fps=5.0")
-    assert "in no frame" not in capsys.readouterr().out
-    assert "in no frame" not in (folder / "homes/README.md").read_text()
+    assert "not appear in any" not in capsys.readouterr().out
+    assert "not appear in any" not in (folder / "homes/README.md").read_text()
 
 
 def test_odd_names_of_homes_reach_the_next_command_whole(folder, capsys):

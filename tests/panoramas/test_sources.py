@@ -55,7 +55,7 @@ def test_a_table_names_home_floor_room_and_label(table, tmp_path):
         ("2,b/c.jpg", "2,", "rooms.csv line 3: file is empty"),
         ("flat,2", "flat,up/..", "rooms.csv line 3: 'up/..' is not a valid floor"),
         ("flat,2", "../flat,2", "rooms.csv line 3: home=../flat: it names a file or folder"),
-        ("flat,2", "FLAT,2", "line 3: the names of the homes 'flat' and 'FLAT' differ only in case"),
+        ("flat,2", "FLAT,2", "line 3: the home names 'flat' and 'FLAT' differ only in case"),
         (
             "bedroom 2",
             "bedrom 2",
@@ -92,7 +92,7 @@ def test_a_source_without_its_folder_or_table_is_refused(table, tmp_path):
         sources.read(tmp_path / "nowhere", settings())
     with pytest.raises(PlacecatError, match=r"rooms\.csv: the table of rooms is missing"):
         sources.read(tmp_path, settings())
-    with pytest.raises(PlacecatError, match="contains no panorama"):
+    with pytest.raises(PlacecatError, match="contains no panoramas"):
         table("home,file,room\n")
     with pytest.raises(PlacecatError, match="homes: there is no home 'vila'; did you mean 'villa'"):
         table(TABLE, "homes=[vila]")
@@ -209,5 +209,5 @@ def test_odd_zind_is_refused(zind, tmp_path):
     with pytest.raises(PlacecatError, match=r"zind_data\.json is not valid JSON \(RecursionError\)"):
         zind("[" * 100_000)
     shutil.rmtree(tmp_path / "007")
-    with pytest.raises(PlacecatError, match=r"contains no home; expected HOME/zind_data\.json"):
+    with pytest.raises(PlacecatError, match=r"contains no homes; expected HOME/zind_data\.json"):
         sources.read(tmp_path, settings("source=zind"))

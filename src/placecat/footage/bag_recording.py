@@ -1,4 +1,4 @@
-"""Read the frames of one topic in a bag, with their numbers and times, and find lost frames."""
+"""Read the frames of one topic in a bag with their numbers and times, and detect lost frames."""
 
 from collections.abc import Generator
 from dataclasses import dataclass
@@ -46,17 +46,18 @@ class BagFrame:
 class BagRecording:
     """The frames of a bag: the pictures of one topic, ordered by their stamps.
 
-    Opening reads the topic once. A frame that is not later than all previous frames arrived late or twice. It
-    is skipped and gets no number. Raises PlacecatError if the bag cannot be read, if the topic has no
-    pictures, or if its times are implausible.
+    Opening reads the topic once. Frames that are not later than all frames before them (late arrivals and
+    duplicates) are skipped and not numbered. Raises PlacecatError if the bag cannot be read, if the topic has
+    no pictures, or if its times are implausible.
 
     Parameters
     ----------
     topic
-        The topic; None uses the only topic with pictures.
+        The topic; None selects the only topic with pictures.
     fps
-        Frames per second, to replace wrong stamps. With this setting, no frame is skipped, and the frames are
-        evenly spaced. None uses the stamps or, if any stamp is zero, the reception times.
+        Frame rate in frames per second, for bags with wrong stamps. If it is set, the frames are assumed to
+        be evenly spaced, and none are skipped. None uses the stamps or, if any stamp is zero, the reception
+        times.
     settings
         Prefix of the settings ``topic`` and ``fps`` in messages.
 
@@ -72,7 +73,7 @@ class BagRecording:
         The stamp of the first frame, in nanoseconds since 1970.
     """
 
-    # A picture is either decoded without errors, or lost.
+    # A picture either decodes without errors or is lost.
     damaged: tuple[int, ...] = ()
 
     def __init__(
@@ -106,7 +107,7 @@ class BagRecording:
                 yield BagFrame(number, picture, self)
 
     def lose(self, number: int, why: str) -> None:
-        """Record that a frame cannot be decoded; only the first reason is stored."""
+        """Record that a frame cannot be decoded, but keep only the first reason."""
         self.lost.append(number)
         self._why = self._why or why
 
@@ -121,7 +122,7 @@ class BagRecording:
         raise PlacecatError(f"{self.path}: no picture on {self.topic} can be decoded: {self._why}")
 
     def note(self) -> str:
-        """Describe the problems found while opening the bag and in the last pass, or return ""."""
+        """Describe the problems found on opening the bag and during the last pass; "" if there were none."""
         parts = self._remarks
         if self.lost:
             lost = f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost"
@@ -135,8 +136,8 @@ class BagRecording:
             number = int(behind.argmax()) + 1
             raise PlacecatError(
                 f"{self.path}: frame {number} of {self.topic} is {behind.max():.3g} s earlier than a "
-                "previous frame, so the clock was set back or the stamps are damaged; cut the bag there, or "
-                f"set the frame rate with {setting}."
+                "previous frame, so the clock was set back or the stamps are damaged; split the bag there, "
+                f"or set the frame rate with {setting}."
             )
         is_late = np.append(False, stamps[1:] <= before[:-1])
         if is_late.any():
@@ -153,7 +154,7 @@ class BagRecording:
         found = timing.measure(stamps, _NANOSECOND, 0, [])
         if found is None:
             raise PlacecatError(
-                f"{self.path}: the stamps of {self.topic} do not yield a frame rate ({self.count} "
+                f"{self.path}: no frame rate can be computed from the stamps of {self.topic} ({self.count} "
                 f"frame{'s' if self.count > 1 else ''} in {(stamps[-1] - stamps[0]) / 1e9:.3g} s); set the "
                 f"frame rate with {setting}."
             )

@@ -1,6 +1,6 @@
 """Read topics, pictures and strings from a ROS 1 or ROS 2 bag.
 
-The rosbags library reads the bag and decodes messages with its built-in definitions. The definitions in the
+The rosbags library reads the bag and decodes messages using its built-in definitions. The definitions in the
 bag are not used, because they are untrusted and rosbags would turn them into Python code.
 """
 
@@ -20,7 +20,7 @@ from placecat.footage.image_messages import compressed_image, raw_image
 ROS_1, SINGLE = ".bag", (".mcap", ".db3")
 IMAGE, COMPRESSED, STRING = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 _PICTURES = (IMAGE, COMPRESSED)
-# Maps each suffix to a repair command for a bag whose end is missing; "" stands for a folder.
+# Maps each suffix to the command that repairs a truncated bag; "" stands for a folder.
 _MENDING = {
     ROS_1: "`rosbag reindex`",
     ".mcap": "`mcap recover`",
@@ -30,7 +30,7 @@ _MENDING = {
 
 
 def is_bag(path: Path) -> bool:
-    """Return whether a path is a bag: a file with a bag suffix, or a folder with parts of a ROS 2 bag."""
+    """Return whether a path is a bag: a file with a bag suffix, or a folder with the parts of a ROS 2 bag."""
     if path.is_dir():
         return any(one.name == "metadata.yaml" or one.suffix in SINGLE for one in path.iterdir())
     return path.suffix.lower() in (ROS_1, *SINGLE) and path.is_file()
@@ -51,7 +51,7 @@ class Picture:
     _name: str
 
     def image(self) -> NDArray[np.uint8]:
-        """Decode to (height, width, 3) uint8 BGR; errors are those of `placecat.footage.image_messages`."""
+        """Decode to (H, W, 3) uint8 BGR; raises the same errors as `placecat.footage.image_messages`."""
         decode = compressed_image if hasattr(self._message, "format") else raw_image
         return decode(self._message, self._name)
 
@@ -95,7 +95,7 @@ class Bag:
         return having[0]
 
     def require(self, topic: str, kinds: Collection[str], setting: str) -> None:
-        """Raise an error if a topic is missing, empty, or of another type."""
+        """Raise an error if a topic is missing, empty, or of the wrong type."""
         if topic not in self.topics:
             raise PlacecatError(
                 f"{self.path}: there is no topic {topic!r}{did_you_mean(topic, self.topics)}; the bag has "
@@ -113,7 +113,7 @@ class Bag:
     def pictures(self, topic: str | None = None) -> Generator[Picture, None, None]:
         """Yield the pictures of one topic or of all topics in the order received, without decoding pixels.
 
-        Pictures keep their numbers among all topics, even if only one topic is read.
+        Pictures are numbered across all topics, even if only one topic is read.
         """
         for number, (connection, received, raw) in enumerate(self._messages(_PICTURES), 1):
             if topic is None or connection.topic == topic:
@@ -169,7 +169,7 @@ class Bag:
 
     @contextmanager
     def _explained(self) -> Iterator[None]:
-        """Turn any error into a PlacecatError, because rosbags may raise anything on a damaged bag."""
+        """Convert any error to a PlacecatError, because rosbags may raise anything on a damaged bag."""
         try:
             yield
         except PermissionError as error:
@@ -186,7 +186,7 @@ class Bag:
 
 @cache
 def _store(is_ros1: bool) -> Any:
-    """Return the message definitions of ROS 1 or ROS 2. Pictures and strings are the same in all versions."""
+    """Return the message definitions of ROS 1 or ROS 2; for pictures and strings, all versions agree."""
     from rosbags.typesys import Stores, get_typestore
 
     return get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.ROS2_HUMBLE)

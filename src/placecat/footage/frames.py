@@ -19,17 +19,17 @@ from placecat.footage.recording import Recording
 def read_frames(
     home_root: Path | str, frames: pd.DataFrame, *, size: tuple[int, int] | None = None
 ) -> Iterator[NDArray[np.uint8]]:
-    """Decode frames in the order of the rows.
+    """Decode frames in row order.
 
     In a video, decoding starts at the latest frame from which the first row can be decoded. A bag is read
-    from its start. If a row comes before the previous row in the file, reading starts again, so rows in
-    ascending order need at most one pass. The code never seeks in a file, because containers may silently
-    return a nearby frame.
+    from its start. If a frame precedes the previously read frame in its file, reading restarts, so rows in
+    ascending order need only one pass. The code never seeks within a file, because some containers would
+    silently return a nearby frame.
 
     `home_root` is `Home.root`, and `frames` are any rows of `Home.frames`, in any order. `size` is the
-    (width, height) in pixels that every frame must have after rotation; None takes it from the first row.
-    Yields (H, W, 3) uint8 BGR. Each frame is rotated by the angle in the column ``turn`` if there is one.
-    Raises a PlacecatError that names the file if a frame is missing, unreadable, or of another size.
+    (width, height) in pixels that every frame must have after rotation; None uses the size of the first
+    frame. Yields (H, W, 3) uint8 BGR. Each frame is rotated by the angle in the ``turn`` column, if there is
+    one. Raises a PlacecatError that names the file if a frame is missing, unreadable, or of a different size.
     """
     root = Path(home_root)
     turns = frames["turn"] if "turn" in frames else [0] * len(frames)
@@ -67,7 +67,7 @@ class _Video:
         self.path = path
         self._recording = Bag(path) if is_bag(path) else Recording(path)
         self._pictures: Generator[Any, None, None] | None = None
-        # The last picture that was read; None before the first and after the end.
+        # The last picture read; None before the first one and after the end.
         self._last: Any = None
 
     def close(self) -> None:
@@ -95,7 +95,7 @@ class _Video:
         return image
 
     def _is_elsewhere(self, number: int) -> bool:
-        """Return whether the frame is behind, or so far ahead that restarting saves time."""
+        """Return whether the frame has been passed or is so far ahead that restarting saves time."""
         if self._last is None or number < self._last.number:
             return True
         if isinstance(self._recording, Bag):

@@ -31,8 +31,8 @@ class CompressedImage(Protocol):
     data: Any
 
 
-# The encodings in sensor_msgs/image_encodings with 8 bits per channel. Each maps to its number of bytes per
-# pixel in a row, and to OpenCV's conversion to BGR. ROS calls UYVY yuv422.
+# The sensor_msgs/image_encodings with 8 bits per channel. Each maps to its bytes per pixel in a row and its
+# OpenCV conversion to BGR. "yuv422" is what ROS calls UYVY.
 _ENCODINGS: dict[str, tuple[int, int | None]] = {
     "bgr8": (3, None),
     "8UC3": (3, None),
@@ -60,15 +60,15 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
     """Decode a sensor_msgs/Image to (height, width, 3) uint8 BGR; errors refer to it as `name`.
 
     Raises PlacecatError if the encoding is not in `ENCODINGS` or the picture has more pixels than
-    `placecat.footage.pictures.MOST_PIXELS`, and Damaged if the sizes and the length of the data are
-    inconsistent.
+    `placecat.footage.pictures.MOST_PIXELS`, and Damaged if the dimensions do not match the length of the
+    data.
     """
     width, height, step, encoding = message.width, message.height, message.step, message.encoding
     data = np.frombuffer(message.data, np.uint8)
     if encoding not in _ENCODINGS:
         raise PlacecatError(
-            f"{name}: the encoding {encoding!r} is not supported; choose another topic, or convert to one of "
-            f"{', '.join(ENCODINGS)}."
+            f"{name}: the encoding {encoding!r} is not supported; choose another topic, or convert the "
+            f"pictures to one of {', '.join(ENCODINGS)}."
         )
     check_size(name, width, height)
     depth, conversion = _ENCODINGS[encoding]
@@ -94,7 +94,7 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
 def compressed_image(message: CompressedImage, name: str) -> NDArray[np.uint8]:
     """Decode a sensor_msgs/CompressedImage to (H, W, 3) uint8 BGR; errors refer to it as `name`.
 
-    The content determines the format; the field ``format`` is ignored. Raises Damaged if the picture is
+    The content determines the format; the ``format`` field is ignored. Raises Damaged if the picture is
     truncated, damaged, or not a JPEG or PNG that :func:`placecat.footage.pictures.decode_image` accepts.
     """
     content = memoryview(message.data)

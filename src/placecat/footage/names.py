@@ -13,7 +13,7 @@ def natural(name: str) -> tuple[tuple[tuple[int, int, str], ...], str]:
 
 
 def relative(name: str, origin: str) -> PurePosixPath:
-    """Check that a relative POSIX path stays below its folder; links are not followed.
+    """Check that a relative POSIX path stays inside its folder, without resolving symbolic links.
 
     Raises a PlacecatError that begins with `origin` if the path is empty or absolute, or contains ``..``, a
     backslash or a NUL.

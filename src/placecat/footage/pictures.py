@@ -21,8 +21,8 @@ from placecat.footage.names import natural
 
 SUFFIXES = (".jpeg", ".jpg", ".png")
 """Suffixes of frame files, in upper or lower case."""
-# Pictures with these suffixes raise an error, because they lose quality, decode slowly, or need rare
-# libraries.
+# Pictures with these suffixes raise an error, because their formats lose quality, are slow to decode, or need
+# uncommon libraries.
 _OTHERS = (
     ".apng .arw .avif .bmp .cr2 .cr3 .dib .dng .exr .gif .hdr .heic .heif .jfif .jp2 .jpe .jxl .nef .pbm .pgm"
     " .pnm .ppm .tga .tif .tiff .webp"
@@ -33,10 +33,10 @@ MOST_PIXELS = 50_000_000
 MOST_BYTES = 256_000_000
 
 TURNS = {90: cv2.ROTATE_90_CLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_COUNTERCLOCKWISE}
-"""Maps clockwise degrees to OpenCV's rotations. :func:`turned` also accepts 0."""
+"""Maps clockwise angles in degrees to OpenCV rotation codes. :func:`turned` also accepts 0."""
 
 _NUMBER = re.compile(r"[0-9]+")
-# Only one point is allowed: 1.2.3 is not a decimal number.
+# Only one decimal point is allowed: 1.2.3 is not a number.
 _DECIMAL = re.compile(r"(?<![0-9.])([0-9]+)\.([0-9]+)(?!\.?[0-9])")
 _PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG = b"\xff\xd8\xff"
@@ -50,9 +50,9 @@ def list_frames(folder: Path) -> list[str]:
     digits are compared as a separate number. Hidden files and subfolders are ignored.
 
     Returns file names; the list may be empty. Raises PlacecatError if the folder cannot be read, contains
-    other kinds of pictures, or contains two pictures of the same frame. Two pictures show the same frame if
-    their names differ only in the suffix, or have the same numbers but different words, such as colour and
-    depth.
+    other kinds of pictures, or contains two pictures of the same frame. Two pictures are taken to show the
+    same frame if their names differ only in the suffix, or contain the same numbers but different words, such
+    as colour and depth.
     """
     paths = _visible(folder)
     others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)
@@ -63,7 +63,7 @@ def list_frames(folder: Path) -> list[str]:
         )
     names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
     numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
-    # If all names have the same numbers, then these numbers do not count frames.
+    # If all names contain the same numbers, those are not frame numbers.
     are_counted = len(set(numbers)) > 1
     seen: dict[object, str] = {}
     for name, own in zip(names, numbers, strict=True):
@@ -97,11 +97,11 @@ def in_order(names: Iterable[str]) -> list[str]:
 def read_image(path: Path) -> NDArray[np.uint8]:
     """Decode a JPEG or PNG file to (H, W, 3) uint8 BGR, rotated according to its EXIF data.
 
-    A grey picture is returned with three equal channels.
+    A greyscale picture is returned as three equal channels.
 
     Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or
-    truncated, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (grey, 16 bits) and
-    transparent, animated or CMYK pictures also raise this error.
+    truncated, or is larger than `MOST_BYTES` or `MOST_PIXELS`. The same goes for depth pictures (16-bit
+    greyscale) and for transparent, animated or CMYK pictures.
     """
     try:
         status = path.stat()
@@ -157,7 +157,7 @@ def check_size(path: Path | str, width: int, height: int) -> None:
     """Raise an error if a picture has more than `MOST_PIXELS`, before memory is allocated for it."""
     if width * height > MOST_PIXELS:
         raise PlacecatError(
-            f"{path}: {width}x{height} pixels are more than {MOST_PIXELS // 10**6} million; scale it down."
+            f"{path}: {width}x{height} is more than {MOST_PIXELS // 10**6} million pixels; scale it down."
         )
 
 
@@ -168,14 +168,14 @@ def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
 def _check_jpeg(path: Path | str, content: bytes) -> None:
     """Raise an error if a JPEG has CMYK colours, is too large, or is damaged.
 
-    OpenCV would hide damage, because it fills in the areas that it cannot decode.
+    OpenCV hides damage by filling in the areas that it cannot decode.
     """
     try:
         height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
         check_size(path, width, height)
         if colors in ("CMYK", "YCCK"):
             raise PlacecatError(f"{path}: it has {colors} colours for printing; convert it to RGB.")
-        # This decodes the file in grey at an eighth of its width and height, which takes a fifth of the time.
+        # Decoding to greyscale at an eighth of the width and height takes a fifth of the time.
         simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
     except PlacecatError:
         raise
@@ -184,7 +184,7 @@ def _check_jpeg(path: Path | str, content: bytes) -> None:
 
 
 def _check_png(path: Path | str, content: bytes) -> None:
-    """Raise an error for chunks with wrong checksums, and for kinds of PNG that cannot be frames."""
+    """Raise an error if a PNG has a chunk with a wrong checksum, or is of a kind that cannot be a frame."""
     kinds: set[bytes] = set()
     at = len(_PNG)
     while b"IEND" not in kinds:

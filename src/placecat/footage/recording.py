@@ -24,12 +24,13 @@ from placecat.footage.pictures import TURNS
 Size = tuple[int, int]
 
 MOST_PIXELS = 2**26
-"""Largest number of pixels in a frame; 8K video has half as many."""
+"""Maximum number of pixels in a frame; 8K video has half as many."""
 _FLATTEST = 4.0
-# Playlist formats are excluded: FFmpeg would open the files and addresses that they list.
+# Playlist formats are excluded, because FFmpeg would open the files and URLs that they list.
 _FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
 _OPENING = {"format_whitelist": _FORMATS, "protocol_whitelist": "file"}
-# BT.2020 colours, common in HDR video from phones, are converted to BT.709 if swscale supports their curve.
+# BT.2020 colours, common in HDR video from phones, are converted to BT.709 if swscale supports their transfer
+# curve.
 _WIDE, _CURVES, _USUAL = 9, (14, 15, 16, 18), 1
 
 
@@ -58,10 +59,10 @@ class Picture:
 class Recording:
     """A video file, read by FFmpeg.
 
-    Opening reads all packets without decoding them. Every packet of the video is a frame with a time. A frame
-    that cannot be decoded is lost, but later frames keep their numbers and times. `count` is the number of
-    frames, including lost ones. `positions`, (count,) int64, counts up from 0. Raises PlacecatError if the
-    file is missing or not a video.
+    Opening reads all packets without decoding them. Every packet of the video stream counts as a frame with a
+    time. A frame that cannot be decoded is lost, but later frames keep their numbers and times. `count` is
+    the number of frames, including lost ones. `positions` holds the integers from 0 to `count` - 1, (count,)
+    int64. Raises PlacecatError if the file is missing or not a video.
     """
 
     def __init__(self, path: Path) -> None:
@@ -109,9 +110,9 @@ class Recording:
     def pictures(self, first: int = 1) -> Generator[Picture, None, None]:
         """Decode frames in display order, starting at `first` and skipping lost frames.
 
-        Decoding starts at the frame that `start_before` returns, so a late `first` costs little. FFmpeg
-        decodes several frames at once and does not report which of them has an error. After the first error,
-        the file is decoded again from its start, one frame at a time.
+        Decoding starts at the frame that `start_before` returns, so starting late in the file costs little.
+        FFmpeg decodes several frames at once and does not report which one caused an error. After the first
+        error, the file is decoded again from its start, one frame at a time.
         """
         self._start(first)
         start = self.start_before(first)
@@ -125,7 +126,7 @@ class Recording:
                 return
 
     def start_before(self, number: int) -> int:
-        """Return the last frame, at most `number`, where decoding can start without changing any bytes."""
+        """Return the last frame up to `number` where decoding can start without affecting the pixels."""
         after = bisect.bisect_right(self._fresh, number)
         return 1 if self._is_careful or after == 0 else self._fresh[after - 1]
 
@@ -161,7 +162,7 @@ class Recording:
         """Convert a decoded frame to pixels for `Picture.image`."""
         is_wide = frame.color_primaries == _WIDE and frame.color_trc in _CURVES
         usual = _USUAL if is_wide else None
-        # These settings produce the same bytes as OpenCV.
+        # These settings reproduce OpenCV's output exactly.
         changed = self._reformatter.reformat(
             frame,
             *self._square(frame),
@@ -176,7 +177,7 @@ class Recording:
         return cast(NDArray[np.uint8], image if turn is None else cv2.rotate(image, turn))
 
     def _square(self, frame: VideoFrame) -> Size:
-        """Return the size in square pixels, before the frame is rotated."""
+        """Return the size in square pixels, before rotation."""
         return max(1, round(frame.width * self._flatness)), frame.height
 
     def _shown(self, frame: VideoFrame) -> Size:
@@ -206,10 +207,10 @@ class Recording:
         )
 
     def _empty(self) -> PlacecatError:
-        return PlacecatError(f"{self.path}: the video has no readable frame; restore or convert it.")
+        return PlacecatError(f"{self.path}: the video has no readable frames; restore or convert it.")
 
     def _stream(self, container: av.container.InputContainer) -> VideoStream:
-        """Return the first video stream, ignoring the cover pictures of music files."""
+        """Return the first video stream, ignoring the cover art of music files."""
         cover = av.stream.Disposition.attached_pic
         videos = [one for one in container.streams.video if not one.disposition & cover]
         if not videos:
@@ -226,11 +227,11 @@ class Recording:
         if not 1 / _FLATTEST <= self._flatness <= _FLATTEST:
             raise PlacecatError(
                 f"{self.path}: according to the header, pixels are {self._flatness:.4g} times as wide as "
-                "high, which is implausible; convert the video to square pixels."
+                "they are high, which is implausible; convert the video to square pixels."
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
-        # Worker processes of `placecat.compute.parallel` have one thread. With threads, FFmpeg would need a
-        # fifth more CPU time.
+        # Worker processes of `placecat.compute.parallel` have one thread. With more threads, FFmpeg would use
+        # 20% more CPU time.
         if self._is_careful or cv2.getNumThreads() == 1:
             stream.codec_context.thread_count = 1
             stream.thread_type = "NONE"
@@ -239,9 +240,9 @@ class Recording:
         return stream
 
     def _read_index(self, container: av.container.InputContainer, stream: VideoStream) -> None:
-        """Find the timestamps of all frames, and whether the file is complete."""
+        """Find the timestamps of all frames, and check whether the file is complete."""
         name = container.format.name
-        # Frames that an edit list cuts off do not count.
+        # Frames removed by an edit list do not count.
         entries = [entry for entry in stream.index_entries if not entry.is_discard] if "mov" in name else []
         announced = stream.frames if name == "avi" else len(entries)
         stamps: list[tuple[int | None, int | None]] = []
@@ -266,7 +267,7 @@ class Recording:
         self.count, self._tick = len(stamps), stream.time_base or Fraction(1)
         self.positions = np.arange(self.count)
         shown, coded = zip(*stamps, strict=True)
-        # AVI has only decoding times.
+        # AVI stores only decoding times.
         are_distinct = None not in shown and len(set(shown)) == len(shown)
         is_known = name != "avi" and are_distinct and streams.run_forward(coded)
         self._numbers = {pts: number for number, pts in enumerate(sorted(shown), 1)} if is_known else {}
@@ -289,7 +290,7 @@ class Recording:
                 self._unread.append(f"it ends {until - furthest:.1f} s early: it may be cut off")
 
     def _decoded(self, start: int) -> Generator[Picture, None, None]:
-        """Decode once, starting at the frame `start`, but yield only frames after `_reached`.
+        """Decode once, starting at frame `start`, but yield only frames after `_reached`.
 
         Raises _Damaged if an error occurs while several frames are decoded at once.
         """
@@ -329,7 +330,7 @@ class Recording:
 
 
 def are(numbers: list[int]) -> str:
-    """Return the verb for these frames: "is" or "are"."""
+    """Return "is" for a single frame and "are" for several."""
     return "are" if len(numbers) > 1 else "is"
 
 

@@ -6,7 +6,7 @@ from itertools import pairwise
 import av
 from av.video.stream import VideoStream
 
-# Number of consecutive errors after which reading a file stops.
+# Reading a file stops after this many consecutive errors.
 _PATIENCE = 100
 # Codecs whose key frames are independent: no frame after a key frame refers to a frame before it.
 _FRESH = ("ffv1", "mjpeg", "png", "vp8", "vp9")
@@ -17,7 +17,7 @@ _UNITS = {"h264": (4, 0, 0x1F, (5,)), "hevc": (21, 1, 0x3F, (19, 20))}
 
 
 def packets(container: av.container.InputContainer, stream: VideoStream | None = None) -> Iterator[av.Packet]:
-    """Yield the packets of a file or one of its streams, skipping damaged parts."""
+    """Yield the packets of a file or of one of its streams, skipping damaged parts."""
     failures = 0
     while failures < _PATIENCE:
         try:
@@ -33,26 +33,26 @@ def packets(container: av.container.InputContainer, stream: VideoStream | None =
 
 
 def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
-    """Return whether a packet is a frame that is displayed.
+    """Return whether a packet contains a frame to be displayed.
 
-    Some frames are cut off by edit lists, and others only serve as references.
+    Some frames are removed by edit lists, and others serve only as references.
     """
     is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
     return not packet.is_discard and not is_hidden
 
 
 def is_fresh(packet: av.Packet, stream: VideoStream) -> bool:
-    """Return whether decoding can start at this packet without changing any bytes.
+    """Return whether decoding can start at this packet without affecting the pixels.
 
-    Not every key frame qualifies, because later frames may refer to frames before it. Returns False if this
-    is unknown.
+    Not every key frame qualifies, because later frames may refer to frames before it. If in doubt, returns
+    False.
     """
     codec = stream.codec_context
     if not packet.is_keyframe or codec.name not in _UNITS:
         return packet.is_keyframe and codec.name in _FRESH
     place, shift, mask, wanted = _UNITS[codec.name]
     header, content = codec.extradata or b"", memoryview(packet)
-    # Without this header, any packet may contain parameters.
+    # Without this header, any packet may contain parameter sets.
     if len(header) <= place or header[0] != 1:
         return False
     size, at = (header[place] & 3) + 1, 0

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 MOST_RATE = 500.0
-"""Highest plausible number of frames per second. Slow-motion video has 240. A value of 1,000 or more in a
-header is a clock rate."""
+"""Highest plausible number of frames per second. Slow-motion video is shot at 240. A value of 1,000 or more
+in a header is a clock rate."""
 LONGEST = 3600.0
-"""Longest plausible gap between two frames, in seconds. A longer gap means damaged timestamps."""
+"""Longest plausible gap between two frames, in seconds. If a gap is longer, the timestamps are damaged."""
 
-# Rounding error, in seconds, of a file converted from one with times in milliseconds.
+# Rounding error, in seconds, in a file converted from a format with millisecond timestamps.
 _ROUNDING = 0.001
 
 
@@ -24,8 +24,8 @@ class Timing:
     """Times of n frames, in seconds.
 
     `seconds`, (n,) float64, are the times since the first frame, and `end` is the time at which the last
-    frame ends. `fps` is the frame rate in the file or, if the times do not match it, the rate without long
-    gaps. If `is_even` is true, frame i, counted from 0, is displayed at the time i / `fps`.
+    frame ends. `fps` is the frame rate in the file or, if the times do not match it, the rate computed
+    without long gaps. If `is_even` is true, frame i, counted from 0, is displayed at time i / `fps`.
     """
 
     seconds: NDArray[np.float64]
@@ -55,8 +55,8 @@ def measure(
 ) -> Timing | None:
     """Determine the frame times and the frame rate.
 
-    Containers round times, some of them to milliseconds. If every time could be a rounded multiple of one
-    frame period, the times are replaced by the exact multiples. Returns None if no rate is plausible.
+    Container formats round times, some of them to milliseconds. If every time could be a rounded multiple of
+    one frame period, the times are replaced by the exact multiples. Returns None if no rate is plausible.
 
     Parameters
     ----------
@@ -65,10 +65,10 @@ def measure(
     tick
         Length of a tick in seconds.
     last
-        The duration of the last frame in ticks. It is used only if it is plausible compared with other
-        frames.
+        The duration of the last frame in ticks. It is used only if it is plausible compared with the
+        durations of the other frames.
     rates
-        Frame rates stored in the file, the most reliable first.
+        Frame rates stored in the file, most reliable first.
     """
     if len(ticks) == 1:
         return usual(1, rates)

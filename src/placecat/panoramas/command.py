@@ -19,9 +19,9 @@ from placecat.settings import read_yaml
 
 SETTINGS = paths.CONF / "panoramas.yaml"
 LOOKS = "looks.csv"
-# The data set in conf/dataset that reads these homes.
+# The data set configuration in conf/dataset that reads these homes.
 DATASET = "my_homes"
-# The terminal lists at most this many unused panoramas. The data card lists all of them.
+# Maximum number of unused panoramas listed on the terminal. The data card lists all of them.
 _NAMED = 5
 
 
@@ -36,9 +36,9 @@ def read_settings(changes: Sequence[str] = (), path: Path = SETTINGS) -> dict[st
 
 
 def import_command(source: Path, destination: Path, changes: Sequence[str]) -> int:
-    """Turn the panoramas in a folder into homes, and print the next command.
+    """Turn the panoramas in a folder into homes, and print the next command to run.
 
-    `destination` is a new folder, which appears only when it is complete. `changes` are Hydra overrides.
+    `destination` is a new folder, which appears only once it is complete. `changes` are Hydra overrides.
     Returns 0. User errors raise PlacecatError and leave nothing behind.
     """
     settings = read_settings(changes)
@@ -107,11 +107,13 @@ def _print(
         print(f"{one_line(home)} lacks {', '.join(absent)}.")
     if absent := [one_line(one.files[0]) for one in unseen(panoramas, plans)]:
         some = ", ".join(absent[:_NAMED]) + (", ..." if len(absent) > _NAMED else "")
-        verb = "appears" if len(absent) == 1 else "appear"
-        print(f"{len(absent)} of {_number(len(panoramas), 'panorama')} {verb} in no frame: {some}")
+        verb = "does" if len(absent) == 1 else "do"
+        print(
+            f"{len(absent)} of {_number(len(panoramas), 'panorama')} {verb} not appear in any frame: {some}"
+        )
         print("To show more of them, raise visits or lower longest_look.")
     print(f"{one_line(destination)}/{texts.CARD} describes how the frames were made.")
-    # One home is for testing, one is left out, and at least two are for training.
+    # One home is used for testing, one is left out, and at least two are used for training.
     if len(plans) < 4:
         print("Training and testing need at least four homes: add more.")
     else:
@@ -125,7 +127,7 @@ def _number(count: int, what: str) -> str:
 
 
 def _next(destination: Path, homes: Sequence[str], fps: float, *, is_complete: bool) -> str:
-    """Return the command that computes all tables on these homes."""
+    """Return the command that computes all tables for these homes."""
     chosen = [
         f"dataset={DATASET}",
         f"dataset.root={overrides.text(str(destination))}",

@@ -1,7 +1,7 @@
 """Render views from inside a cube of six square pictures.
 
-Front, right, back and left are upright, side by side. The lower edge of ``up`` and the upper edge of ``down``
-touch the front.
+The front, right, back and left pictures stand upright, side by side. The lower edge of ``up`` and the upper
+edge of ``down`` meet the front picture.
 """
 
 from collections.abc import Sequence
@@ -24,7 +24,7 @@ _AXES = np.array(
     ],
     dtype=np.float64,
 )
-# Pixels added around each face, for interpolation across its edges.
+# Number of pixels added around each face for interpolation across its edges.
 _BORDER = 1
 # Number of faces in a row of the combined picture.
 _IN_ROW = 3
@@ -33,10 +33,10 @@ _IN_ROW = 3
 def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint8]:
     """Prepare the faces of a cube for `look`.
 
-    `faces` are six (N, N, 3) uint8 pictures in the order of `FACES`. `focal` is explained in
-    :func:`placecat.panoramas.sphere.prepare`. Faces with a finer resolution are scaled down to (N', N', 3).
-    Returns one picture of all faces, (2 (N' + 2), 3 (N' + 2), 3) uint8. Each face has a border of pixels from
-    its neighbours.
+    `faces` are six (N, N, 3) uint8 pictures in the order of `FACES`. See
+    :func:`placecat.panoramas.sphere.prepare` for `focal`. Faces of higher resolution are scaled down to
+    (N', N', 3). Returns all faces in one picture, (2 (N' + 2), 3 (N' + 2), 3) uint8, each surrounded by a
+    border of pixels from its neighbours.
     """
     side = min(len(faces[0]), int(np.ceil(2 * focal)))
     if side < len(faces[0]):
@@ -62,7 +62,7 @@ def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.u
     `prepared` comes from :func:`prepare`, and `rays`, (h, w, 3), from `placecat.panoramas.render.view_rays`.
     """
     tile = len(prepared) // 2
-    # A ray hits the face whose outward direction is nearest to it.
+    # A ray hits the face whose outward direction is closest to its own.
     outwards = rays @ _AXES[:, 2].T
     face = outwards.argmax(axis=-1)
     depth = np.take_along_axis(outwards, face[..., None], axis=-1)

@@ -32,11 +32,11 @@ def gaze(
     fps
         Frames per second. This does not affect the turns, only the times at which they are sampled.
     fov, tilt
-        Ranges of the horizontal field of view, which stays constant, and of the tilt, in degrees.
+        Ranges of the horizontal field of view, which stays constant, and the tilt, in degrees.
     turn, speed
-        Ranges of the angle of a turn to either side, in degrees, and of its mean speed, in degrees/s.
+        Ranges of the angle of a turn to either side, in degrees, and its mean speed, in degrees/s.
     rest
-        Range of the pause between two turns, in seconds.
+        Range of the pause between turns, in seconds.
     rng
         Source of all random choices.
 
@@ -68,7 +68,7 @@ def gaze(
 def least_jerk(done: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the fraction of a movement that is complete after a fraction of its duration.
 
-    Both fractions are from 0 to 1. The movement starts and ends at rest (Flash and Hogan 1985).
+    Both fractions are between 0 and 1. The movement starts and ends at rest (Flash and Hogan 1985).
 
     Examples
     --------

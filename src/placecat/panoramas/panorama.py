@@ -15,8 +15,8 @@ class Panorama:
 
     `home` and `floor` are also folder names. `room` is unique on its floor, and `label` is its place
     category. `files` are the paths of one equirectangular picture, or of the six faces of a cube in the order
-    of `placecat.panoramas.cube.FACES`. They are POSIX paths relative to the folder of the source. `origin`
-    appears in messages. It names the file that lists the panorama, and the position in that file.
+    of `placecat.panoramas.cube.FACES`. They are POSIX paths relative to the source folder. `origin` states
+    which file lists the panorama, and where in that file; it is used in messages.
     """
 
     home: str
@@ -39,6 +39,6 @@ def kind(name: str) -> str:
 
 
 def labels_by_kind(labels: Mapping[str, Iterable[str]]) -> dict[str, str]:
-    """Map every `kind` of room in the setting `labels` to its label."""
+    """Map every `kind` of room in the `labels` setting to its label."""
     named = {kind(name): label for label, names in labels.items() for name in names}
     return named | {kind(label): label for label in labels}

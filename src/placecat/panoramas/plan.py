@@ -1,4 +1,4 @@
-"""Plan a walk through a home, floor by floor, and the view direction of each frame."""
+"""Plan a walk through a home floor by floor, with the view direction of each frame."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -21,9 +21,9 @@ _OF_GAZE = ("fps", "fov", "tilt", "turn", "speed", "rest")
 class Look:
     """Consecutive frames that show one panorama.
 
-    `stay` is the number of the stay, counted from 0 on each floor. `first` is the number of the first frame,
-    counted from 1 on each floor. `path` is (frames, 3) float64: pan, tilt and horizontal field of view in
-    degrees.
+    On each floor, stays are numbered from 0 and frames from 1: `stay` is the stay that these frames belong
+    to, and `first` is the first frame. `path` is (frames, 3) float64: pan, tilt and horizontal field of view
+    in degrees.
     """
 
     panorama: Panorama
@@ -44,8 +44,8 @@ Plans = Mapping[str, Mapping[str, Sequence[Look]]]
 def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str, list[Look]]:
     """Plan the walk through a home from its panoramas and the settings of conf/panoramas.yaml.
 
-    Returns the looks of each floor in order, with the floors in natural order. Seeds depend on the home name,
-    the floor name and the setting `walk`.
+    Returns the looks of each floor in order, with the floors in natural order. The seed depends on the home
+    name, the floor name and the `walk` setting.
     """
     of_walk = {name: settings[name] for name in _OF_WALK}
     of_gaze = {name: settings[name] for name in _OF_GAZE}
@@ -66,7 +66,7 @@ def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str
 
 
 def unseen(panoramas: Sequence[Panorama], plans: Plans) -> list[Panorama]:
-    """Return the panoramas that no look shows, in their original order."""
+    """Return the panoramas that do not appear in any look, in their original order."""
     shown = {look.panorama for floors in plans.values() for looks in floors.values() for look in looks}
     return [one for one in panoramas if one not in shown]
 

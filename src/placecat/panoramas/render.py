@@ -1,6 +1,6 @@
-"""Render the frames that show one panorama, with a pinhole camera that turns on the spot.
+"""Render the frames that show one panorama, as seen by a pinhole camera that turns on the spot.
 
-Directions are (x, y, z): x to the right, y down, z ahead, as seen from a camera at zero pan and tilt.
+Directions are (x, y, z): x to the right, y down, z forward, as seen from a camera at zero pan and tilt.
 """
 
 from pathlib import Path
@@ -19,13 +19,13 @@ def render(
 ) -> list[bytes]:
     """Render views of a panorama; return each as the content of a JPEG file.
 
-    Raises PlacecatError if a picture cannot be read, if an equirectangular picture is not twice as wide as
-    high, or if the faces are not squares of the same size.
+    Raises PlacecatError if a picture cannot be read, if an equirectangular picture is not twice as wide as it
+    is high, or if the faces are not squares of the same size.
 
     Parameters
     ----------
     files, origin
-        Fields of `placecat.panoramas.panorama.Panorama`, but with complete paths.
+        The fields of `placecat.panoramas.panorama.Panorama`, but with full paths.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     width, height, quality
@@ -38,7 +38,7 @@ def render(
         if columns != 2 * rows:
             raise PlacecatError(
                 f"{files[0]}: the picture is {columns}x{rows}, but a full sphere must be twice as wide as "
-                f"high ({origin}); export it as an equirectangular picture."
+                f"it is high ({origin}); export it as an equirectangular picture."
             )
         prepared, look = sphere.prepare(pictures[0], focal), sphere.look
     else:
@@ -57,7 +57,7 @@ def render(
 def focal_length(fov: float, width: int) -> float:
     """Return the focal length, in pixels, of a view that is `width` pixels wide.
 
-    `fov` is the horizontal field of view in degrees, above 0 and below 180.
+    `fov` is the horizontal field of view in degrees, between 0 and 180 (exclusive).
 
     Examples
     --------
@@ -70,8 +70,8 @@ def focal_length(fov: float, width: int) -> float:
 def view_rays(pan: float, tilt: float, fov: float, width: int, height: int) -> NDArray[np.float64]:
     """Return the unnormalised direction of each pixel centre, (height, width, 3) float64.
 
-    `pan`, positive to the right, and `tilt`, positive upwards, are in degrees. `fov` is explained in
-    :func:`focal_length`. Pixels are square, and the optical axis passes through the centre of the view.
+    `pan`, positive to the right, and `tilt`, positive upwards, are in degrees. See :func:`focal_length` for
+    `fov`. Pixels are square, and the optical axis passes through the centre of the view.
 
     Examples
     --------

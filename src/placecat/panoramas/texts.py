@@ -1,4 +1,4 @@
-"""The files that accompany the frames: a label file and a table of looks per home, and one data card."""
+"""Create the files that accompany the frames: a label file and a table of looks per home, and a data card."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby
@@ -30,8 +30,8 @@ def label_file(floors: Mapping[str, Sequence[Look]]) -> str:
 def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
     """Return a table with one row per look.
 
-    Its columns are the floor, the number of the stay (counted from 1), the first and the last frame, the
-    field of view in degrees, the room, the label, and the panorama's first picture.
+    Its columns are the floor, the stay number (counted from 1), the first and last frame, the field of view
+    in degrees, the room, the label, and the panorama's first picture.
     """
     columns = ["floor", "stay", "start", "end", "fov", "room", "label", "panorama"]
     rows = []
@@ -46,7 +46,7 @@ def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
 def card(plans: Plans, panoramas: Sequence[Panorama], settings: Mapping[str, Any], folder: str) -> str:
     """Render the data card.
 
-    `panoramas` are all panoramas of the source, including unused ones. `settings` come from
+    `panoramas` lists all panoramas in the source, including unused ones. `settings` come from
     conf/panoramas.yaml. `folder` is the name of the source folder.
     """
     by_home = {_plain(home): counts(floors) for home, floors in plans.items()}
@@ -67,7 +67,7 @@ def card(plans: Plans, panoramas: Sequence[Panorama], settings: Mapping[str, Any
 
 
 def counts(floors: Mapping[str, Sequence[Look]]) -> dict[str, tuple[int, int]]:
-    """Map each label in a home to its frame count and its stay count."""
+    """Map each label in a home to its number of frames and number of stays."""
     found: dict[str, tuple[int, int]] = {}
     for looks in floors.values():
         for first, last, label in _stays(looks):

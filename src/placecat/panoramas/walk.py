@@ -8,7 +8,7 @@ import numpy as np
 
 
 class Room(NamedTuple):
-    """A room's label and the numbers of its panoramas."""
+    """A room's label and the indices of its panoramas."""
 
     label: str
     panoramas: tuple[int, ...]
@@ -17,7 +17,7 @@ class Room(NamedTuple):
 class Part(NamedTuple):
     """Consecutive frames of a stay that show one panorama.
 
-    `stay`, `room` and `panorama` are numbers counted from 0, and `frames` is the number of frames.
+    `stay`, `room` and `panorama` are zero-based indices, and `frames` is the number of frames.
     """
 
     stay: int
@@ -41,9 +41,9 @@ def walk(
     """Plan a walk through the rooms of a floor.
 
     The first round enters every room, and later rounds enter the rooms that have visits left. No room is
-    entered twice in a row. Rooms with a label in `ways` are only passed through: the walk passes one of them
-    between any two other rooms. If there are more such rooms than it can pass, it enters the rest like other
-    rooms.
+    entered twice in a row. Rooms with a label in `ways` are only passed through: the walk passes through one
+    of them between any two other rooms. If there are more such rooms than it can pass through, it enters the
+    rest like any other room.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def walk(
         Labels of rooms that people only pass through.
     stays, other_stays
         Mean and standard deviation of the duration of a stay, in seconds. `stays` sets them for some labels,
-        and `other_stays` for all other labels. Durations have a gamma distribution.
+        and `other_stays` for all other labels. Durations are gamma-distributed.
     shortest_stay, longest_look
         Limits in seconds. A stay longer than `longest_look` is split among the room's panoramas.
     rng
@@ -65,7 +65,8 @@ def walk(
     """
     is_way = [room.label in ways for room in rooms]
     ways_first = sorted(range(len(rooms)), key=lambda number: not is_way[number])
-    # A walk that enters n rooms once passes n - 1 ways, and enters the surplus ways like other rooms.
+    # A walk that enters n rooms once passes through n - 1 ways, and enters the surplus ways like any other
+    # room.
     surplus = max(0, -(-(2 * sum(is_way) - len(rooms) + 1) // 2))
     entered = sorted(ways_first[:surplus] + ways_first[sum(is_way) :])
     passed = ways_first[surplus : sum(is_way)]
@@ -83,7 +84,7 @@ def walk(
 
 
 def _order(entered: Sequence[int], visits: Sequence[int], rng: np.random.Generator) -> list[int]:
-    """Return the room numbers in the order of visits."""
+    """Return the room numbers in the order in which the rooms are visited."""
     times = {number: int(rng.integers(visits[0], visits[1], endpoint=True)) for number in entered}
     order: list[int] = []
     for visit in range(1, visits[1] + 1):

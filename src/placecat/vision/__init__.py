@@ -1,1 +1,1 @@
-"""Salient regions and descriptors of a frame, computed without labels and without opening files."""
+"""Salient regions and descriptors of a frame, computed without labels or file access."""

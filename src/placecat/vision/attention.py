@@ -39,7 +39,7 @@ def compute_maps(
     scales
         Pyramid levels to use, each at least 1, in ascending order. The thesis uses (2, 3, 4, 5).
     radii
-        Radii of the centre-surround neighbourhoods, in pixels of the level. The thesis uses 1 and 3 (3x3 and
+        Radii of the centre-surround neighbourhoods, in pixels at each level. The thesis uses 1 and 3 (3x3 and
         7x7 pixels).
     clip_color
         Whether to set negative colour values to 0 in each pixel, as Itti et al. do. The thesis does not
@@ -69,8 +69,7 @@ def compute_maps(
     check_scales(levels, width, height)
     in_color = "color" in fields or "color_contrast" in fields
     total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
-    # The sum of the colours is a whole number, so a flat frame stays exactly flat if the division by 3 comes
-    # last.
+    # The sum of the colour channels is an integer, so dividing by 3 last keeps a flat frame exactly flat.
     totals = gaussian_pyramid(total, 1, levels[-1] + 1)
     grey = {s: totals[s] / np.float32(3) for s in sorted({*levels, *(s + 1 for s in levels)})}
     pyramids = [gaussian_pyramid(plane, 1, levels[-1]) for plane in planes]
@@ -102,7 +101,8 @@ def find_regions(maps: FrameMaps, **settings: Any) -> FloatArray:
 
     `maps` is the result of `compute_maps`. Valid settings are those of
     `placecat.vision.regions.select_regions`, such as ``max_regions``, and of
-    `placecat.vision.saliency.saliency`, such as ``use_residual``. An invalid setting raises PlacecatError.
+    `placecat.vision.saliency.saliency`, such as ``use_residual``. Raises PlacecatError if a setting is
+    invalid.
 
     Returns an (n, 4) float32 array. Its columns are the x and y of the centre in frame pixels, the scale and
     the saliency, and its rows are sorted by decreasing saliency. n is at most ``max_regions``, and 0 for a

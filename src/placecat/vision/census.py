@@ -12,11 +12,11 @@ from placecat.errors import PlacecatError
 
 CODES = 256
 
-# Up to this number of pixels per cell, one joint histogram over cells and codes is faster than one histogram
-# per cell.
+# Up to this many pixels per cell, one joint histogram over cells and codes is faster than one histogram per
+# cell.
 _FEW = 10_000
 
-# Neighbours are ordered from left to right and from top to bottom. The first one sets the highest bit.
+# Neighbours are ordered left to right, then top to bottom. The first one sets the highest bit.
 _NEIGHBOURS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1))
 
 LAPLACIANS = {
@@ -29,9 +29,9 @@ LAPLACIANS = {
 def census(images: NDArray[Any]) -> NDArray[np.uint8]:
     """Compute the census transform: one bit for each of the eight neighbours of a pixel.
 
-    A bit is set if the centre is at least as bright as the neighbour. Neighbours are ordered from left to
-    right and from top to bottom. The top left neighbour sets the highest bit (128), and the bottom right one
-    sets the lowest (1). Border pixels have no code.
+    A bit is set if the centre is at least as bright as the neighbour. Neighbours are ordered left to right,
+    then top to bottom. The top left neighbour sets the highest bit (128), and the bottom right one sets the
+    lowest (1). Border pixels have no code.
 
     `images` is (..., h, w) of any real dtype. Raises PlacecatError if h or w is below 3. Returns
     (..., h - 2, w - 2) uint8.
@@ -45,8 +45,8 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
         raise PlacecatError(
             f"the census transform needs at least 3x3 pixels, not {width}x{height}: use larger frames"
         )
-    # In the flat array, each neighbour is a constant step away, even across images. Only border pixels are
-    # wrong.
+    # In the flattened array, each neighbour is a constant step away, even across images. Only border pixels
+    # get wrong codes, and these are dropped.
     flat = np.ascontiguousarray(images).reshape(-1)
     margin = width + 1
     inner = slice(margin, max(margin, flat.size - margin))
@@ -78,8 +78,8 @@ def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]
     excluding, floor((k + 1) length / n). The thesis does not specify this.
 
     `codes` are (h, w) uint8 codes from `census`, and `cells` is at most 16. Returns a (cells**2, 256) float32
-    array with one row per cell, row by row from the top left of the grid. Each row sums to 1, or to 0 for a
-    cell without pixels.
+    array with one row per cell, in row-major order of the grid. Each row sums to 1, or to 0 for a cell
+    without pixels.
     """
     number = cells * cells
     places, sizes = _places(*codes.shape, cells)

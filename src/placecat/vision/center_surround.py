@@ -8,7 +8,7 @@ import numpy as np
 from placecat.vision.color import blue_yellow
 from placecat.vision.maps import FloatArray
 
-# Responses up to these limits are float32 rounding errors. They would create local maxima in flat areas.
+# Responses up to these limits are float32 rounding errors, which would create local maxima in flat areas.
 GREY_ROUNDING = 1e-3
 COLOR_ROUNDING = 1e-5
 
@@ -16,8 +16,8 @@ COLOR_ROUNDING = 1e-5
 def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> None:
     """Subtract from each pixel the mean of the other pixels in its k x k neighbourhood.
 
-    The side k is 2 radius + 1. With the mean m of all k^2 pixels, the difference is k^2 / (k^2 - 1) times
-    (centre - m), so a box blur suffices. The border is mirrored without repeating the edge pixel
+    The side length k is 2 radius + 1. With the mean m of all k^2 pixels, the difference is k^2 / (k^2 - 1)
+    times (centre - m), so a box blur suffices. The border is mirrored without repeating the edge pixel
     (reflect-101). The thesis does not specify this.
     """
     size = 2 * radius + 1
@@ -27,11 +27,11 @@ def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> Non
 
 
 def intensity_contrast(grey: FloatArray, radii: Sequence[int]) -> FloatArray:
-    """Return the centre-surround responses to bright spots and to dark spots (thesis 3.1.1.1).
+    """Return the centre-surround responses to bright and dark spots (thesis 3.1.1.1).
 
     `grey` is (h, w) float32, from 0 to 255, and `radii` are the radii of the centre-surround neighbourhoods.
-    Returns (radii, 2, h, w) float32, from 0 to 255: how far the centre lies above the surround, and how far
-    below. Values up to `GREY_ROUNDING` become 0.
+    Returns (radii, 2, h, w) float32, from 0 to 255: how far the centre lies above and how far it lies below
+    the surround. Values up to `GREY_ROUNDING` are set to 0.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)
     for (on, off), radius in zip(out, radii, strict=True):
@@ -41,11 +41,11 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int]) -> FloatArray:
 
 
 def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int]) -> FloatArray:
-    """Return how far R, G, B and Y in the centre exceed the surround (thesis 3.1.1.1).
+    """Return by how much R, G, B and Y in the centre exceed the surround (thesis 3.1.1.1).
 
     `planes` are the colour planes of one level, as in `placecat.vision.color.channels`. Returns
-    (radii, 4, h, w) float32. The values are dimensionless and not negative. Values up to `COLOR_ROUNDING`
-    become 0.
+    (radii, 4, h, w) float32. The values are dimensionless and non-negative. Values up to `COLOR_ROUNDING` are
+    set to 0.
     """
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
     difference = np.empty_like(planes[0])

@@ -1,13 +1,13 @@
 """Compute and reduce the intensity and the intensity-normalised opponent colours of a frame in one pass.
 
-After division by the intensity i = (r + g + b) / 3, the three colours sum to 3. So the channels R, G, B, Y of
-the thesis follow from three planes, R, G and D = |R - G|::
+After division by the intensity i = (r + g + b) / 3, the three colours sum to 3, so the thesis's channels R,
+G, B and Y follow from three planes, R, G and D = |R - G|::
 
     R = 1.5 (r/i - 1)        G = 1.5 (g/i - 1)        B = -(R + G)        Y = 2 (R + G) - 4/3 D
 
 Reduction and centre-surround differences are linear, so they are applied to R, G, D. B and Y are computed
-only where needed. A black pixel has no colour and counts as grey. Then R = G = D = 0 yields B = Y = 0, so the
-identities still hold.
+only where needed. A black pixel has no colour and is treated as grey. Then R = G = D = 0 yields B = Y = 0, so
+the identities still hold.
 """
 
 from collections.abc import Sequence
@@ -34,7 +34,7 @@ def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """
     if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8:
         kind = frame.dtype if isinstance(frame, np.ndarray) else type(frame).__name__
-        raise TypeError(f"a frame must be an array of uint8, not {kind}")
+        raise TypeError(f"a frame must be a uint8 array, not {kind}")
     if frame.ndim != 3 or frame.shape[2] != 3 or frame.size == 0:
         raise PlacecatError(
             f"a frame must have the shape (height, width, 3), not {frame.shape}: decode it as BGR"
@@ -48,7 +48,7 @@ def reduced_planes(
     """Return the sum r + g + b and the colour planes at pyramid level 1 (thesis 3.1.1.1).
 
     To save memory, the frame is processed in strips of `strip_rows` rows, an even number of at least 4. The
-    strips do not affect the result.
+    strip size does not affect the result.
 
     Parameters
     ----------
@@ -57,8 +57,8 @@ def reduced_planes(
     color
         If false, only the sum is computed.
     clip
-        If false, the planes are R, G, D. If true, negative colour values of each pixel become 0, as Itti et
-        al. do, and the planes are R, G, B, Y. The thesis does not specify this.
+        If false, the planes are R, G, D. If true, negative colour values are set to 0 in each pixel, as Itti
+        et al. do, and the planes are R, G, B, Y. The thesis does not specify this.
 
     Returns
     -------
@@ -72,7 +72,7 @@ def reduced_planes(
     out_width, out_height = level_size(width, height, 1)
     number = 1 if not color else 5 if clip else 4
     reduced = [np.empty((out_height, out_width), np.float32) for _ in range(number)]
-    # The 5x5 kernel needs two more rows above and below.
+    # The 5x5 kernel needs two extra rows above and below.
     work = np.empty((4, min(strip_rows + 4, height), width), np.float32)
     split = np.empty((3, *work.shape[1:]), np.uint8)
     for start in range(0, height, strip_rows):
@@ -98,9 +98,9 @@ def reduced_planes(
 def channels(planes: Sequence[FloatArray]) -> FloatArray:
     """Compute R, G, B, Y from the planes of `reduced_planes`, or from linear functions of these planes.
 
-    `planes` are (h, w) float32 each. R, G, D are combined by the identities at the top of this module, while
-    R, G, B, Y are only stacked. Returns (4, h, w) float32. In each pixel, R, G and B lie between -1.5 and 3,
-    and Y lies between -6 and 3.
+    Each plane is (h, w) float32. R, G, D are combined using the identities at the top of this module, whereas
+    R, G, B, Y are merely stacked. Returns (4, h, w) float32. In each pixel, R, G and B lie between -1.5 and
+    3, and Y lies between -6 and 3.
     """
     out = np.empty((4, *planes[0].shape), np.float32)
     out[0], out[1] = planes[:2]
@@ -129,7 +129,7 @@ def reduced_grey(
 ) -> NDArray[np.uint8]:
     """Convert an (H, W, 3) uint8 BGR frame to grey as OpenCV does, and reduce it to a given width.
 
-    Returns (max(1, round(H width / W)), width) uint8. A frame that is not wider than `width` keeps its size.
+    Returns (max(1, round(H width / W)), width) uint8. A frame no wider than `width` keeps its size.
     """
     grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     height, full = grey.shape
@@ -141,7 +141,7 @@ def reduced_grey(
 def _full_planes(
     strip: NDArray[np.uint8], colors: list[NDArray[np.uint8]], work: FloatArray, color: bool, clip: bool
 ) -> list[FloatArray]:
-    """Return r + g + b in full size and, if `color`, also R + 1.5, G + 1.5, D (with `clip`, R, G, B, Y)."""
+    """Return r + g + b at full size and, if `color`, also R + 1.5, G + 1.5, D (with `clip`, R, G, B, Y)."""
     cv2.split(strip, colors)
     b, g, r = colors
     total, red, green, difference = work

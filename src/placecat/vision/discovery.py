@@ -12,7 +12,7 @@ from placecat.schema import signatures
 
 @lru_cache(maxsize=256)
 def settings_of(function: Callable[..., Any]) -> Mapping[str, Any]:
-    """Return the settings of a function and their defaults, in order.
+    """Return a function's settings and their defaults, in order.
 
     The settings are its keyword-only parameters. A required setting has the default
     `inspect.Parameter.empty`.
@@ -24,7 +24,7 @@ def settings_of(function: Callable[..., Any]) -> Mapping[str, Any]:
 def parts_of(
     section: str, settings: Mapping[str, Any], *functions: Callable[..., Any]
 ) -> list[dict[str, Any]]:
-    """Check the settings of a section, and return those that each function takes.
+    """Check a section's settings, and return the ones that each function takes.
 
     Raises PlacecatError if a setting is unknown or invalid.
     """
@@ -33,7 +33,7 @@ def parts_of(
 
 
 def load(kind: str, name: str) -> ModuleType:
-    """Import the module of a descriptor; `kind` is ``local`` or ``holistic``.
+    """Import a descriptor's module; `kind` is ``local`` or ``holistic``.
 
     Raises a PlacecatError that lists the valid names if the descriptor is unknown.
     """
@@ -43,7 +43,7 @@ def load(kind: str, name: str) -> ModuleType:
 def entry(kind: str, name: str, settings: Mapping[str, Any]) -> tuple[ModuleType, dict[str, Any]]:
     """Return the module and the settings of ``describe`` for an entry ``name: settings``.
 
-    The name is usually that of the module. A variant may have any name, and its setting ``descriptor`` names
+    The name is usually that of the module. A variant may have any name, and its ``descriptor`` setting names
     the module, as in ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
     """
     own = dict(settings)

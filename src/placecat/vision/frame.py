@@ -20,7 +20,7 @@ SECTIONS = ("attention", "regions", "local", "holistic", "information", "variant
 def check(features: Mapping[str, Mapping[str, Any]]) -> None:
     """Check sections, descriptors, settings and their values before any frame is read.
 
-    `features` has the same form as the settings of `describe_frame`. Raises a PlacecatError that names the
+    `features` has the same form as `settings` in `describe_frame`. Raises a PlacecatError that names the
     setting if anything is unknown or invalid. For an unknown setting, the error lists the valid ones.
     """
     settings.refuse_unknown(features, list(SECTIONS), "the features section")
@@ -46,29 +46,29 @@ def describe_frame(
     settings
         Optional sections that `check` accepts. ``attention``, ``regions`` and ``information`` contain the
         settings of `compute_maps`, `find_regions` and `information`. ``local`` and ``holistic`` map each
-        requested descriptor to its settings. A variant of a descriptor may have any name, and its setting
-        ``descriptor`` names the original, as in ``{"centrist_full": {"descriptor": "centrist", "width":
-        None}}``. ``variants`` maps names to variants of the regions. A variant has ``scales`` (some of the
-        maps' scales, or None for all), ``regions`` (changed settings) and ``descriptors`` (names in
-        ``local``).
+        requested descriptor to its settings. A variant of a descriptor may have any name, and its
+        ``descriptor`` setting names the original, as in ``{"centrist_full": {"descriptor": "centrist",
+        "width": None}}``. ``variants`` maps names to variants of the regions. Each variant has ``scales``
+        (some of the maps' scales, or None for all), ``regions`` (changed settings) and ``descriptors`` (names
+        in ``local``).
     regions
         (n, 4) float32 regions to describe, at most ``max_regions`` of them, such as tracked regions (thesis
-        4.7). None finds the regions in the frame. If regions are passed, variants and maps that no descriptor
-        reads are not computed.
+        4.7). If None, the regions are found in the frame. If regions are passed, variants are not computed,
+        nor are maps that no descriptor reads.
 
     Returns
     -------
-    Arrays whose shapes are the same for every frame. ``count`` is an int16 scalar, the number of regions.
+    Arrays whose shapes are the same for every frame. ``count``, the number of regions, is an int16 scalar.
     ``regions``, (max_regions, 4) float32, has the columns x, y (in frame pixels), scale and strength, with
     the strongest region first. ``local_<name>`` is (max_regions, D) float32, and ``holistic_<name>`` is (D,)
     float32. ``information`` is a float32 scalar (see `placecat.vision.information.information`). Each variant
-    adds ``variant_<name>/count``, ``.../regions`` and ``.../local_<name>``. Rows of regions and of their
-    descriptors are zero from ``count`` on.
+    adds ``variant_<name>/count``, ``.../regions`` and ``.../local_<name>``. In the arrays of regions and of
+    their descriptors, the rows from ``count`` onwards are zero.
 
     Raises
     ------
     PlacecatError
-        If the settings do not suit the frame or contradict each other.
+        If the settings contradict each other or do not fit the frame.
     """
     own = {section: settings.get(section, {}) for section in SECTIONS}
     most = most_regions(own["regions"])

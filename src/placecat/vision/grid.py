@@ -1,4 +1,4 @@
-"""Compute means and variances in the cells of a regular grid."""
+"""Compute means and variances over the cells of a regular grid."""
 
 from functools import lru_cache
 
@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
     """Return weights that average ``length`` pixels into ``cells`` equal cells.
 
-    If a cell border cuts a pixel, the pixel counts proportionally in both cells, so all cells have the same
-    size. The thesis does not say how it divides a length that is not a multiple of the number of cells.
+    If a cell border cuts through a pixel, the pixel is split proportionally between the two cells, so all
+    cells have the same size. The thesis does not say how it divides a length that is not a multiple of the
+    number of cells.
 
-    Both numbers apply to one axis and are at least 1. ``length`` may be less than ``cells``. Returns a
+    Both numbers refer to a single axis and are at least 1. ``length`` may be less than ``cells``. Returns a
     read-only (cells, length) float64 array whose rows sum to 1.
     """
     edges = np.arange(cells + 1) * (length / cells)
@@ -25,7 +26,7 @@ def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
 
 
 def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
-    """Average each (..., h, w) float32 map in a ``cells`` x ``cells`` grid by two small matrix products.
+    """Average (..., h, w) float32 maps over a ``cells`` x ``cells`` grid, using two small matrix products.
 
     Returns (..., cells, cells) float32, with rows from the top and columns from the left.
     """
@@ -35,15 +36,15 @@ def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
 
 
 def mean_variance(patches: NDArray[np.float32], grid: int) -> NDArray[np.float32]:
-    """Compute the mean and variance of each channel, over each full patch and in the cells of a grid.
+    """Compute the mean and variance of each channel, over the whole patch and over each cell of a grid.
 
-    `patches` is (n, c, h, w) float32. `grid` is the number of cells along each axis, or 0 for the full patch
-    only. Returns (n, 2 c (1 + grid**2)) float32. The full patch comes first, then the cells row by row from
-    the top left. Each of these areas has c means, then c non-negative variances (with divisor N).
+    `patches` is (n, c, h, w) float32. `grid` is the number of cells along each axis, or 0 for the whole patch
+    only. Returns (n, 2 c (1 + grid**2)) float32. The whole patch comes first, then the cells row by row from
+    the top left. Each of these areas contributes c means, then c non-negative variances (with divisor N).
     """
     count, channels = patches.shape[:2]
     values = patches.astype(np.float64)
-    # Variances are differences of squares, so the values are centred first to preserve their precision.
+    # Variances are computed as differences of squares, so the values are centred first to preserve precision.
     centre = values.mean(axis=(2, 3), keepdims=True)
     values -= centre
     areas = [_moments(values, centre[:, :, 0, 0], 1)]

@@ -11,10 +11,10 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
     """Measure a frame's energy at intermediate frequencies (thesis 4.6).
 
     The measure is the mean absolute difference between two levels of the intensity pyramid: the level
-    ``fine`` and the expanded level ``coarse``. The thesis states no unit. Its thresholds 0.09766 and 0.13021
-    are 25 / 256 and 25 / 192. With intensities from 0 to 1, the threshold 0.09766 would reject nearly every
-    indoor view. By default, 256 levels of the sum r + g + b count as 1. Then 0.09766 rejects a quarter of the
-    views, and 0.13021 rejects two fifths.
+    ``fine`` and the expanded level ``coarse``. The thesis does not state a unit. Its thresholds 0.09766 and
+    0.13021 are 25 / 256 and 25 / 192. With intensities from 0 to 1, the threshold 0.09766 would reject nearly
+    every indoor view. By default, 256 levels of the sum r + g + b count as 1, so that 0.09766 rejects a
+    quarter of the views and 0.13021 rejects two fifths.
 
     Parameters
     ----------
@@ -23,7 +23,7 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
     coarse
         The coarser level, above ``fine``. None selects the last level.
     unit
-        Number of grey levels of the intensity (r + g + b) / 3 that count as 1, above 0. Use 256 for
+        Number of grey levels of the intensity (r + g + b) / 3 that count as 1; must be positive. Use 256 for
         intensities from 0 to 1.
 
     Returns

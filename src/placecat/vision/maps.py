@@ -39,7 +39,7 @@ class FrameMaps:
         (2 radii, 2, h_s, w_s), the centre-surround responses of the intensity in 3x3 and 7x7 neighbourhoods.
         The sub-channels are on (bright spot) and off (dark spot), both >= 0.
     color_contrast
-        (2 radii, 4, h_s, w_s), how far R, G, B, Y in the centre exceed the surround, >= 0.
+        (2 radii, 4, h_s, w_s), by how much R, G, B, Y in the centre exceed the surround, >= 0.
     orientation
         (4, h_s, w_s), Gabor magnitudes at 0, 45, 90, 135 degrees on the Laplacian pyramid, >= 0.
     residual
@@ -60,7 +60,7 @@ class FrameMaps:
     )
 
     def at_scales(self, scales: Collection[int]) -> FrameMaps:
-        """Return the maps at some scales only, as if no others had been computed.
+        """Return only the maps at the given scales, as if no others had been computed.
 
         Raises PlacecatError if `scales` is empty or contains a scale without maps.
         """
@@ -75,7 +75,7 @@ class FrameMaps:
         return replace(self, scales=wanted, **some)
 
     def remembered(self, key: tuple[Hashable, ...], compute: Callable[[], Any]) -> Any:
-        """Return the result of `compute`, which runs once per frame and key. Do not modify the result."""
+        """Return the result of `compute`, which runs only once per frame and key. Do not modify it."""
         if key not in self._kept:
             self._kept[key] = compute()
         return self._kept[key]

@@ -36,28 +36,28 @@ def orientation_maps(
         2 exp(-(u^2 + aspect^2 v^2) / (2 sigma^2)) cos(2 pi u / wavelength + phase) / sum of the exponentials
 
     With this scaling, the magnitude of a quadrature pair is the amplitude of a matching wave. The angle is
-    the direction in which the wave travels. A kernel at 0 responds to vertical edges, at 90 to horizontal
-    edges, and at 45 to edges that rise to the right.
+    the direction in which the wave travels. The kernel at 0 degrees responds to vertical edges, the one at 90
+    to horizontal edges, and the one at 45 to edges that rise to the right.
 
     Parameters
     ----------
     laplacian
         (h, w) float32, one level of the Laplacian pyramid, in grey levels.
     gabor_size
-        Side of the kernel in pixels. It must be odd.
+        Side length of the kernel in pixels; must be odd.
     gabor_sigma, gabor_wavelength
-        Standard deviation of the envelope, and length of the wave, both in pixels.
+        Standard deviation of the envelope, and wavelength, both in pixels.
     gabor_aspect
         Ratio of the extent of the envelope along the wave to its extent along the crests.
     gabor_phase
         Phase in radians. A kernel with phase 0 is even and responds to lines. A kernel with phase pi / 2 is
-        odd and responds to edges. None combines these two responses. Otherwise, the magnitude is the absolute
-        value of the response.
+        odd and responds to edges. None combines the two responses. With a fixed phase, the magnitude is the
+        absolute value of the response.
 
     Returns
     -------
-    (4, h, w) float32 amplitudes in grey levels, >= 0. Values within the rounding error of float32 become 0.
-    The border is mirrored (reflect-101). The thesis does not specify this.
+    (4, h, w) float32 amplitudes in grey levels, >= 0. Values within the float32 rounding error are set to 0.
+    The border is mirrored (reflect-101), which the thesis does not specify.
     """
     bank = _bank(gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect, gabor_phase)
     responses = [_respond(laplacian, parts) for parts in bank]
@@ -76,10 +76,9 @@ def orientation_maps(
 def _bank(
     size: int, sigma: float, wavelength: float, aspect: float, phase: float | None
 ) -> tuple[tuple[Separable, ...], ...]:
-    """Return the separated kernels of each phase.
+    """Return the separated kernels for each phase.
 
-    For each phase, these are the kernels at 0 and 90 degrees, and the even and odd parts (in x) of the kernel
-    at 45 degrees.
+    These are the kernels at 0 and 90 degrees, and the even and odd parts (in x) of the kernel at 45 degrees.
     """
     phases = (0.0, np.pi / 2) if phase is None else (phase,)
     bank = []
@@ -119,7 +118,7 @@ def _respond(plane: FloatArray, parts: tuple[Separable, ...]) -> FloatArray:
 
 
 def _separate(kernel: NDArray[np.float64]) -> Separable:
-    """Write a kernel as a sum of outer products. A round envelope needs only one."""
+    """Write a kernel as a sum of outer products. For a round envelope, one is enough."""
     columns, strength, rows = np.linalg.svd(kernel)
     kept = np.flatnonzero(strength > max(1e-7 * strength[0], 1e-12))
     return tuple(

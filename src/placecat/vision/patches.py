@@ -13,11 +13,11 @@ BORDERS = ("replicate", "reflect")
 
 
 def region_side(width: int) -> int:
-    """Return the side of a patch: the diameter of the region, 2 width / 128 (thesis 3.1.1.3).
+    """Return the side length of a patch: the region's diameter, 2 width / 128 (thesis 3.1.1.3).
 
-    `width` is the width of the frame in pixels (level 0). The side is in pixels of the region's level,
-    rounded to a whole number, and at least 4. It is the same at every scale, because the radius doubles with
-    each level.
+    `width` is the width of the frame in pixels (level 0). The side length is in pixels of the region's level,
+    rounded to an integer, and at least 4. It is the same at every scale, because the radius doubles with each
+    level.
     """
     return max(MIN_SIDE, round(width / 64))
 
@@ -31,9 +31,9 @@ def cut(
 ) -> NDArray[np.float32]:
     """Cut a square around each region from the pyramid level at its scale.
 
-    Position x in level 0 is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square with an odd
-    side is centred on the nearest pixel. A square with an even side is centred on the nearest corner between
-    pixels.
+    Position x on level 0 corresponds to x / 2**s on level s, because cv2.pyrDown keeps the even pixels. A
+    square with an odd side length is centred on the nearest pixel, and one with an even side length on the
+    nearest corner between pixels.
 
     Parameters
     ----------
@@ -42,14 +42,14 @@ def cut(
     regions
         (n, 4) float32 with the columns x, y (in pixels of level 0), scale (a key of `levels`) and strength.
     side
-        Side of the squares, in pixels of the level.
+        Side length of the squares, in pixels of the level.
     border
         How to fill pixels outside the image. ``replicate`` repeats the outermost pixels, and ``reflect``
         mirrors the image about them. The thesis does not specify this.
 
     Returns
     -------
-    (n, ..., side, side) float32. Raises PlacecatError if the border is unknown.
+    (n, ..., side, side) float32. Raises PlacecatError if `border` is unknown.
     """
     if border not in BORDERS:
         raise PlacecatError(f"border={border} is unknown for region patches: use {' or '.join(BORDERS)}")
@@ -63,7 +63,7 @@ def cut(
     return patches
 
 
-# Cache the positions, because most descriptors cut the same squares from a frame.
+# Cache the positions, because most descriptors cut the same squares out of a frame.
 @lru_cache(maxsize=4)
 def _places(
     shapes: tuple[tuple[int, int, int], ...], regions: bytes, side: int, border: str
@@ -71,8 +71,8 @@ def _places(
     """Find the regions on each level, and their pixels.
 
     `shapes` lists the scale, height and width of each level, and `regions` contains the bytes of an (n, 4)
-    float32 array. Returns the scale, the (m,) indices of the regions, and the (m, side, side) flat indices of
-    the pixels for each level that has regions.
+    float32 array. For each level that has regions, returns the scale, the (m,) indices of the regions, and
+    the (m, side, side) flat indices of their pixels.
     """
     x, y, scales, _ = np.frombuffer(regions, np.float32).reshape(-1, 4).astype(np.float64).T
     order = np.argsort(scales, kind="stable")
@@ -94,7 +94,7 @@ def _places(
 
 
 def _inside(index: NDArray[np.intp], length: NDArray[np.intp], border: str) -> NDArray[np.intp]:
-    """Replace (n, side) pixel indices outside the image by indices inside it; `length` is (n, 1)."""
+    """Replace (n, side) pixel indices outside the image with indices inside it; `length` is (n, 1)."""
     if border == "replicate":
         return np.minimum(np.maximum(index, 0), length - 1)
     period = np.maximum(2 * length - 2, 1)
@@ -103,5 +103,5 @@ def _inside(index: NDArray[np.intp], length: NDArray[np.intp], border: str) -> N
 
 
 def to_bytes(patches: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """Round float32 grey levels of any shape to uint8, 0 to 255, as in an 8-bit image."""
+    """Round float32 grey levels of any shape to uint8 (0 to 255), as in an 8-bit image."""
     return np.clip(np.rint(patches), 0, 255).astype(np.uint8)

@@ -31,7 +31,7 @@ def reduce(plane: FloatArray) -> FloatArray:
 
 
 def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
-    """Expand a (ceil(height / 2), ceil(width / 2)) float32 level by two with the kernel of `reduce`.
+    """Double the size of a (ceil(height / 2), ceil(width / 2)) float32 level with the kernel of `reduce`.
 
     Returns (height, width) float32. Pixel (x, y) of the input moves to (2x, 2y). OpenCV mirrors the left and
     upper borders, and repeats the last pixel at the right and lower borders.
@@ -53,8 +53,8 @@ def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, Floa
 def laplacian(gaussian: dict[int, FloatArray], level: int) -> FloatArray:
     """Return one level of the approximate Laplacian pyramid (thesis 3.1.1.1).
 
-    The signed (h, w) float32 result is the given Gaussian level minus the expanded next level, in the units
-    of the pyramid.
+    The signed (h, w) float32 result is the given Gaussian level minus the expanded next level, in the same
+    units as the pyramid.
     """
     plane = gaussian[level]
     height, width = plane.shape

@@ -8,15 +8,15 @@ from numpy.typing import NDArray
 from placecat.vision.maps import FloatArray, FrameMaps
 from placecat.vision.saliency import Saliency, feature_maps, local_maxima
 
-# Number of points that `accept` processes together.
+# Number of points that `accept` processes at once.
 BLOCK = 128
 
 
 def radius(scale: FloatArray | float, width: int) -> FloatArray:
     """Return the radius of a region in frame pixels, width / 128 * 2^s (thesis 3.1.1.3).
 
-    `scale` is s. It may have any shape, and the float32 result has the same shape. `width` is the width of
-    the frame in pixels.
+    `scale` is s and may have any shape; the float32 result has the same shape. `width` is the width of the
+    frame in pixels.
     """
     return np.asarray(width / 128 * np.exp2(np.asarray(scale, np.float64)), np.float32)
 
@@ -27,9 +27,8 @@ def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> N
     At each point, the function first chooses the conspicuity map with the highest response, then the
     sub-channel, then the scale. It compares conspicuity maps and sub-channels after normalisation and
     weighting, just as they enter the sums. The response at a scale is that of its expanded feature map at the
-    stronger radius.
-    This is our interpretation, because the thesis says only "highest response". Ties go to the first of
-    intensity, color, orientation and residual, and to the lower scale.
+    radius with the stronger response. This is our interpretation, because the thesis says only "highest
+    response". Ties go to the first of intensity, color, orientation and residual, and to the lower scale.
 
     `fused` is the `Saliency` of `maps`, and `points` are (n,) flat indices into the saliency map. Returns
     (n,) scales from `maps.scales`.
@@ -94,7 +93,8 @@ def accept(
         block = np.arange(start, min(start + BLOCK, least.size))
         if accepted:
             block = block[_far(place, least, accepted, block).all(axis=0)]
-        # One integer per point makes intersections fast. It has a bit for each point that is far enough away.
+        # To make intersections fast, each point gets an integer with a bit for every point that is far enough
+        # away.
         far = np.packbits(_far(place, least, block, block), axis=1, bitorder="little")
         open_ = (1 << block.size) - 1
         while open_ and len(accepted) < max_regions:
@@ -131,8 +131,8 @@ def select_regions(
 ) -> FloatArray:
     """Find a frame's salient regions from its saliency map (thesis 3.1.1.3).
 
-    `fused` is the `Saliency` of `maps`. `maximum_window` is explained in
-    `placecat.vision.saliency.local_maxima`, and the other settings are explained in `accept`.
+    `fused` is the `Saliency` of `maps`. See `placecat.vision.saliency.local_maxima` for `maximum_window`, and
+    `accept` for the other settings.
 
     Returns an (n, 4) float32 array, where 0 <= n <= `max_regions`. Its columns are the x and y of the centre
     in frame pixels, the scale and the saliency. The rows are sorted by decreasing saliency, then by y, then
@@ -160,9 +160,9 @@ def _corners(
 ) -> tuple[NDArray[np.intp], FloatArray]:
     """Return (maps, 4, n) indices and weights for interpolating maps at n pixels of a finer level.
 
-    Interpolation is bilinear, and the last pixel of a map extends beyond its edge. `rows` and `columns` are
-    the (n,) positions in the finer level. `sizes` is (maps, 2), the height and width of each map. `ups` is
-    (maps,), the number of doublings that lead from each map to the finer level.
+    Interpolation is bilinear, and the last pixel of a map is repeated beyond its edge. `rows` and `columns`
+    are the (n,) positions on the finer level. `sizes` is (maps, 2), the height and width of each map. `ups`
+    is (maps,), the number of doublings that lead from each map to the finer level.
     """
     up = ups[:, None]
     height, width = sizes.T[:, :, None]

@@ -49,7 +49,7 @@ class Saliency(NamedTuple):
 
 
 def feature_maps(maps: FrameMaps, channel: str) -> dict[int, FloatArray]:
-    """Return a dict from each scale to the feature maps of one of the `CHANNELS`.
+    """Return a dict that maps each scale to the feature maps of one of the `CHANNELS`.
 
     The feature maps are a (radii, subchannels, h, w) view. Channels without centre-surround differences have
     one radius.
@@ -79,8 +79,8 @@ def saliency(
     Within each sub-channel, maps are added across scales and radii. Sub-channels are added, with weights
     1 / sqrt(m), to form conspicuity maps. Each conspicuity map is stretched linearly to [0, largest local
     maximum of its sub-channels] and divided by its unit. Then the conspicuity maps are added, again with
-    weights 1 / sqrt(m). Here m is the number of a map's local maxima that are strictly above their median. If
-    m is 0, the weight is also 0, so a map with a single peak does not count.
+    weights 1 / sqrt(m). Here, m is the number of a map's local maxima that are strictly above their median.
+    If m is 0, the weight is also 0, so a map with a single peak does not count.
 
     Parameters
     ----------
@@ -89,13 +89,14 @@ def saliency(
     use_residual
         Whether to use the spectral residual as a fourth channel (3.1.1.2).
     maximum_window
-        Side of the neighbourhood that a local maximum dominates. It must be odd. The thesis does not specify
-        this.
+        Side length of the neighbourhood that a local maximum dominates; must be odd. The thesis does not
+        specify this.
     intensity_unit, color_unit, orientation_unit, residual_unit
-        Divisors of the conspicuity maps. They are needed because the largest local maximum of each channel
-        has the units of the channel. The defaults correspond to black against white, pure red, and a wave
+        Divisors of the conspicuity maps. They are needed because the largest local maximum of each channel is
+        in the units of that channel. The defaults correspond to black against white, pure red, and a wave
         from black to white. Unlike the others, the residual reaches 1 in every frame and at every scale. The
-        divisor 4 makes it comparable to them in photographs of homes. The thesis does not specify these.
+        divisor 4 makes it comparable to them in photographs of homes. The thesis does not specify these
+        divisors.
 
     Raises
     ------
@@ -116,7 +117,7 @@ def saliency(
     total = np.zeros((height, width), np.float32)
     for channel in CHANNELS if use_residual else CHANNELS[:-1]:
         settings = (channel, fusion_scale, maximum_window, units[channel])
-        # Region variants may add up different channels, but each channel is the same for all of them.
+        # Region variants may combine different channels, but each channel is the same in all of them.
         one = maps.remembered((_fuse, *settings), partial(_fuse, maps, *settings))
         total += np.float32(one.weight) * one.conspicuity
         channels[channel] = one
@@ -140,10 +141,10 @@ def _fuse(maps: FrameMaps, channel: str, fusion_scale: int, window: int, unit: f
 def add_across_scales(
     levels: dict[int, FloatArray], width: int, height: int, fusion_scale: int
 ) -> FloatArray:
-    """Expand maps of several scales to one level, and add them (thesis 3.1.1.1).
+    """Expand maps from several scales to one level, and add them up (thesis 3.1.1.1).
 
     Expansion is bilinear. As in the pyramid, pixel (x, y) of level s lies at (x, y) 2**(s - fusion_scale).
-    The last pixel of a map extends beyond its edge. Repeated doubling yields the same result as direct
+    The last pixel of a map is repeated beyond its edge. Repeated doubling yields the same result as direct
     expansion, so the sum of the coarser levels is expanded step by step.
 
     `levels` maps each scale to its (k, h_s, w_s) float32 maps. `width` and `height` are the size of the frame
@@ -161,13 +162,13 @@ def add_across_scales(
 def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     """Find a map's local maxima.
 
-    A local maximum is above zero and not below any pixel in the window around it. Pixels outside the map
-    count as lower. Adjacent pixels of equal value count only once, at the first of them in row order. They do
-    not count unless all of them are local maxima. So a flat area next to a higher pixel has no maximum, and
+    A local maximum is positive and at least as high as every pixel in the window around it. Pixels outside
+    the map count as lower. Adjacent pixels of equal value count only once, at the first of them in row order,
+    and only if all of them are local maxima. A flat area next to a higher pixel therefore has no maximum, and
     neither does a constant map.
 
-    `plane` is (h, w) float32 and finite. `window` is the side of the neighbourhood, odd and at least 3. The
-    thesis does not specify it. Returns flat indices in ascending order.
+    `plane` is (h, w) float32 and finite. `window` is the side length of the neighbourhood, which must be odd
+    and at least 3. The thesis does not specify it. Returns flat indices in ascending order.
     """
     if plane.size < 2:
         return np.zeros(0, np.intp)
@@ -227,7 +228,10 @@ def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
 
 
 def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
-    """Expand (k, ceil(height / 2), ceil(width / 2)) bilinearly by two. Even pixels keep their values."""
+    """Double the size of (k, ceil(height / 2), ceil(width / 2)) maps by bilinear interpolation.
+
+    Even pixels keep their values.
+    """
     count, rows, columns = stack.shape
     flat = stack.reshape(-1, columns)
     between = np.empty_like(flat)
@@ -250,7 +254,7 @@ def _halfway(first: FloatArray, second: FloatArray, out: FloatArray) -> None:
 
 
 def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Return the flat index of the first pixel of each flat top.
+    """Return the flat index of the first pixel of each plateau that is a maximum.
 
     `tied` marks the pixels that equal their highest neighbour.
     """

@@ -20,23 +20,23 @@ def spectral_residual(
 
     The function subtracts the box mean from the log amplitude spectrum, restores the original phase and
     inverts the transform. Like the authors' code, it smooths the squared magnitude and stretches it to
-    [0, 1], so that scales can be added. The box is periodic like the spectrum, so the inverse transform is
-    real.
+    [0, 1], so that scales can be added. Like the spectrum, the box filter is periodic, so the inverse
+    transform is real.
 
     Parameters
     ----------
     grey
         (h, w) float32, from 0 to 255, with at least 2x2 pixels.
     residual_box
-        Side of the box filter over the log amplitude. It must be odd. Hou and Zhang use 3. The thesis does
+        Side length of the box filter for the log amplitude; must be odd. Hou and Zhang use 3. The thesis does
         not specify this.
     residual_sigma
-        Standard deviation, in pixels, of the Gaussian that smooths the squared magnitude. 0 turns it off. The
-        thesis does not specify this. The authors' code uses 2.5 for a single image 64 pixels wide. Several
-        scales need less smoothing.
+        Standard deviation, in pixels, of the Gaussian that smooths the squared magnitude. 0 turns smoothing
+        off. The thesis does not specify this. The authors' code uses 2.5 for a single image 64 pixels wide.
+        With several scales, less smoothing is needed.
     residual_width
-        Width in pixels to which a wider image is reduced. The authors use 64. None keeps the size of every
-        image, as the thesis does for pyramid levels.
+        Width in pixels to which a wider image is reduced. The authors use 64. None keeps every image at its
+        full size, as the thesis does for pyramid levels.
     residual_floor
         Lower limit f of the amplitude, in grey levels. The logarithm is taken of sqrt(amplitude^2 + f^2).
         Smaller amplitudes are float32 rounding errors, which the method would amplify. The thesis does not
@@ -66,7 +66,7 @@ def spectral_residual(
     mean = _periodic_mean(logarithm, small.shape[1], residual_box)
     spectrum *= np.exp(np.float32(-0.5) * mean)
     power = np.square(scipy.fft.irfft2(spectrum, s=small.shape))
-    # Stretch before the blur, because the values of the whitened image are about 1 / number of pixels.
+    # Stretch before blurring, because the values of the whitened image are about 1 / number of pixels.
     power /= power.max()
     if residual_sigma > 0:
         power = cv2.GaussianBlur(power, (0, 0), residual_sigma, borderType=cv2.BORDER_REFLECT_101)

@@ -12,18 +12,18 @@ from placecat.vision.regions import accept
 
 
 class RegionTracker:
-    """Track salient regions through one uncut sequence until they leave the image (thesis 4.7).
+    """Track salient regions through an uncut sequence until they leave the image (thesis 4.7).
 
     The thesis does not describe its tracker. This one applies the pyramidal Lucas-Kanade method to the grey
-    frame at a reduced width. In every frame, it takes these steps:
+    frame at a reduced width. For every frame, it takes these steps:
 
-    1. It moves each region. It drops a region that is not found, or whose centre leaves the image. It also
-       drops a region that does not return to its old position when it is tracked back (forward-backward
-       check). Within half a window of the border, a region may be lost shortly before its centre leaves.
+    1. It moves each region. It drops a region if it is not found, if its centre leaves the image, or if
+       tracking it back does not lead to its old position (forward-backward check). Within half a window of
+       the border, a region may be lost shortly before its centre leaves.
     2. It tests the acceptance inequality of 3.1.1.3, first for tracked regions (longest tracked first), then
-       for new regions (strongest first). So a new region enters only where nothing is tracked. If two tracked
-       regions come too close, the younger one is dropped.
-    3. It keeps at most `max_regions` regions. A tracked region never makes room for a stronger new one,
+       for new regions (strongest first). A new region is therefore added only where none is tracked. If two
+       tracked regions get too close, the younger one is dropped.
+    3. It keeps at most `max_regions` regions. A tracked region is never replaced by a stronger new one,
        because an object file (Kahneman and Treisman) persists as long as its object is visible.
 
     A region keeps its initial scale and strength. Its appearance may change over time, because each frame is
@@ -36,20 +36,19 @@ class RegionTracker:
     width
         Width in pixels to which a wider frame is reduced, preserving its aspect ratio.
     window
-        Side of the compared window, in pixels of the reduced frame. It must be odd and at least 3. At a width
-        of 320, 21 is about the size of the smallest regions.
+        Side length of the window to compare, in pixels of the reduced frame; must be odd and at least 3. At a
+        width of 320, 21 is about the size of the smallest regions.
     levels
-        Number of times the reduced frame is halved, so that large motions are found. It is halved fewer times
+        Number of times the reduced frame is halved in order to find large motions. It is halved fewer times
         if a level would be smaller than the window.
     iterations, epsilon
-        The search on each level ends after `iterations` steps, or after a step that is shorter than `epsilon`
-        pixels.
+        The search on each level ends after `iterations` steps, or after a step shorter than `epsilon` pixels.
     min_eigenvalue
         Minimum of the smaller eigenvalue of the gradient matrix, per window pixel. Regions with flatter
         windows are lost.
     forward_backward
         Maximum distance, in pixels of the reduced frame, between a region and the point where it ends up when
-        it is tracked back.
+        tracked back.
     scale_distance, min_distance
         Factors in the acceptance inequality (see `placecat.vision.regions.accept`).
 
@@ -104,7 +103,7 @@ class RegionTracker:
         y (in frame pixels), scale and strength.
 
         Returns an (m, 4) float32 array with the same columns, where m <= `max_regions`. Tracked regions come
-        first, the longest tracked at the top. New regions follow, the strongest first.
+        first, starting with the longest tracked. New regions follow, starting with the strongest.
         """
         image = reduced_grey(frame, self.width)
         size = np.array(frame.shape[1::-1])

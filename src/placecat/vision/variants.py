@@ -1,4 +1,4 @@
-"""Find and describe the salient regions of the same maps with several settings (thesis 3.1.1, 4.4)."""
+"""Find and describe salient regions in the same maps with different settings (thesis 3.1.1, 4.4)."""
 
 from collections.abc import Collection, Hashable, Mapping, Sequence
 from functools import partial
@@ -42,12 +42,13 @@ def describe_requested(
 ) -> dict[str, dict[str, NDArray[Any]]]:
     """Find and describe the regions of each request; return their `region_arrays` by request name.
 
-    With the same settings, a smaller set of regions is always the beginning of a larger one, because weaker
+    With the same settings, a smaller set of regions is always the start of a larger one, because weaker
     points do not affect stronger ones (see `placecat.vision.regions.accept`). The descriptor of a region does
-    not depend on other regions. So regions are found and described once, for the largest requested number.
+    not depend on other regions. Regions are therefore found and described only once, for the largest number
+    requested.
 
-    `maps` must have all fields, and `local` maps each local descriptor to its settings. A scale without maps
-    raises PlacecatError.
+    `maps` must have all fields, and `local` maps each local descriptor to its settings. Raises PlacecatError
+    if a scale has no maps.
     """
     groups: dict[Hashable, list[Request]] = {}
     for request in requests.values():
@@ -80,8 +81,8 @@ def region_arrays(
 ) -> dict[str, NDArray[Any]]:
     """Return ``count``, ``regions`` and ``local_<name>`` as in `placecat.vision.frame.describe_frame`.
 
-    `described` maps each descriptor to the (n, D) descriptors of the (n, 4) regions. Rows are padded with
-    zeros to `most`.
+    `described` maps each descriptor to the (n, D) descriptors of the (n, 4) regions. The arrays are padded
+    with zeros to `most` rows.
     """
     arrays: dict[str, NDArray[Any]] = {"count": np.array(len(regions), np.int16)}
     for name, rows in {

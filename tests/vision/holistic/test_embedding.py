@@ -95,7 +95,7 @@ def test_impossible_settings_give_one_message(network, gives, settings, message)
             {"output": "features"},
             "output applies only to ONNX files: set it to null for the network efficientnet_lite1",
         ),
-        ({"network": "no/such.onnx"}, r"no/such\.onnx from the settings is missing"),
+        ({"network": "no/such.onnx"}, r"no/such\.onnx named in the settings is missing"),
     ],
 )
 def test_a_network_that_is_not_there_gives_one_message(settings, message):

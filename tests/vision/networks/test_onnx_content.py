@@ -40,7 +40,7 @@ def graph(*nodes):
             for kind in ("RandomNormal", "RandomUniform", "Multinomial", "Bernoulli", "Sampling")
         ),
         (graph(node("Dropout", ["image", "ratio", "yes"], "noise")), "operator Dropout, which is random"),
-        (graph(LOOP), "operator Loop, which may never end"),
+        (graph(LOOP), "operator Loop, which may never terminate"),
         # The loop is inside a branch of a branch.
         (
             graph(node("If", ["yes"], "out", subgraph("a", node("If", ["no"], "out", subgraph("b", LOOP))))),
@@ -96,9 +96,9 @@ def test_weights_outside_the_folder_are_refused(path, location):
 
 def test_missing_and_linked_weights_are_refused(path, tmp_path):
     path.write_bytes(scaled_mean_color("weights.bin"))
-    refused(r"weights\.bin with weights of net\.onnx is missing", path)
+    refused(r"weights\.bin with the weights of net\.onnx is missing", path)
     path.with_name("weights.bin").symlink_to(onnx_bytes.__file__)
-    refused("is a link out of the folder: replace it with a copy", path)
+    refused("links to a file outside the folder: replace it with a copy", path)
 
 
 def test_damaged_files_give_one_message(path):

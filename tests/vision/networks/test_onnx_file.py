@@ -76,7 +76,7 @@ def test_the_named_output_is_taken_in_one_thread(monkeypatch, file, output, take
 
 
 def test_a_missing_file_and_one_with_another_checksum_are_named(file):
-    one_message(r"nowhere\.onnx from the settings is missing", onnx_file.load, Path("nowhere.onnx"))
+    one_message(r"nowhere\.onnx named in the settings is missing", onnx_file.load, Path("nowhere.onnx"))
     one_message("it is not the expected file", onnx_file.load, file, None, "0" * 64)
 
 

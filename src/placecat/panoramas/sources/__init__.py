@@ -22,8 +22,8 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas in a folder according to the settings of conf/panoramas.yaml.
 
     Checks that the pictures exist, but does not decode them. Raises PlacecatError if the source is unknown,
-    if the folder contains no panorama, or if a file is missing or invalid. The message names the file and, if
-    possible, the line.
+    if the folder contains no panoramas, or if a file is missing or invalid. The message names the file and,
+    if possible, the line.
     """
     source = lookup.module(__name__, settings["source"], "source", "read")
     existing(root, "specify the folder with the panoramas.")
@@ -37,7 +37,7 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
             panoramas = [one for one in panoramas if one.home in settings["homes"]]
         if not panoramas:
             raise PlacecatError(
-                f"{root} contains no panorama; correct SOURCE, or the settings source or labels."
+                f"{root} contains no panoramas; correct SOURCE, or the settings source or labels."
             )
         for one in panoramas:
             schema.check_value(one.home, _HOME, f"{one.origin}: home")
@@ -51,7 +51,7 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
     hint = ""
     if len(panorama.files) > 1:
         pattern = settings["cubes"]["file"]
-        hint = f"; correct the column file there, or cubes.file={pattern}, which names the faces"
+        hint = f"; correct the file column there, or cubes.file={pattern}, which names the faces"
     for file in panorama.files:
         path = root / file
         if not path.is_file():
@@ -60,14 +60,14 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
 
 
 def _check_names(panoramas: list[Panorama]) -> None:
-    """Raise an error if the names of homes differ only in case, or if a picture is listed twice."""
+    """Raise an error if the names of two homes differ only in case, or if a picture is listed twice."""
     homes: dict[str, str] = {}
     files: dict[str, str] = {}
     for one in panoramas:
         first = homes.setdefault(one.home.casefold(), one.home)
         if first != one.home:
             raise PlacecatError(
-                f"{one.origin}: the names of the homes {first!r} and {one.home!r} differ only in case; "
+                f"{one.origin}: the home names {first!r} and {one.home!r} differ only in case; "
                 "rename one of them."
             )
         for file in one.files:

@@ -26,9 +26,9 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
 
 
 def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
-    """Read the table in a source's folder; each row is a panorama.
+    """Read the table in a source folder; each row is a panorama.
 
-    `settings` are those of conf/panoramas.yaml. `files` maps the value in the column `file` to the pictures
+    `settings` are those in conf/panoramas.yaml. `files` maps the value in the `file` column to the pictures
     of the panorama, relative to `root`. Raises PlacecatError if the table is missing or not a CSV, or if a
     row has invalid cells, a path that leaves `root`, or a room without a label.
     """

@@ -1,8 +1,8 @@
 """The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular pictures that it lists.
 
-A home is named ``zind_HOME``, because YAML would read a name that consists of digits as a number. The data
-set divides homes into complete rooms, and a complete room may have parts with different labels. Each such
-part becomes a room: an open kitchen with a dining area is one complete room there, but two rooms here.
+A home is named ``zind_HOME``, because YAML would read an all-digit name as a number. The data set divides
+homes into complete rooms, and a complete room may have parts with different labels. Each such part becomes a
+room: an open kitchen with a dining area is one complete room in the data set, but two rooms here.
 
 References
 ----------
@@ -21,7 +21,7 @@ from placecat.panoramas.panorama import FLOOR, Panorama, kind, labels_by_kind
 
 DATA = "zind_data.json"
 MOST_BYTES = 64 << 20
-"""Maximum size of a data file in bytes. This limit is our choice. The sample of the data set is 0.1 MB."""
+"""Maximum size of a data file in bytes. This limit is our choice. The data set's sample file is 0.1 MB."""
 _LEVELS = ("floor", "complete room", "partial room", "panorama")
 
 
@@ -29,7 +29,7 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas of all homes in a folder; see `placecat.panoramas.sources.read`."""
     folders = [folder for folder in root.iterdir() if (folder / DATA).is_file()]
     if not folders:
-        raise PlacecatError(f"{root} contains no home; expected HOME/{DATA}. Correct SOURCE.")
+        raise PlacecatError(f"{root} contains no homes; expected HOME/{DATA}. Correct SOURCE.")
     found = []
     for folder in sorted(folders, key=lambda path: natural(path.name)):
         found += list(_home(folder, settings["zind"], labels_by_kind(settings["labels"])))
@@ -57,7 +57,7 @@ def _home(folder: Path, settings: Mapping[str, Any], labels: Mapping[str, str]) 
 
 def _load(path: Path) -> Any:
     if path.stat().st_size > MOST_BYTES:
-        raise PlacecatError(f"{path} is larger than {MOST_BYTES >> 20} MB, so it is not the data of a home.")
+        raise PlacecatError(f"{path} is larger than {MOST_BYTES >> 20} MB, which is too large for one home.")
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except json.JSONDecodeError as error:
@@ -71,7 +71,7 @@ def _load(path: Path) -> Any:
 
 
 def _panoramas(path: Path, content: Any) -> Iterator[tuple[list[str], dict[str, Any]]]:
-    """Yield each panorama with the keys that lead to it from the top level."""
+    """Yield each panorama together with the path of keys that leads to it."""
     merger = content.get("merger") if isinstance(content, dict) else None
     level = [(["merger"], merger)]
     for what in _LEVELS:

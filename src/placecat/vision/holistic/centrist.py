@@ -28,7 +28,7 @@ def describe(
     kernel: Annotated[str, OneOf(LAPLACIANS)] = "cross",
     interpolation: Annotated[str, OneOf(INTERPOLATIONS)] = "area",
 ) -> NDArray[np.float32]:
-    """Describe a frame by the census histograms of its Laplacian in a 4x4 grid (thesis 3.2, 4.3).
+    """Describe a frame by the census histograms of its Laplacian over a 4x4 grid (thesis 3.2, 4.3).
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def describe(
         (H, W, 3) uint8 BGR. It is converted to grey with OpenCV's weights, 0.299 r + 0.587 g + 0.114 b. The
         thesis does not specify this.
     maps
-        Used only to cache the resized image, so that variants share it. No map is read.
+        Used only to cache the resized image, so that variants can share it. No map is read.
     width
         Width to which the frame is reduced, preserving its aspect ratio. A narrower frame is unchanged. None
         keeps the full size (a variant in thesis 4.3).
@@ -45,7 +45,7 @@ def describe(
     kernel
         The kernel of the Laplacian (see `placecat.vision.census.laplacian`).
     interpolation
-        How to reduce the frame: ``area`` or ``linear``. The thesis does not specify this.
+        How to scale the frame down: ``area`` or ``linear``. The thesis does not specify this.
 
     Returns
     -------
@@ -56,7 +56,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        If no pixel of the frame has a code.
+        If the frame is too small for any pixel to have a code.
 
     References
     ----------

@@ -46,12 +46,12 @@ def describe(
         relative to the project.
     width, height
         Size in pixels to which the frame is scaled, even if this changes its aspect ratio. If both are None,
-        the network's training size is used (224x224 for an ONNX file). If one is None, the aspect ratio is
-        preserved.
+        the network's training size is used (224x224 for an ONNX file). If only one is None, the aspect ratio
+        is preserved.
     mean, std
         Values for red, green and blue, on a scale from 0 to 1. `mean` is subtracted, and the result is
-        divided by `std`. None uses the values with which the network was trained. For an ONNX file,
-        ImageNet's values are assumed.
+        divided by `std`. None uses the values that the network was trained with or, for an ONNX file, those
+        of ImageNet.
     output
         Name of the ONNX output to use, or None for the first output.
     pool
@@ -60,7 +60,7 @@ def describe(
         already a vector.
     sha256
         The required checksum of the ONNX file in hexadecimal, or None to accept any file. Without a checksum,
-        the stages do not notice if the file changes.
+        the stages do not notice changes to the file.
 
     Returns
     -------
@@ -70,7 +70,7 @@ def describe(
     ------
     PlacecatError
         If the network or a package is missing, if a setting does not suit the network, or if the network
-        rejects the image or does not return a vector of finite numbers.
+        rejects the image or fails to return a vector of finite numbers.
     """
     rows, columns = frame.shape[:2]
     own = networks.preparation(network)

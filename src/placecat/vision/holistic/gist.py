@@ -1,4 +1,4 @@
-"""The gist of a frame: the means of each feature map in the cells of a grid."""
+"""The gist of a frame: the mean of each feature map over each cell of a grid."""
 
 from functools import partial
 
@@ -16,10 +16,10 @@ CELLS = 4
 def describe(
     frame: NDArray[np.uint8], maps: FrameMaps, *, color: bool = True, center_surround: bool = True
 ) -> NDArray[np.float32]:
-    """Describe a frame by the means of its feature maps in a 4x4 grid (thesis 3.2).
+    """Describe a frame by the means of its feature maps over the cells of a 4x4 grid (thesis 3.2).
 
-    `color` includes the colour maps. Thesis 4.2 has a variant without them. With `center_surround`, the
-    centre-surround maps of intensity and colour are used. Without it, their pyramids are used (a variant in
+    `color` adds the colour maps; thesis 4.2 has a variant without them. If `center_surround` is true, the
+    centre-surround maps of intensity and colour are used. Otherwise, their pyramids are used (a variant in
     thesis 4.2). Orientation has no centre-surround maps. The frame itself is not read.
 
     Returns
@@ -47,6 +47,6 @@ def describe(
 
 
 def _means(level: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return cell means as (radii, sub-channels, 4, 4). A missing axis has length 1."""
+    """Return cell means as (radii, sub-channels, 4, 4). Missing axes have length 1."""
     means = cell_means(level, CELLS)
     return means.reshape((1,) * (4 - means.ndim) + means.shape)

@@ -35,13 +35,13 @@ def describe(
     kernel
         The kernel of the Laplacian (see `placecat.vision.census.laplacian`).
     quantise
-        Whether to round intensities to whole grey levels first, as in an 8-bit image. Flat areas then produce
-        ties instead of noise. The thesis does not specify this.
+        Whether to round intensities to integer grey levels first, as in an 8-bit image. Flat areas then
+        produce ties instead of noise. The thesis does not specify this.
 
     Returns
     -------
-    (n, 256) float32. Each row sums to 1. The thesis does not specify this. Only pixels whose neighbours are
-    all inside the patch have a code. Adding a whole number to the intensities does not change the result.
+    (n, 256) float32. Each row sums to 1, which the thesis does not specify. Only pixels whose neighbours are
+    all inside the patch have a code. Adding an integer to all intensities does not change the result.
 
     References
     ----------

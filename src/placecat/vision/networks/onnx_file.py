@@ -1,4 +1,4 @@
-"""Run networks that are stored in ONNX files, with onnxruntime."""
+"""Run networks stored in ONNX files with onnxruntime."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -29,25 +29,25 @@ def load(
     ------
     PlacecatError
         If onnxruntime or the file is missing, if `onnx_content.check` rejects the file, if it is not an ONNX
-        file, or if the network does not take one image or lacks the output. The returned function raises this
-        error if it cannot process an image, for example because of its size.
+        file, or if the network does not take exactly one image or lacks the requested output. The returned
+        function raises this error if it cannot process an image, for example because of its size.
     """
     with reading(path):
         is_there = path.is_file()
     if not is_there:
         raise PlacecatError(
-            f"the network {path} from the settings is missing: add the file, or choose another network"
+            f"the network {path} named in the settings is missing: add the file, or choose another network"
         )
     onnx_content.check(path, sha256)
     (onnxruntime,) = import_packages(PACKAGES, f"the network {path}")
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.use_deterministic_compute = True
-    # Log only fatal errors. All other errors are raised, and each becomes one message.
+    # Log only fatal errors. All other errors are raised, and each is reported as one message.
     options.log_severity_level = 4
     try:
         session = onnxruntime.InferenceSession(path, options, providers=["CPUExecutionProvider"])
-    # The errors of onnxruntime do not have a common base class.
+    # The errors raised by onnxruntime have no common base class.
     except Exception as error:
         raise PlacecatError(f"{path} is not an ONNX file that onnxruntime can run: {_short(error)}") from None
     name = _input(session, path)
