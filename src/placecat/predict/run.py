@@ -102,7 +102,7 @@ def run(
                 if film is not None:
                     label = true_label(truth, frame.number, system.classes)
                     film.add(annotator(frame, decision, label), frame.seconds / pace)
-                # Append the row in one step, so that Ctrl-C cannot leave half of it.
+                # Append the row in one step, so that Ctrl-C cannot leave it half written.
                 rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
                 speed.frames, speed.seconds = len(rows), time.perf_counter() - start
                 shown(frame, decision, speed)
