@@ -203,7 +203,7 @@ class TestFrames:
     def test_missing_floor(self, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"2": 4})
         self.fails(
-            tmp_path, r"Home1/1: the folder of this floor is missing; restore it, or correct .*label\.txt"
+            tmp_path, r"Home1/1: the folder for this floor is missing; restore it, or correct .*label\.txt"
         )
 
     def test_empty_floor(self, tmp_path: Path) -> None:

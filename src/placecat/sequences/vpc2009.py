@@ -114,7 +114,7 @@ def read_floors(file: Path) -> list[Floor]:
 def _images(folder: Path, floor: Floor, file: Path) -> list[str]:
     path = folder / floor.name
     if not path.is_dir():
-        raise PlacecatError(f"{path}: the folder of this floor is missing; restore it, or correct {file}.")
+        raise PlacecatError(f"{path}: the folder for this floor is missing; restore it, or correct {file}.")
     inside(path, folder, str(file))
     found: dict[int, str] = {}
     for image in sorted(entry.name for entry in os.scandir(path)):

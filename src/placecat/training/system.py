@@ -30,8 +30,9 @@ class System:
     """The settings of a system, and its cues by name, in order.
 
     `integrator` has ``method`` and ``classifier``, as in :func:`placecat.fusion.integrate.fit`. `smoothing`
-    is as in :func:`placecat.fusion.smoothing.fit`. If `tempered` is true, the distributions of the cues are
-    tempered first. If `extra` is true, the integration also trains on the additional sequences of the plan.
+    is as in :func:`placecat.fusion.smoothing.fit`. If `tempered` is true, the cues' distributions are
+    tempered before integration. If `extra` is true, the integration also trains on the additional sequences
+    in the plan.
     """
 
     cues: Mapping[str, Cue]
@@ -80,8 +81,8 @@ class Trained:
 def train(plan: Plan, system: System, seed: int) -> Trained:
     """Train a system according to a plan, with its cues in parallel.
 
-    `seed` is the seed for clustering, one of ``protocol.seeds``. Raises PlacecatError for missing features or
-    invalid settings.
+    `seed` is the seed for clustering, one of ``protocol.seeds``. Raises PlacecatError if features are missing
+    or settings are invalid.
     """
     method = system.integrator["method"]
     parts = fused_parts(plan, method=method, extra=system.extra)
