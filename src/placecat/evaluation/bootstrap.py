@@ -47,8 +47,8 @@ def paired_bootstrap(
     both effects with more extreme quantiles (the expanded percentile interval). With four or six units, such
     quantiles are out of reach, because the resampled means always lie between the smallest and largest unit.
     BCa corrects for skewness, but not for small n. The bootstrap-t interval divides by standard errors. If
-    these are 0, the interval is infinite. This happens when units are identical, as the results of a home for
-    two seeds can be.
+    these are 0, which happens when units are identical (such as two seeds for one home), the interval is
+    infinite.
 
     This table shows the coverage of intervals for the mean of 4 and 6 units, from 4000 simulations with a
     `level` of 0.95:
@@ -130,7 +130,7 @@ def stratified_bootstrap(
     strata
         (n,) stratum number of each block, counted from 0.
     seed, level, resamples
-        As for :func:`paired_bootstrap`.
+        As in :func:`paired_bootstrap`.
 
     References
     ----------

@@ -42,7 +42,7 @@ def stays_by_class(
     """Count the stays of each class and how many are named correctly, as an (n_classes, 2) array.
 
     A stay is named correctly if more of its frames are assigned to the correct place than to any other place.
-    A tie counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as for
+    A tie counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as in
     :func:`find_stays`. `decision` contains (frames,) integers in [0, n_classes).
     """
     decision = np.asarray(decision, dtype=np.int64)

@@ -19,7 +19,7 @@ class Trial:
 
     `name` consists of the name of the table and one label per axis, such as ``trials/table_12/HOG +
     y-Pos||196``. The label of the homes axis is empty. `settings` are ``descriptor``, ``classifier`` and, for
-    classifiers on clusters, ``codebook``. `homes` are the test homes.
+    classifiers that use clusters, ``codebook``. `homes` are the test homes.
     """
 
     name: str

@@ -26,7 +26,7 @@ class Range:
         return f"between {self.low:g} and {self.high:g}"
 
     def margin(self, interval: Interval) -> float:
-        """Return how far inside the range the interval lies; negative if it extends past an end."""
+        """Return how far inside the range the interval lies. Negative if it extends past an end."""
         return min(interval.low - self.low, self.high - interval.high)
 
 

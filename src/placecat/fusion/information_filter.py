@@ -19,7 +19,7 @@ def threshold_of(share: float, information: NDArray[np.float32]) -> float:
 def dropped(
     information: NDArray[np.float32], labels: NDArray[np.int16], threshold: float
 ) -> dict[str, float]:
-    """Return the threshold, and count all frames, dropped and labelled ones, and those that are both."""
+    """Return the threshold, and count the frames: all, dropped, labelled, and both dropped and labelled."""
     low = ~(information >= threshold)
     return {
         "threshold": threshold,

@@ -1,4 +1,4 @@
-"""Integration of cues by SVM-DAS or a vote (thesis 3.3.3), or by a logarithmic opinion pool (our addition).
+"""Cue integration by SVM-DAS or a vote (thesis 3.3.3), or by a logarithmic opinion pool (our addition).
 
 SVM-DAS is the discriminative accumulation scheme of Nilsback and Caputo, and of Pronobis et al.
 """
@@ -78,7 +78,7 @@ def fit(
     temperatures: Sequence[float] | None = None,
     cross_validated: bool = True,
 ) -> Trained:
-    """Train an integration on the cues' outputs for training homes.
+    """Train an integration on the cues' outputs for the training homes.
 
     Parameters
     ----------
@@ -90,9 +90,9 @@ def fit(
     classes, method
         Names of the places, and one of `METHODS`, where ``das`` stands for SVM-DAS.
     classifier
-        Classifier of SVM-DAS, as in :func:`placecat.cues.fit`.
+        Classifier for SVM-DAS, as in :func:`placecat.cues.fit`.
     shrinkage, smallest
-        Settings of the logarithmic opinion pool, as in :func:`placecat.fusion.log_pool.fit_weights`.
+        Settings for the logarithmic opinion pool, as in :func:`placecat.fusion.log_pool.fit_weights`.
     temperatures
         One per cue, as in :class:`Integrator`.
     cross_validated

@@ -97,7 +97,7 @@ def _scores(logs: Float, weights: Float) -> Float:
 
 
 def _importance(truth: NDArray[np.intp], homes: NDArray[np.str_]) -> Float:
-    """Return (n,) frame weights that sum to 1, with equal weight for homes and for classes within a home."""
+    """Return (n,) frame weights that sum to 1, weighting homes, and classes within a home, equally."""
     _, home = np.unique(homes, return_inverse=True)
     group = home * (truth.max() + 1) + truth
     sizes = np.bincount(group)

@@ -51,7 +51,7 @@ class Smoother:
     def step(
         self, proba: NDArray[np.float64], seconds: float | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return the distributions of the filter and of the delay for the next frame.
+        """Return the filter's and the delay's distributions for the next frame.
 
         `proba` is the integrator's (n_classes,) distribution. `seconds` is the time since the last frame, or
         the duration of the first frame. A negative or non-finite time raises PlacecatError. None stands for

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-# Range of the exponents 1 / T in the search.
+# Search range for the exponent 1 / T.
 _EXPONENTS = (0.01, 100.0)
 
 

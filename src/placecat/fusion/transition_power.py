@@ -8,7 +8,7 @@ Float = NDArray[np.float64]
 
 
 def generator(transition: Float) -> Float:
-    """Return rates Q of place changes per step, with exp(Q) equal or close to the transition matrix P.
+    """Return the rates Q of place changes per step, with exp(Q) equal or close to the transition matrix P.
 
     P is (n, n) with no negative entries, and its rows sum to 1. Q is (n, n) with no negative entries off the
     diagonal, and its rows sum to 0. Q is the logarithm of P if that is a rate matrix. Some stochastic

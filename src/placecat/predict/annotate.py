@@ -15,8 +15,8 @@ from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]
 LEAST_HEIGHT, MOST_HEIGHT = 480, 540
-"""Limits of a frame's height in pixels. Smaller frames are enlarged to keep the text readable, and larger
-frames are reduced to save space."""
+"""Limits for the frame height, in pixels. Smaller frames are enlarged to keep the text readable, and larger
+ones are reduced to save space."""
 _PAPER, _INK, _GREY, _LIGHT = (255, 255, 255), (34, 34, 34), (120, 120, 120), (232, 232, 232)
 _RIM, _REGION = (30, 30, 30), (120, 235, 255)
 
@@ -44,7 +44,7 @@ class Annotator:
         self.size = (total + total % 2, height + height % 2)
 
     def __call__(self, frame: Frame, decision: Decision, label: str | None = None) -> NDArray[np.uint8]:
-        """Return the picture of a frame, (h, w, 3) uint8 BGR, with the true place if it is known."""
+        """Draw a frame, with its true place if known, and return the (h, w, 3) uint8 BGR picture."""
         picture = np.full((self.size[1], self.size[0], 3), 255, np.uint8)
         image = cv2.resize(frame.image, (self._width, self._height), interpolation=self._method)
         self._regions(image, decision.regions)  # type: ignore[arg-type]

@@ -31,8 +31,7 @@ class Camera(Source):
     `address` is the number of a camera or the address of a stream. `name` is used for the results folder, and
     `title` in messages. `fps`, in frames per second, overrides the frame rate that the camera reports. `size`
     is the (width, height) requested from a numbered camera, which may still deliver a different size. The
-    attribute `arrived` is the number of frames that the camera had delivered by the time the last frame used
-    arrived.
+    attribute `arrived` counts the frames that the camera has delivered, up to the last one used.
     """
 
     is_live, timing = True, None

@@ -1,4 +1,4 @@
-"""The command ``placecat predict``."""
+"""The ``placecat predict`` command."""
 
 import os
 import sys
@@ -185,7 +185,7 @@ def _check(options: Options) -> None:
     if not options.source:
         raise PlacecatError("SOURCE is empty: use a video, a folder of images or a camera")
     if not 1 <= options.every <= MOST_EVERY:
-        raise PlacecatError(f"--every is {options.every}: use 1 to {MOST_EVERY}")
+        raise PlacecatError(f"--every is {options.every}: use a number from 1 to {MOST_EVERY}")
     is_home = options.source.startswith(PREFIX)
     if options.ignore and options.labels is None and not is_home:
         raise PlacecatError("--ignore has no effect without labels: add --labels")

@@ -71,7 +71,7 @@ def reserved(
 
 
 def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
-    """Raise an error if replacing the results folder would lose files that cannot be recreated.
+    """Check that replacing the results folder would not lose files that cannot be recreated.
 
     Only a prediction is ever replaced. Without `force`, it must be unedited and come from the same `source`,
     and the source must not be a camera. With `force`, any prediction is replaced, and :func:`keep` saves what
@@ -110,7 +110,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 
 def keep(folder: Path, new: Path) -> dict[str, str]:
-    """Carry over files that a user added or edited from an old prediction to its replacement.
+    """Carry a user's added or edited files over from an old prediction to its replacement.
 
     `folder` is the old prediction, and `new` is its replacement. Returns a dictionary that maps the name of
     each copied file or folder to the name of its copy. A copy has the same name as the original unless the

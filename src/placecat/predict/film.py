@@ -1,4 +1,4 @@
-"""Write pictures to a video."""
+"""Write pictures to a video file."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -22,7 +22,7 @@ _CODECS = {
 class Film:
     """Writes a video file in a ``with`` block.
 
-    `path` ends with .mp4 (for H.264) or .webm (for VP8). `fps` is in frames per second. `size` is the (width,
+    `path` ends in .mp4 (for H.264) or .webm (for VP8). `fps` is in frames per second. `size` is the (width,
     height), and both must be even. Raises PlacecatError if FFmpeg cannot write the format, or if the file is
     incomplete at the end of the block.
     """

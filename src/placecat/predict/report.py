@@ -48,7 +48,7 @@ def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> l
 def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[str, Any]:
     """Return the facts for the summary, which are reproducible because run times are left out.
 
-    `agreement` comes from `placecat.predict.truth.agreement`; it is None without labels.
+    `agreement` comes from `placecat.predict.truth.agreement`, or is None if there are no labels.
     """
     return {
         "frames": len(prediction.numbers),
@@ -67,7 +67,7 @@ def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[s
 
 
 def shares(prediction: Prediction) -> list[str]:
-    """Return one line for each place that was seen, with its share of time. The largest share comes first.
+    """Return one line for each place seen, with its share of the time. The largest share comes first.
 
     If the place is unknown for part of the time, a final line states how much.
     """

@@ -27,9 +27,9 @@ _REGION = (255, 235, 120)
 class RerunFile:
     """Writes a Rerun recording in a ``with`` block.
 
-    The file differs from run to run because Rerun stores when each message was logged. The parameters are the
-    same as for :class:`placecat.predict.mcap_file.McapFile`, but frames may have any size, and a `start` of 0
-    means that the time is unknown.
+    The file differs from run to run because Rerun records when each message was logged. The parameters are
+    the same as for :class:`placecat.predict.mcap_file.McapFile`, but frames may have any size, and a `start`
+    of 0 means that the time is unknown.
     """
 
     def __init__(

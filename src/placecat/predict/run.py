@@ -65,7 +65,7 @@ def run(
 
     Returns the prediction, the speed, and whether Ctrl-C ended the footage. The prediction has at least one
     frame. Once a frame from a camera has been categorized, Ctrl-C ends the footage. In all other cases,
-    Ctrl-C raises KeyboardInterrupt. Raises PlacecatError if a frame cannot be read, or if no frame is used.
+    Ctrl-C raises KeyboardInterrupt. Raises PlacecatError if a frame cannot be read, or if no frames are used.
     """
     rows: list[tuple[int, float, str, NDArray[np.float64], NDArray[np.float64]]] = []
     speed = Speed(source.fps / every)
@@ -111,7 +111,7 @@ def run(
                 raise
             was_stopped = True
     if not rows:
-        raise PlacecatError("no frame was used: increase --seconds")
+        raise PlacecatError("no frames were used: increase --seconds")
     numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
     last = source.reached if limit is None else numbers[-1]
     timing = source.timing

@@ -39,7 +39,7 @@ def open_source(
     of a bag. It may be None if the bag has only one.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
-        raise PlacecatError(f"--fps is {fps:g}: use {SLOWEST:g} to {FASTEST:g}")
+        raise PlacecatError(f"--fps is {fps:g}: use a number from {SLOWEST:g} to {FASTEST:g}")
     path = Path(text)
     with reading(path):
         if is_bag(path):

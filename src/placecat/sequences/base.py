@@ -44,7 +44,7 @@ class Home:
         - ``label`` (str): the label as in the label file, or "" if there is none.
         - ``turn`` (int32), only if pictures must be rotated: 0, 90, 180 or 270 degrees clockwise.
     label_files
-        Maps each sequence to its label file, relative to `root`. It is empty if there are none.
+        Maps each sequence to its label file, relative to `root`. Empty if there are none.
     label_lines
         Line of each frame in the label file, (frames,) int32, counted from 1, or 0 for a frame without a
         label.

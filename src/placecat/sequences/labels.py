@@ -1,4 +1,4 @@
-"""Check and expand labels for intervals of frames, and read label files (CSV)."""
+"""Check and expand labels for frame intervals, and read label files (CSV)."""
 
 import codecs
 import csv
@@ -243,7 +243,9 @@ def _from_seconds(
         except ValueError:
             seconds = math.nan
         if not (seconds >= 0 and seconds * fps < _MOST_FRAMES):
-            raise PlacecatError(f"{path} line {line}: {shown(cell)} is not a time; write seconds from 0.")
+            raise PlacecatError(
+                f"{path} line {line}: {shown(cell)} is not a time; write a number of seconds."
+            )
         bounds.append(_boundary(seconds, starts, fps))
     if bounds[1] <= bounds[0]:
         raise PlacecatError(

@@ -1,8 +1,9 @@
 """Robot@Home2: the database ``rh.db`` and the pictures in ``files/rgbd``, as unpacked from the archive.
 
-A robot with four cameras drove through five homes. A home has one sequence per session, with the frames of
-one camera in time order. The label of a frame is the type of its room, such as ``livingroom``. The data set's
-``aliases`` setting maps each type to a class. Recordings of several rooms have the type ``fullhouse``.
+A robot with four cameras drove through five homes. A home has one sequence per session, with the frames from
+one camera in temporal order. The label of a frame is the type of its room, such as ``livingroom``. The data
+set's ``aliases`` setting maps each type to a class. Recordings that span several rooms have the type
+``fullhouse``.
 
 References
 ----------
@@ -75,7 +76,7 @@ def read_home(
     database: str = DATABASE,
     pictures: str = PICTURES,
 ) -> Home:
-    """Read the frames of one camera in one home, with one sequence per session.
+    """Read the frames from one camera in one home, with one sequence per session.
 
     See `placecat.sequences.open_home`.
 
@@ -94,7 +95,7 @@ def read_home(
         Longest time allowed between two frames of a session, in seconds. Longer gaps, which occur between
         rooms, are shortened to this length.
     database, pictures
-        Paths of the database and of the folder with colour pictures, relative to `root`.
+        Paths of the database and the folder of colour pictures, relative to `root`.
     """
     relative(name, "dataset.homes")
     file = data_folder(root) / relative(database, "dataset.database")

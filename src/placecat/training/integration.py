@@ -41,8 +41,8 @@ def fuse(
 ) -> integrate.Trained:
     """Train an integration on `parts`.
 
-    `outputs` has one dictionary per cue. It maps the name of each part to the distributions for the chosen
-    frames of that part. `classes` are the names of the places. The other parameters are as in
+    `outputs` has one dictionary per cue, which maps the name of each part to the distributions for its chosen
+    frames. `classes` are the names of the places. The other parameters are as in
     :func:`placecat.fusion.integrate.fit`.
     """
     train = {part.home: np.stack([proba[part.home] for proba in outputs], axis=1) for part in parts}
@@ -84,7 +84,7 @@ def apply_smoothing(
 
 
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
-    """Return the labels and the frame rate of each sequence, for counting transitions.
+    """Return the labels and frame rate of each sequence, for counting transitions.
 
     If frames have uneven times, they are resampled as if a camera had recorded them at this frame rate.
     """

@@ -46,7 +46,7 @@ def read_descriptors(
 
 
 def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
-    """Return the paths of all files that :func:`read_descriptors` reads for a home, even missing ones."""
+    """Return the paths of all files read by :func:`read_descriptors` for a home, including missing ones."""
     folder = folder_of(home, descriptor)
     names = [f"{name}.npy" for name in cue_input.array_names(descriptor)]
     if "variant" in descriptor:

@@ -71,7 +71,7 @@ class Trained:
         """Estimate the place in every frame of a sequence.
 
         Returns (frames, n_classes) distributions by name: those of each cue, and those after the integration
-        (``integration``), after the filter (``hmm``) and after the delay (``delayed``).
+        (``integration``), the filter (``hmm``) and the delay (``delayed``).
         """
         by_cue = {name: cue.predict(home) for name, cue in self.cues.items()}
         fused = self.integrator.predict_proba(np.stack(list(by_cue.values()), axis=1))
@@ -79,7 +79,7 @@ class Trained:
 
 
 def train(plan: Plan, system: System, seed: int) -> Trained:
-    """Train a system according to a plan, with its cues in parallel.
+    """Train a system according to a plan, training its cues in parallel.
 
     `seed` is the seed for clustering, one of ``protocol.seeds``. Raises PlacecatError if features are missing
     or settings are invalid.
