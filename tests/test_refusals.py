@@ -87,7 +87,7 @@ def test_an_incomplete_video_raises_an_error(tmp_path, suffix, small_files):
     pictures = np.random.default_rng(0).integers(0, 255, (50, 120, 160, 3)).astype(np.uint8)
     path = tmp_path / f"film{suffix}"
     film = Film(path, 10.0, (160, 120))
-    with pytest.raises(PlacecatError, match=rf"film{suffix} could not be written completely"), film:
+    with pytest.raises(PlacecatError, match=rf"film{suffix} could not be written in full"), film:
         for number, picture in enumerate(pictures):
             film.add(picture, number / 10)
     with Film(path, 10.0, (160, 120)) as film:

@@ -120,5 +120,5 @@ def test_coverage_of_a_mean_over_places(sizes):
 
 
 def test_strata_of_single_blocks_have_no_interval():
-    with pytest.raises(ValueError, match="single block"):
+    with pytest.raises(ValueError, match="two or more blocks"):
         stratified_bootstrap(lambda weights: weights.sum(axis=1), strata_of(1, 1), 0)

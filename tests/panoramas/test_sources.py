@@ -103,7 +103,7 @@ def test_a_source_without_its_folder_or_table_is_refused(table, tmp_path):
 def test_a_link_that_leads_out_is_refused(table, tmp_path):
     (tmp_path / "a.jpg").unlink()
     (tmp_path / "a.jpg").symlink_to("/etc/hostname")
-    with pytest.raises(PlacecatError, match=r"rooms\.csv line 2: .*a\.jpg is a link that leads out of"):
+    with pytest.raises(PlacecatError, match=r"rooms\.csv line 2: .*a\.jpg is a link that points outside"):
         table()
 
 

@@ -72,10 +72,10 @@ def test_uneven_times_topics_and_labels(system, tmp_path, capsys):
         ("missing.bag", "there is no file or folder missing.bag"),
         (
             "walk.mcap --mcap walk.mcap --force",
-            "--mcap is walk.mcap, which is an input of the prediction: choose another name",
+            "--mcap is walk.mcap, which is an input to the prediction: choose another name",
         ),
-        ("images --mcap images/a.mcap", "an input of the prediction"),
-        ("walk.mcap --mcap out.bag", "--mcap is out.bag: choose a name that ends with .mcap"),
+        ("images --mcap images/a.mcap", "an input to the prediction"),
+        ("walk.mcap --mcap out.bag", "--mcap is out.bag: choose a name that ends in .mcap"),
         (
             "walk.mcap --mcap there.mcap",
             "--mcap is there.mcap, which already exists: choose another name, or use --force",
@@ -192,7 +192,7 @@ def test_rerun_export_stops_if_the_disk_is_full(system, tmp_path, monkeypatch):
     write_image(tmp_path / "images/1.png", 1)
     before = sorted(tmp_path.rglob("*"))
     monkeypatch.setattr(rerun_file, "LEAST_FREE", 10**18)
-    assert "MB of free disk space: make room" in refused("images", "--rerun", "a.rrd")
+    assert "MB of free disk space: free up some space" in refused("images", "--rerun", "a.rrd")
     assert sorted(tmp_path.rglob("*")) == before
 
 

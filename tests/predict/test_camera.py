@@ -127,7 +127,7 @@ def test_a_camera_stops_after_the_seconds_and_never_overwrites_results(
     # The film runs in real time, although frames were skipped while others were drawn.
     film = capture_length(tmp_path / "predictions/camera_0/annotated.mp4")
     assert film == round(table["seconds"].iloc[-1] * FPS) + 1
-    with pytest.raises(SystemExit, match="contains the prediction of camera"):
+    with pytest.raises(SystemExit, match="contains the prediction for camera"):
         main(["predict", "camera", "--seconds", "0.3", "--output", "predictions/camera_0"])
 
 

@@ -75,8 +75,8 @@ def test_tables_contain_exactly_the_outputs_of_the_system(footage, source, capsy
     segments = (results / "segments.csv").read_text()
     assert segments == "start,end,label\n1,8,bedroom\n9,16,living_room\n17,24,kitchen\n25,30,bedroom\n"
     shown = capsys.readouterr().out
-    assert "frames/s (the categorizer alone " in shown and " times the footage's 25" in shown
-    assert "The place is unknown for 63.3% of the time." in shown
+    assert " for the categorizer alone), " in shown and " times the footage's 25" in shown
+    assert "The place is unknown 63.3% of the time." in shown
     assert "\nOf a fake.\nIt never says `unknown`" in shown
     summary = json.loads((results / "summary.json").read_text())
     assert (summary["share_unknown"], summary["visits"]) == (0.6333, 3)
@@ -135,7 +135,7 @@ def test_segments_can_be_used_as_labels(footage, capsys):
 def test_an_unknown_label_is_rejected_or_ignored(folder, capsys):
     (folder / "labels.csv").write_text("start,end,label\n1,10,bedroom\n11,30,cellar\n")
     assert (
-        "labels.csv line 3: 'cellar' is not a place of the model (bedroom, living_room, kitchen)"
+        "labels.csv line 3: 'cellar' is not one of the model's places (bedroom, living_room, kitchen)"
         in refused("walk.avi", "--labels", "labels.csv")
     )
     assert not (folder / "predictions").exists()
@@ -203,7 +203,7 @@ def test_a_low_frame_rate_is_noted(folder, monkeypatch, capsys, arguments, thres
     monkeypatch.setattr(FakeCategorizer, "threshold", threshold)
     predict("walk.avi", *arguments)
     rate = "12.5" if "--every" in arguments else "20"
-    note = f"{rate} frames/s are used, but the threshold for `unknown` was chosen at 25"
+    note = f"only {rate} frames/s are used, but the threshold for `unknown` was chosen at 25"
     assert (note in capsys.readouterr().err) == is_noted
     assert ("notes" in json.loads((folder / "predictions/walk/summary.json").read_text())) == is_noted
 
@@ -244,8 +244,8 @@ def _damage(folder):
         ("walk.avi --every 0", "--every is 0"),
         ("walk.avi --seconds 0", "--seconds is 0"),
         ("walk.avi --fps nan", "--fps is nan"),
-        ("walk.avi --fps 1e-308", "--fps is 1e-308: use 0.001 to 1000"),
-        ("walk.avi --fps 1e308", "use 0.001 to 1000"),
+        ("walk.avi --fps 1e-308", "--fps is 1e-308: use a number from 0.001 to 1000"),
+        ("walk.avi --fps 1e308", "use a number from 0.001 to 1000"),
         ("walk.avi --every 1000000000000000000000", "--every is 1000000000000000000000"),
         ("walk.avi --ignore kitchen", "--ignore has no effect without labels"),
         ("pipe.mp4", "pipe.mp4 is not an ordinary file"),
@@ -294,7 +294,7 @@ def test_only_an_unedited_prediction_of_the_same_source_is_replaced(folder):
     predict("walk.avi", "--output", "out")
     predict("walk.avi", "--output", "out", "--every", "2")
     assert len(pd.read_csv(folder / "out/frames.csv")) == COUNT // 2
-    assert "contains the prediction of walk.avi" in refused("images", "--output", "out")
+    assert "contains the prediction for walk.avi" in refused("images", "--output", "out")
     segments = folder / "out/segments.csv"
     segments.write_text(segments.read_text().replace("kitchen", "bedroom"))
     assert "segments.csv was added or edited" in refused("walk.avi", "--output", "out")
@@ -315,7 +315,7 @@ def test_edited_or_added_files_are_kept_even_with_force(folder, capsys):
     (folder / "out/notes").mkdir()
     (folder / "out/notes/a.txt").write_text("mine")
     predict("images", "--output", "out", "--force")
-    assert f"segments.csv was added or edited: it is kept as {Path('out/segments.edited.csv')}" in (
+    assert f"segments.csv was added or edited, so it is kept as {Path('out/segments.edited.csv')}" in (
         capsys.readouterr().err
     )
     assert segments.read_text() == written

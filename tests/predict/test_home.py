@@ -116,7 +116,8 @@ def test_classes_unknown_to_the_model_are_rejected_or_ignored(system, tmp_path, 
     labels = tmp_path / "homes/Villa/label.txt"
     labels.write_text(LABELS.replace("7 18 bedroom", "7 18 office"))
     text = refused("home:Villa")
-    assert "Villa: the label 'office' is not a place of the model (bedroom, living_room, kitchen)" in text
+    places = "bedroom, living_room, kitchen"
+    assert f"Villa: the label 'office' is not one of the model's places ({places})" in text
     assert "--ignore office" in text
     predict("home:Villa", "--ignore", "office")
     assert "correct" in capsys.readouterr().out
@@ -140,7 +141,7 @@ def test_a_training_home_of_the_model_is_noted(system, tmp_path, capsys):
         (["home:Palace"], "home:Palace: my homes has no such home: use one of Villa, Hut"),
         (["home:Hut"], "Hut"),
         (["home:"], "home: needs the name of a home: use one of Villa, Hut"),
-        (["home:Villa", "--labels", "x.csv"], "--labels is for other footage"),
+        (["home:Villa", "--labels", "x.csv"], "--labels is not for data sets"),
         (["homes/Villa/1", "--set", "dataset=homes"], "--set chooses the data set for home:NAME"),
     ],
 )

@@ -235,7 +235,7 @@ def test_inside_follows_links(tmp_path: Path) -> None:
     (tmp_path / "other").mkdir()
     (tmp_path / "data/link").symlink_to(tmp_path / "other")
     inside(tmp_path / "data", tmp_path, "list")
-    with pytest.raises(PlacecatError, match=r"list: .*link is a link that leads out of"):
+    with pytest.raises(PlacecatError, match=r"list: .*link is a link that points outside"):
         inside(tmp_path / "data/link", tmp_path / "data", "list")
 
 

@@ -88,9 +88,7 @@ def test_another_image_folder(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
     (tmp_path / "town/seq1/std_cam").rename(tmp_path / "town/seq1/omni_cam")
     assert len(cold.read_home(tmp_path, "town-seq1", images="omni_cam").frames) == 3
-    with pytest.raises(
-        PlacecatError, match=r"seq1/std_cam: the folder of images is missing; .*dataset.images"
-    ):
+    with pytest.raises(PlacecatError, match=r"seq1/std_cam: the image folder is missing; .*dataset.images"):
         cold.read_home(tmp_path, "town-seq1")
 
 
@@ -98,8 +96,11 @@ def test_another_image_folder(tmp_path: Path) -> None:
     ("text", "message"),
     [
         ("", r"places\.lst: the label file is empty"),
-        (f"{NAMES[0]} CR\n{NAMES[1]}\n", r"places\.lst line 2: 't.*' must be an image name and a label"),
-        (f"{NAMES[0]} CR A\n", r"line 1: .* must be an image name and a label"),
+        (
+            f"{NAMES[0]} CR\n{NAMES[1]}\n",
+            r"places\.lst line 2: 't.*' must consist of an image name and a label",
+        ),
+        (f"{NAMES[0]} CR A\n", r"line 1: .* must consist of an image name and a label"),
         (f"../{NAMES[0]} CR\n", r"line 1: '\.\./t.* is not an image name"),
         (f"/etc/{NAMES[0]} CR\n", r"line 1: '/etc/.* is not an image name"),
         ("t1.000000_x/../../../a.jpeg CR\n", r"line 1: .* is not an image name"),
@@ -107,8 +108,8 @@ def test_another_image_folder(tmp_path: Path) -> None:
         ("t1.5_x0_y0_a0.jpeg CR\n", r"line 1: .* is not an image name"),
         ("image1.jpeg CR\n", r"line 1: 'image1.jpeg' is not an image name of the form t<seconds>"),
         (f"{NAMES[0]} hall\n", r"line 1: 'hall' is not a label of the form CODE"),
-        (f"{NAMES[1]} CR\n\n{NAMES[0]} CR\n", r"line 3: .* is not later than the image of line 1"),
-        (f"{NAMES[0]} CR\n{NAMES[0]} CR\n", r"line 2: .* is not later than the image of line 1"),
+        (f"{NAMES[1]} CR\n\n{NAMES[0]} CR\n", r"line 3: .* is not later than the image on line 1"),
+        (f"{NAMES[0]} CR\n{NAMES[0]} CR\n", r"line 2: .* is not later than the image on line 1"),
         (
             f"{NAMES[0]} CR\nt1152000005.000000_x0.jpeg CR\n",
             r"t1152000005\.000000_x0\.jpeg: the frame is missing \(.*lst line 2\)",
@@ -150,7 +151,7 @@ def test_image_is_a_link_out_of_the_sequence(tmp_path: Path) -> None:
     image = tmp_path / "town/seq1/std_cam" / NAMES[1]
     image.unlink()
     image.symlink_to(tmp_path / "secret.jpeg")
-    with pytest.raises(PlacecatError, match=r"places\.lst line 2: .* is a link that leads out of"):
+    with pytest.raises(PlacecatError, match=r"places\.lst line 2: .* is a link that points outside"):
         cold.read_home(tmp_path, "town-seq1")
 
 

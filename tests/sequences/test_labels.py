@@ -123,7 +123,7 @@ def test_csv_from_a_spreadsheet() -> None:
             r"line 2: the last segment of the video ends at frame 8, .* 9 frames \(0\.360 s .*label frame 9,",
         ),
         ("start,end,label\n1,10,a\n", r"line 2: the segment ends at frame 10, but the video has 9 frames"),
-        ("start,end,label\n1,5,a\n6,4,b\n", r"line 3: the segment ends at frame 4, before it starts at 6"),
+        ("start,end,label\n1,5,a\n6,4,b\n", r"line 3: the segment starts at frame 6 but ends at frame 4"),
         ("start,end,label\n1,x,a\n", r"line 2: 'x' is not a whole number"),
         ("start,end,label\n1,9.5,a\n", r"line 2: '9\.5' is not a whole number"),
         ("start,end,label\n1,٩,a\n", r"line 2: '٩' is not a whole number"),

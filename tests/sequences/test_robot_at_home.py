@@ -148,7 +148,7 @@ ONE = "files/rgbd/session_1/alma/bathroom1/subsession_1"
         ),
         ("DELETE FROM rh_homes WHERE name = 'alma'", r"no home 'alma'.*\(it has 'anto, .*dataset\.homes"),
         ("DELETE FROM rh_sensors WHERE name = 'RGBD_1'", r"no camera 'RGBD_1'.*HOKUYO1, RGBD_2, .*RGBD_4'\)"),
-        ("DELETE FROM rh_lblrgbd WHERE sensor_id = 1", r"alma has no frames of camera RGBD_1 in rh_lbl"),
+        ("DELETE FROM rh_lblrgbd WHERE sensor_id = 1", r"alma has no frames from camera RGBD_1 in rh_lbl"),
         ("DELETE FROM rh_room_types", r"\d+ of rh_lblrgbd refers to 0, which is not in rh_room_types"),
         ("DELETE FROM rh_home_sessions", r"refers to 0, which is not in rh_home_sessions"),
         ("DELETE FROM rh2_old2new_rgbd_files WHERE id = 100000", r"100000 of rh_lblrgbd has no picture"),
@@ -197,7 +197,7 @@ def test_missing_pictures(copied: Path) -> None:
     open_home("robot_at_home", copied, "alma", camera="RGBD_2")
     shutil.rmtree(copied / "files/rgbd")
     with pytest.raises(
-        PlacecatError, match=r"files/rgbd: the folder of pictures is missing; unpack the pictures"
+        PlacecatError, match=r"files/rgbd: the picture folder is missing; unpack the pictures"
     ):
         open_home("robot_at_home", copied, "alma")
 
@@ -207,7 +207,7 @@ def test_links_out_of_the_picture_folder(copied: Path, tmp_path: Path) -> None:
     cv2.imwrite(str(secret), picture("", "", 1))
     (copied / ONE / "100002_intensity.png").unlink()
     (copied / ONE / "100002_intensity.png").symlink_to(secret)
-    with pytest.raises(PlacecatError, match=r"100002_intensity\.png is a link that leads out of"):
+    with pytest.raises(PlacecatError, match=r"100002_intensity\.png is a link that points outside"):
         open_home("robot_at_home", copied, "alma")
     # The folder with all pictures may be on another disk.
     (copied / ONE / "100002_intensity.png").unlink()

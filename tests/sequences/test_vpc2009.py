@@ -125,13 +125,13 @@ END = "-1 -1 end\n"
             "1/\n9\n1 4 a\n5 7 b\n" + END * 2,
             r"line 4: the last segment of floor 1/ ends at frame 7, .* 9 frames \(line 2\)",
         ),
-        ("1/\n9\n9 1 a\n" + END * 2, r"line 3: the segment ends at frame 1, before it starts at 9"),
+        ("1/\n9\n9 1 a\n" + END * 2, r"line 3: the segment starts at frame 9 but ends at frame 1"),
         ("1/\n9\n1 9 a\n-1 -1 end\n2/\n5\n6 9 a\n" + END * 2, r"line 7: frames 1 to 5 of floor 2/"),
         ("1/\n9\n1 4,5 a\n" + END * 2, r"line 3: '4,5' is not a whole number"),
         ("1/\nnine\n1 9 a\n" + END * 2, r"line 2: 'nine' is not a whole number"),
         (
             "1/\n9 frames\n1 9 a\n" + END * 2,
-            r"line 2: '9 frames' must be the number of frames of floor 1/",
+            r"line 2: '9 frames' must be the number of frames on floor 1/",
         ),
         ("1/\n0\n" + END * 2, r"line 2: '0' must be the number of frames"),
         ("1/\n9\n" + END * 2, r"label\.txt: floor 1/ has no labels"),
@@ -203,7 +203,7 @@ class TestFrames:
     def test_missing_floor(self, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"2": 4})
         self.fails(
-            tmp_path, r"Home1/1: the folder of this floor is missing; restore it, or correct .*label\.txt"
+            tmp_path, r"Home1/1: the folder for this floor is missing; restore it, or correct .*label\.txt"
         )
 
     def test_empty_floor(self, tmp_path: Path) -> None:
@@ -215,7 +215,7 @@ class TestFrames:
         write_home(tmp_path, self.TEXT, {"1": 4}, "elsewhere")
         write_home(tmp_path, self.TEXT, {})
         (tmp_path / "Home1/1").symlink_to(tmp_path / "elsewhere/1")
-        self.fails(tmp_path, r"label\.txt: .*Home1/1 is a link that leads out of")
+        self.fails(tmp_path, r"label\.txt: .*Home1/1 is a link that points outside")
 
     def test_unreadable_first_image(self, tmp_path: Path) -> None:
         write_home(tmp_path, self.TEXT, {"1": 4})

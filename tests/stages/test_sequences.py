@@ -85,7 +85,7 @@ def test_a_layout_gets_its_settings(tmp_path, dataset):
         "classes": ["corridor", "kitchen"],
         "aliases": {"CR": "corridor", "KT": "kitchen"},
     }
-    with pytest.raises(PlacecatError, match=r"std_cam: the folder of images is missing"):
+    with pytest.raises(PlacecatError, match=r"std_cam: the image folder is missing"):
         cameras(tmp_path, dataset | cold)
     assert cameras(tmp_path, dataset | cold | {"images": "omni_cam"}) == ["one"]
     sources = files.read_table(tmp_path / "data/sequences/town-seq1/frames.csv")["source"]

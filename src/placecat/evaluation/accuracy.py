@@ -18,10 +18,10 @@ def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> N
 
 
 def class_accuracies(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Return the percentage of correct decisions for each class; NaN for a class without frames.
+    """Return the percentage of correct decisions for each class, or NaN for a class with no frames.
 
     As in the thesis, the accuracy of a home is the mean of these percentages over the classes present (see
-    :func:`home_accuracy`). So frequent classes do not outweigh rare ones.
+    :func:`home_accuracy`). This keeps frequent classes from outweighing rare ones.
     """
     totals = confusion.sum(axis=1)
     with np.errstate(invalid="ignore"):
@@ -29,6 +29,6 @@ def class_accuracies(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
 
 
 def home_accuracy(confusion: NDArray[np.int64]) -> float:
-    """Return the mean accuracy of the classes present, in percent; NaN if no frame is scored."""
+    """Return the mean accuracy of the classes present, in percent, or NaN if no frame is scored."""
     accuracies = class_accuracies(confusion)
     return float(np.nanmean(accuracies)) if np.isfinite(accuracies).any() else float("nan")

@@ -21,7 +21,7 @@ class Interval:
 
     def rounded(self, decimals: int = 2) -> "Interval":
         """Return the interval with rounded numbers, and with 0 instead of -0."""
-        # Round twice, so that differences in the last bits cannot change the direction of rounding.
+        # Round twice, so that differences in the last few bits cannot turn rounding up into rounding down.
         return Interval(
             *(round(round(x, decimals + 6), decimals) + 0.0 for x in (self.estimate, self.low, self.high))
         )
@@ -37,20 +37,21 @@ def paired_bootstrap(
 ) -> Interval:
     """Compute an interval for a statistic over units, such as the mean difference over homes.
 
-    Units are drawn with replacement. Each unit is drawn with all its measurements, so effects that are common
-    to both sides of a difference cancel out.
+    Units are drawn with replacement. All measurements of a unit are drawn together, so effects common to both
+    sides of a difference cancel out.
 
     With six units, the plain percentile interval is far too narrow for two reasons. The bootstrap variance
     divides by n instead of n - 1, and the interval uses a normal quantile instead of Student's t quantile
     with n - 1 degrees of freedom. For a mean, both effects are known exactly. So this function stretches both
     arms of the percentile interval about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for
     both effects with more extreme quantiles (the expanded percentile interval). With four or six units, such
-    quantiles are out of reach, because the resampled means cannot go beyond the smallest and the largest
-    unit. BCa corrects for skewness, but not for small n. The bootstrap-t interval divides by standard errors.
-    If these are 0, the interval is infinite. This happens if units are equal, as the seeds of a home can be.
+    quantiles are out of reach, because the resampled means always lie between the smallest and largest unit.
+    BCa corrects for skewness, but not for small n. The bootstrap-t interval divides by standard errors. If
+    these are 0, which happens when units are identical (such as two seeds for one home), the interval is
+    infinite.
 
-    This table shows the coverage of intervals for the mean of 4 units and of 6 units, from 4000 simulations
-    with a `level` of 0.95:
+    This table shows the coverage of intervals for the mean of 4 and 6 units, from 4000 simulations with a
+    `level` of 0.95:
 
     ============= ============= ============= =================
     method        normal units  exponential   Student, 3 df
@@ -77,12 +78,12 @@ def paired_bootstrap(
     n_units
         n, at least 2.
     seed, level, resamples
-        Seed in [0, 2**32), level of the interval between 0 and 1, and number of resamples.
+        Seed in [0, 2**32), interval level between 0 and 1, and number of resamples.
 
     Returns
     -------
-    The interval. Its `estimate` gives all units equal weight. It lies within the interval unless the
-    statistic is very biased. If all units are identical, the interval is a single point.
+    The interval. Its `estimate` weights all units equally, and lies within the interval unless the statistic
+    is heavily biased. If all units are identical, the interval is a single point.
 
     References
     ----------
@@ -107,8 +108,8 @@ def stratified_bootstrap(
 
     For a mean over places, each place is a stratum. From the n blocks of a stratum, n - 1 are drawn with
     replacement (Rao and Wu). The variance of the stratum mean then divides by n - 1. This matters most for
-    strata of only two blocks. A stratum of one block contributes no variance. Both arms of the interval are
-    stretched by t / z. The degrees of freedom of t are the number of blocks minus the number of strata.
+    strata with only two blocks. A stratum with one block contributes no variance. Both arms of the interval
+    are stretched by t / z. The degrees of freedom of t are the number of blocks minus the number of strata.
 
     This table shows the coverage of intervals for the mean of five stratum means, from 2000 simulations with
     a `level` of 0.95:
@@ -129,7 +130,7 @@ def stratified_bootstrap(
     strata
         (n,) stratum number of each block, counted from 0.
     seed, level, resamples
-        As for :func:`paired_bootstrap`.
+        As in :func:`paired_bootstrap`.
 
     References
     ----------
@@ -138,7 +139,7 @@ def stratified_bootstrap(
     sizes = np.bincount(strata)
     free = int((sizes - 1).sum())
     if free < 1:
-        raise ValueError("every stratum has a single block: at least one stratum needs 2 blocks or more")
+        raise ValueError("at least one stratum needs two or more blocks")
     rng = np.random.default_rng(seed)
     weights = np.empty((resamples, len(strata)))
     for stratum, size in enumerate(sizes):

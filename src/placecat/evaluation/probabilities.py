@@ -1,4 +1,4 @@
-"""Log-loss and calibration of distributions over places, with equal weight for all places."""
+"""Log-loss and calibration of distributions over places, weighting all places equally."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -11,7 +11,7 @@ class Reliability(NamedTuple):
     """The points of a reliability diagram, which shows how often decisions of similar confidence are correct.
 
     All three arrays have one entry per bin. `confidence` is the mean probability of the decided place, and
-    `accuracy` is the share of correct decisions. Both range from 0 to 1, and are NaN in a bin without frames.
+    `accuracy` is the share of correct decisions. Both range from 0 to 1, and are NaN for an empty bin.
     `weight` is the weighted share of frames. It sums to 1, or is all 0 if no frame is labelled.
     """
 
@@ -37,10 +37,10 @@ def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
 def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
     """Average -ln p(true place), in nats, over the frames of each place and then over the places present.
 
-    `truth` contains (n,) integers, with -1 for frames that are not scored, and `proba` contains
-    (n, n_classes) distributions. The log-loss of uniform distributions over k places is ln k. The result is
-    NaN if no frame is scored. Probabilities below `smallest`, which is in (0, 1), are replaced by it. So a
-    frame costs at most -ln `smallest`, and a single 0 cannot make the mean infinite.
+    `truth` contains (n,) integers, with -1 for frames that are not scored, and `proba` contains (n,
+    n_classes) distributions. The log-loss of uniform distributions over k places is ln k. The result is NaN
+    if no frame is scored. Probabilities below `smallest`, a number in (0, 1), are raised to it. This limits
+    the loss of a frame to -ln `smallest`, so a single 0 cannot make the mean infinite.
     """
     truth = np.asarray(truth, dtype=np.int64)
     weights = balanced_weights(truth)
@@ -60,8 +60,8 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
     References
     ----------
-    C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017. In
-    that paper, all frames have equal weight.
+    C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017. That
+    paper weights all frames equally.
     """
     truth, proba = np.asarray(truth, dtype=np.int64), np.asarray(proba, dtype=np.float64)
     confidence, right = proba.max(axis=1), proba.argmax(axis=1) == truth
@@ -78,7 +78,7 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
 
 def pooled(diagrams: Sequence[Reliability]) -> Reliability:
-    """Merge diagrams with the same bins, for example one for each home. All have equal weight."""
+    """Merge diagrams with the same bins, such as one per home, giving each equal weight."""
     weights = np.array([one.weight for one in diagrams])
     confidence, accuracy = (
         _ratio(np.nansum(weights * values, axis=0), weights.sum(axis=0))

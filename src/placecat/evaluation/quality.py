@@ -22,10 +22,9 @@ class HomeQuality(NamedTuple):
 
     `log_loss` is in nats (:func:`placecat.evaluation.probabilities.log_loss`), and `calibration_error` is in
     percent (:func:`placecat.evaluation.probabilities.calibration_error`). `stays` is the number of stays, and
-    `stays_right` is the number of stays that are named correctly
-    (:func:`placecat.evaluation.stays.stays_by_class`). `stay_accuracy` is in percent
-    (:func:`placecat.evaluation.stays.stay_accuracy`). All places have equal weight in every measure except
-    the counts. Without labelled frames, these measures are NaN.
+    `stays_right` is how many of them are named correctly (:func:`placecat.evaluation.stays.stays_by_class`).
+    `stay_accuracy` is in percent (:func:`placecat.evaluation.stays.stay_accuracy`). Apart from the counts,
+    the measures weight all places equally, and are NaN if no frame is labelled.
     """
 
     log_loss: float
@@ -38,7 +37,7 @@ class HomeQuality(NamedTuple):
 def probability_quality(
     truth: ArrayLike, proba: NDArray[np.float64], *, bins: int, smallest: float
 ) -> ProbabilityQuality:
-    """Measure distributions of frames in any order. The parameters are those of :func:`home_quality`."""
+    """Compute the measures that ignore frame order. The parameters are as in :func:`home_quality`."""
     return ProbabilityQuality(
         log_loss(truth, proba, smallest=smallest),
         100.0 * calibration_error(reliability(truth, proba, bins=bins)),
@@ -48,11 +47,11 @@ def probability_quality(
 def home_quality(
     truth: ArrayLike, proba: NDArray[np.float64], sequences: Sequence[slice], *, bins: int, smallest: float
 ) -> HomeQuality:
-    """Measure the distributions in a home.
+    """Compute the quality measures for the distributions in a home.
 
     `truth` contains (frames,) class indices in temporal order, with -1 for unlabelled frames. `proba`
-    contains (frames, n_classes) distributions. `sequences` contains one slice of frames per sequence.
-    Together, the slices cover all frames. `bins` and `smallest` are as in `reliability` and `log_loss` of
+    contains (frames, n_classes) distributions. `sequences` contains one slice of frames per sequence, and the
+    slices together cover all frames. `bins` and `smallest` are passed to `reliability` and `log_loss` in
     `placecat.evaluation.probabilities`.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])

@@ -16,8 +16,7 @@ _ROUNDING = 1e-9
 class Decided(NamedTuple):
     """The confidence and weight of each decision on a home's n labelled frames, and whether it is wrong.
 
-    The weights sum to 1, so all homes have equal weight. The places in a home also have equal weight, as they
-    do in the accuracy.
+    The weights sum to 1, so all homes count equally. As in the accuracy, so do the places in a home.
     """
 
     confidence: NDArray[np.float64]
@@ -59,7 +58,7 @@ def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
     References
     ----------
     Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. Their bound
-    is not used here, because it assumes independent frames and the frames of a walk are dependent.
+    is not used here because it assumes that frames are independent, which the frames of a walk are not.
     """
     confidence, wrong, weight = (np.concatenate(parts) for parts in zip(*homes, strict=True))
     order = np.argsort(-confidence, kind="stable")
@@ -90,7 +89,7 @@ def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
 
 
 def select_unseen(homes: Mapping[str, Decided], risk: float) -> Selection:
-    """Measure each of at least two homes with the threshold chosen on the other homes."""
+    """Measure coverage and risk on two or more homes, choosing the threshold for each home on the others."""
     thresholds = [
         choose_threshold([other for name, other in homes.items() if name != home], risk) for home in homes
     ]

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Stay(NamedTuple):
-    """A visit to a place, with its class index, its first frame, and the frame after its last one."""
+    """A visit to a place: its class index, its first frame, and the frame after its last."""
 
     place: int
     start: int
@@ -19,7 +19,7 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
     """Find the maximal runs of frames with the same label, in temporal order.
 
     `truth` contains (frames,) class indices in temporal order, with -1 for unlabelled frames and transitions,
-    which end a stay. `sequences` contains one slice of frames per sequence. Together, the slices cover all
+    which end a stay. `sequences` contains one slice of frames per sequence, and the slices together cover all
     frames. The end of a sequence also ends a stay.
     """
     truth = np.asarray(truth, dtype=np.int64)
@@ -39,10 +39,10 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
 def stays_by_class(
     truth: ArrayLike, decision: ArrayLike, sequences: Sequence[slice], n_classes: int
 ) -> NDArray[np.int64]:
-    """Count the stays of each class, and those that are named correctly, as (n_classes, 2) integers.
+    """Count the stays of each class and how many are named correctly, as an (n_classes, 2) array.
 
     A stay is named correctly if more of its frames are assigned to the correct place than to any other place.
-    A tie counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as for
+    A tie counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as in
     :func:`find_stays`. `decision` contains (frames,) integers in [0, n_classes).
     """
     decision = np.asarray(decision, dtype=np.int64)
@@ -55,10 +55,10 @@ def stays_by_class(
 
 
 def stay_accuracy(counts: NDArray[np.int64]) -> float:
-    """Return the mean percentage of correctly named stays over the classes present; NaN without stays.
+    """Average the percentage of stays named correctly over the classes present; NaN if there are no stays.
 
-    Like the measure for frames (thesis 4.2), it does not let a frequently visited place outweigh the others.
-    `counts` comes from :func:`stays_by_class`.
+    As with frame accuracy (thesis 4.2), a frequently visited place does not outweigh the others. `counts`
+    comes from :func:`stays_by_class`.
     """
     there = counts[counts[:, 0] > 0]
     return float((100.0 * there[:, 1] / there[:, 0]).mean()) if len(there) else float("nan")

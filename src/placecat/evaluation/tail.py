@@ -1,4 +1,4 @@
-"""Estimate, from a few units, what share of all cases lies at or below a threshold."""
+"""From a few units, estimate the share of all cases at or below a threshold."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -14,18 +14,18 @@ _NODES = 200
 
 
 def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95) -> Interval:
-    """Estimate what share of the cases in all units, including unseen ones, is at or below a threshold.
+    """Estimate the share of cases at or below a threshold, over all units including unseen ones.
 
-    A unit, such as a home, has several cases, such as the gains of some methods. The estimate is in [0, 1].
-    Cases are modelled as normally distributed. The mean is the mean of the unit means, and the variance is
-    the variance of the unit means plus the mean variance within units. Merely counting cases could never show
-    that a share is small. Even if none of six homes had such a case, the upper limit would be 46 % (Clopper
-    and Pearson). The interval's limits come from the noncentral t distribution. They are exact if the cases
-    within each unit are identical. Otherwise the interval is wide, because each unit still counts as only one
-    case.
+    A unit, such as a home, has several cases, such as the gains from several methods. The estimate is in [0,
+    1]. Cases are modelled as normally distributed. Their mean is the mean of the unit means, and their
+    variance is the variance of the unit means plus the mean variance within units. Counting cases alone could
+    never show that a share is small. Even if none of six homes had such a case, the upper limit would be 46 %
+    (Clopper and Pearson). The interval's limits come from the noncentral t distribution. They are exact if
+    the cases within each unit are identical. Otherwise the interval is wide, because each unit still counts
+    as only one case.
 
     `units` contains at least 2 arrays of (cases,) values. If all values are identical, the interval is a
-    single point, 0 or 1. `level` is the level of the interval, between 0 and 1.
+    single point, 0 or 1. `level` is the interval level, between 0 and 1.
 
     References
     ----------
@@ -49,7 +49,7 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
 
 def _noncentrality(t: float, freedom: int, below: float) -> float:
     """Find the noncentrality for which a t variable is at most `t` with probability `below`."""
-    # The distribution function in SciPy fails far from 0, so average over the scale instead.
+    # SciPy's distribution function breaks down far from 0, so average over the scale instead.
     scale, weights = _scales(freedom)
     reach = 10.0 + 5.0 * abs(t)
     return float(
@@ -63,6 +63,6 @@ def _noncentrality(t: float, freedom: int, below: float) -> float:
 
 @lru_cache
 def _scales(freedom: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return scales of a t distribution, with root mean square 1, and their weights, with sum 2."""
+    """Return scales of a t distribution, whose root mean square is 1, and their weights, which sum to 2."""
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     return np.sqrt(2.0 * special.gammaincinv(freedom / 2.0, (nodes + 1.0) / 2.0) / freedom), weights

@@ -17,9 +17,9 @@ HOMES = "homes"
 class Trial:
     """A cue to train, and the homes to test it on.
 
-    `name` consists of the name of the table and one label per axis, such as
-    ``trials/table_12/HOG + y-Pos||196``. The label is empty for the axis of homes. `settings` are
-    ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``. `homes` are the test homes.
+    `name` consists of the name of the table and one label per axis, such as ``trials/table_12/HOG +
+    y-Pos||196``. The label of the homes axis is empty. `settings` are ``descriptor``, ``classifier`` and, for
+    classifiers that use clusters, ``codebook``. `homes` are the test homes.
     """
 
     name: str
@@ -27,7 +27,7 @@ class Trial:
     homes: tuple[str, ...]
 
     def key(self) -> str:
-        """Return text that identifies the computation, so that a trial in several tables runs only once."""
+        """Return a string that identifies the computation, so a trial in several tables runs only once."""
         return json.dumps(self.settings, sort_keys=True)
 
 
@@ -39,15 +39,15 @@ def trial_name(table: str, group: str, row: str, column: str) -> str:
 def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]]:
     """Return the number and name of each home that a table uses for testing.
 
-    Numbers start at 1. The ``homes`` of the table are either such numbers or ``all``. `homes` are the names
-    of the homes in the data set. Numbers without such a home are skipped.
+    Numbers start at 1. ``homes`` in the table is either a list of such numbers or ``all``. `homes` are the
+    names of the homes in the data set. Numbers beyond the last home are skipped.
     """
     numbers = range(1, len(homes) + 1) if table["homes"] == "all" else table["homes"]
     return [(int(number), homes[number - 1]) for number in numbers if 1 <= number <= len(homes)]
 
 
 def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]:
-    """List the trials of a table for the homes of the data set.
+    """List the trials of a table for the homes in the data set.
 
     `name` is the table's name, such as ``table_12``. `table` is its configuration, with the keys ``trial``,
     ``homes`` and ``axes`` (see data/thesis/tables). Raises PlacecatError if an axis is unknown, or if an axis

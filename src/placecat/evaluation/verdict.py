@@ -26,7 +26,7 @@ class Range:
         return f"between {self.low:g} and {self.high:g}"
 
     def margin(self, interval: Interval) -> float:
-        """Return how far inside the range the interval lies; negative if it extends past an end."""
+        """Return how far inside the range the interval lies. Negative if it extends past an end."""
         return min(interval.low - self.low, self.high - interval.high)
 
 
@@ -34,11 +34,11 @@ def corrected_level(level: float, comparisons: int) -> float:
     """Return the level that each interval needs for a joint level of `level` (Bonferroni).
 
     Holm's procedure starts at the same level, so it finds a failing comparison exactly when this level does.
-    The level was checked in 12000 simulations, with intervals over four or six units, and with every
-    comparison exactly on the edge of failing. At least one of 2, 5 or 14 independent comparisons fails in 3
-    to 5 % of the simulations if units are normal, and in 2 to 4 % if they follow Student's t with 3 degrees
-    of freedom. The share is 15 to 36 % if units are exponential with the long tail on the side of the claim,
-    because intervals over so few skewed units are too short.
+    The level was checked in 12000 simulations, with intervals over four or six units and every comparison
+    exactly on the edge of failing. At least one of 2, 5 or 14 independent comparisons fails in 3 to 5 % of
+    the simulations if units are normal, and in 2 to 4 % if they follow Student's t with 3 degrees of freedom.
+    The figure is 15 to 36 % if units are exponential with the long tail on the side of the claim, because
+    intervals over so few skewed units are too short.
     """
     return 1.0 - (1.0 - level) / comparisons
 
@@ -47,8 +47,8 @@ def judge(interval: Interval, claimed: Range, corrected: Interval | None = None)
     """Judge one comparison as `HOLDS`, `FAILS` or `UNDECIDED`.
 
     The comparison holds if `interval` lies entirely inside the range, and fails if `corrected` lies entirely
-    outside. `corrected` is the wider interval that a claim with several comparisons needs
-    (:func:`corrected_level`). None means the same as `interval`.
+    outside it. `corrected` is the wider interval that a claim with several comparisons needs
+    (:func:`corrected_level`). If it is None, `interval` is used.
     """
     if claimed.low < interval.low and interval.high < claimed.high:
         return HOLDS

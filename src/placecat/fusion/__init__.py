@@ -1,1 +1,1 @@
-"""Integrate the distributions of the cues, and smooth the result over time to decide on a place per frame."""
+"""Integrate the cues' distributions, and smooth the result over time to decide on a place for each frame."""

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 class Delay:
     """Let the output follow the set point with a lag: p(t+1) = p(t) + h (p*(t) - p(t)), equation (16).
 
-    The thesis sets alpha = -1 in equation (14) and leaves h open, so its lag depends on the frame rate. Here
-    alpha = -1 / tau with a time constant tau. The step h = 1 - exp(-dt / tau) solves equation (14) exactly if
-    the set point stays constant for dt seconds. At any frame rate, the output has covered 63 % of the way to
-    a new set point after tau seconds.
+    The thesis sets alpha = -1 in equation (14) and does not specify h, so its lag depends on the frame rate.
+    Here alpha = -1 / tau with a time constant tau. The step h = 1 - exp(-dt / tau) solves equation (14)
+    exactly if the set point stays constant for dt seconds. At any frame rate, the output has covered 63 % of
+    the way to a new set point after tau seconds.
 
     The output for frame t is p(t+1). It uses p*(t), so it depends on frame t but not on any later frame. The
-    first output equals the first set point. The time constant tau is `seconds`, 0 or more. If it is 0, the
+    first output equals the first set point. `seconds` is the time constant tau, 0 or more. If it is 0, the
     input is returned unchanged.
     """
 

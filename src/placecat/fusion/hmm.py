@@ -22,14 +22,14 @@ def transition_matrix(
 
     Transitions between successive labelled frames are counted. Unlabelled frames (-1) are skipped, so a walk
     from the kitchen through a corridor to the bedroom counts once as a transition from kitchen to bedroom. A
-    sequence with a lower frame rate counts as if its frames were repeated: it has the same number of changes
-    of place, but proportionally more frames without a change.
+    sequence with a lower frame rate counts as if its frames were repeated: it has the same number of place
+    changes, but proportionally more frames without one.
 
     Each of the `sequences` contains (frames,) class indices in temporal order, with -1 for unlabelled frames.
     `frame_rates` are in frames per second, above 0, or None if they are all equal. `smoothing` is added to
-    every count, so that transitions that do not occur in training have a probability above 0. The thesis does
-    not give its value. Returns an (n_classes, n_classes) matrix with p(l_t = q | l_{t-1} = q') in row q' and
-    column q. Rows sum to 1.
+    every count, so that transitions not seen in training still have a probability above 0. The thesis does
+    not specify its value. Returns an (n_classes, n_classes) matrix with p(l_t = q | l_{t-1} = q') in row q'
+    and column q. Rows sum to 1.
     """
     counts = np.full((n_classes, n_classes), float(smoothing))
     rates = [1.0] * len(sequences) if frame_rates is None else frame_rates
@@ -53,10 +53,10 @@ def emission_matrix(
 ) -> Float:
     """Estimate p(o | l), the probability of each decision o in each place l, from cross-validated outputs.
 
-    `truth` contains the (n,) class indices of training frames. `proba` contains the integrator's
-    (n, n_classes) distributions, each from a model that saw neither the frame nor its home. If `reliability`
-    is "hard", decisions (the most probable classes) are counted. If it is "soft", the distributions are added
-    up. `smoothing`, above 0, is added to every count. The thesis specifies neither setting. Returns an
+    `truth` contains the (n,) class indices of the training frames. `proba` contains the integrator's (n,
+    n_classes) distributions, each from a model that saw neither the frame nor its home. If `reliability` is
+    "hard", decisions (the most probable classes) are counted. If it is "soft", the distributions are summed.
+    `smoothing`, above 0, is added to every count. The thesis specifies neither setting. Returns an
     (n_classes, n_classes) matrix with p(o | l = q) in row q and column o. Rows sum to 1.
     """
     if reliability == "hard":
@@ -75,7 +75,7 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
     :func:`emission_matrix`. The result is positive wherever the emission is positive. If `evidence` is
     "hard", the observation is the decision, so p(o_t | q) = emission[q, argmax]. If it is "soft", the
     decision is uncertain, so p(o_t | q) = sum_o emission[q, o] proba[o]. Equation (6) treats the outputs of
-    the two-class classifiers in the same way. The thesis does not say which kind of evidence it uses.
+    the two-class classifiers the same way. The thesis does not say which kind of evidence it uses.
     """
     if evidence == "hard":
         return emission.T[np.argmax(proba, axis=1)]
@@ -83,7 +83,7 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
 
 
 class ForwardFilter:
-    """Filter one sequence forwards, frame by frame, by equation (13).
+    """Filter one sequence forwards, frame by frame, using equation (13).
 
     The result for frame t uses only frames up to t. `transition` contains the (n_classes, n_classes)
     transition probabilities from one frame to the next, at the frame rate for which they were estimated. Each
@@ -98,10 +98,10 @@ class ForwardFilter:
         """Return the (n_classes,) distribution p(l_t = q | o_1 .. o_t) for the next frame.
 
         `likelihood` contains the (n_classes,) values p(o_t | l_t = q). None may be negative, and at least one
-        must be above 0. `steps` is the time since the last frame, 0 or more, in steps of the transition
-        matrix P. The place changes according to P^steps. `weight` is the number of frames that this frame
-        counts as, 0 or more, and serves as the exponent of the likelihood. If `steps` and `weight` are both
-        1, this is exactly equation (13).
+        must be positive. `steps` is the time since the last frame, 0 or more, in steps of the transition
+        matrix P. The place changes according to P^steps. `weight`, 0 or more, is the number of frames that
+        this one counts as. The likelihood is raised to this power. If `steps` and `weight` are both 1, this
+        is exactly equation (13).
         """
         if self._filtered is None:
             predicted = np.full(len(likelihood), 1.0 / len(likelihood))

@@ -10,8 +10,8 @@ def threshold_of(share: float, information: NDArray[np.float32]) -> float:
     """Return the threshold below which a given share of the training frames lies.
 
     `share` is between 0 and 1. The number of frames below the threshold is rounded down. `information`
-    contains one value per frame, for at least one frame. The thesis gives its threshold in an undefined unit
-    and does not say how many frames it drops.
+    contains one value per frame, and must not be empty. The thesis does not define the unit of its threshold,
+    or say how many frames are dropped.
     """
     return float(np.sort(information)[int(share * len(information))])
 
@@ -19,7 +19,7 @@ def threshold_of(share: float, information: NDArray[np.float32]) -> float:
 def dropped(
     information: NDArray[np.float32], labels: NDArray[np.int16], threshold: float
 ) -> dict[str, float]:
-    """Return the threshold and the numbers of all, dropped, labelled, and dropped labelled frames."""
+    """Return the threshold, and count the frames: all, dropped, labelled, and both dropped and labelled."""
     low = ~(information >= threshold)
     return {
         "threshold": threshold,
@@ -37,16 +37,17 @@ def hold(
     threshold: float,
     sequences: Sequence[slice],
 ) -> NDArray[np.float64]:
-    """Replace the distribution of each frame with little information by that of the last accepted frame.
+    """Give each frame with too little information the distribution of the last accepted frame.
 
-    This follows thesis 4.6. A frame is accepted if its information reaches the threshold. The thesis uses the
-    threshold 0.09766, and tries 0.13021 for comparison. :func:`threshold_of` computes a threshold from the
+    This follows thesis 4.6. A frame is accepted if its information reaches the threshold. The thesis uses a
+    threshold of 0.09766, and tries 0.13021 for comparison. :func:`threshold_of` computes a threshold from the
     share of frames to drop. Frames before the first accepted frame of a sequence keep their distributions.
     The thesis does not mention this case. The result for frame t uses only frames up to t.
 
     `proba` contains (frames, classes) distributions, and the result has the same shape. `information`
     contains the (frames,) measures from `placecat.vision.information.information`. `sequences` contains one
-    slice of frames per sequence. Together, the slices cover all frames. The filter restarts at each slice.
+    slice of frames per sequence, and the slices together cover all frames. The filter restarts with each
+    slice.
     """
     said_by = np.arange(len(proba))
     for part in sequences:

@@ -1,4 +1,4 @@
-"""Integration of cues by SVM-DAS or a vote (thesis 3.3.3), or by a logarithmic opinion pool (our addition).
+"""Cue integration by SVM-DAS or a vote (thesis 3.3.3), or by a logarithmic opinion pool (our addition).
 
 SVM-DAS is the discriminative accumulation scheme of Nilsback and Caputo, and of Pronobis et al.
 """
@@ -19,7 +19,7 @@ METHODS = ("das", "vote_distribution", "vote_decision", "log_pool")
 
 
 def learns_from_held_out(method: str) -> bool:
-    """Return whether a method learns from frames of homes that the cues have not seen."""
+    """Return whether a method is trained on frames from homes that the cues have not seen."""
     return method == "log_pool"
 
 
@@ -30,8 +30,8 @@ class Integrator:
     `model` is the classifier that SVM-DAS uses for integration. `weights` are the (cues,) weights of the
     logarithmic opinion pool, and `smallest` is the lower limit of its probabilities
     (:func:`placecat.fusion.log_pool.pool`). Each of these is None for other methods. `temperatures` are
-    (cues,) numbers used to temper the distributions of the cues first
-    (:func:`placecat.fusion.temperature.temper`). If they are None, the distributions stay unchanged.
+    (cues,) numbers for tempering the cues' distributions before integration
+    (:func:`placecat.fusion.temperature.temper`). If they are None, the distributions are used unchanged.
     """
 
     method: str
@@ -53,7 +53,7 @@ class Integrator:
 
 @dataclass(frozen=True)
 class Trained:
-    """A trained integration, with facts about its training that can be written as JSON.
+    """A trained integration, and JSON-compatible facts about its training.
 
     `cross_validated` contains (n, n_classes) distributions for the training frames, home by home, or is None
     if they were not requested. Each comes from a model that saw neither the frame nor its home. `truth`
@@ -78,7 +78,7 @@ def fit(
     temperatures: Sequence[float] | None = None,
     cross_validated: bool = True,
 ) -> Trained:
-    """Train an integration on the cues' outputs for training homes.
+    """Train an integration on the cues' outputs for the training homes.
 
     Parameters
     ----------
@@ -90,9 +90,9 @@ def fit(
     classes, method
         Names of the places, and one of `METHODS`, where ``das`` stands for SVM-DAS.
     classifier
-        Classifier of SVM-DAS, as in :func:`placecat.cues.fit`.
+        Classifier for SVM-DAS, as in :func:`placecat.cues.fit`.
     shrinkage, smallest
-        Settings of the logarithmic opinion pool, as in :func:`placecat.fusion.log_pool.fit_weights`.
+        Settings for the logarithmic opinion pool, as in :func:`placecat.fusion.log_pool.fit_weights`.
     temperatures
         One per cue, as in :class:`Integrator`.
     cross_validated
@@ -107,7 +107,7 @@ def fit(
     if method == "log_pool":
         return _fit_pool(tempered, labels, homes, own, shrinkage, smallest)
     if method != "das":
-        # A vote is not trained, so its statistics do not need cross-validation.
+        # Votes are not trained, so their statistics need no cross-validation.
         vote = Integrator(method, None, own)
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     assert classifier is not None
@@ -132,7 +132,7 @@ def _fit_pool(
     shrinkage: float,
     smallest: float,
 ) -> Trained:
-    """Fit a logarithmic opinion pool, and cross-validate each home with weights from the other homes."""
+    """Fit a logarithmic opinion pool, and cross-validate each home using weights from the others."""
     settings = {"shrinkage": shrinkage, "smallest": smallest}
     weights = log_pool.fit_weights(proba, labels, homes, **settings)
     held_out = np.empty((len(proba), proba.shape[2]))

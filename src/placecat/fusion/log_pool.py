@@ -15,10 +15,10 @@ SMALLEST = 1e-6
 
 
 def pool(proba: Float, weights: Float, smallest: float = SMALLEST) -> Float:
-    """Raise each distribution to the power of its cue's weight, multiply the powers and normalise.
+    """Raise each distribution to the power of its cue's weight, multiply the results, and normalise.
 
-    `proba` contains (n, cues, n_classes) distributions. Probabilities below `smallest`, which is in (0, 1),
-    are replaced by it. `weights` contains one number per cue, 0 or more. If all are 0, the result is uniform.
+    `proba` contains (n, cues, n_classes) distributions. Probabilities below `smallest`, a number in (0, 1),
+    are raised to it. `weights` contains one non-negative number per cue. If all are 0, the result is uniform.
     Returns (n, n_classes) distributions.
 
     >>> pool(np.array([[[0.8, 0.2], [0.1, 0.9]]]), np.array([1.0, 0.0])).round(3).tolist()
@@ -39,13 +39,13 @@ def fit_weights(
     """Find the (cues,) weights that minimise the log-loss on frames that the cues have not seen.
 
     The weights are 0 or more, and the loss is convex in them. All homes have equal weight, as do the classes
-    within a home. The search includes every single cue at its best power. Without shrinkage, the pool is
-    therefore at least as good as any cue on these frames.
+    within a home. The candidates include each cue on its own, at its best power. Without shrinkage, the pool
+    is therefore at least as good as any single cue on these frames.
 
-    `proba` contains (n, cues, n_classes) distributions from cues that saw neither the frame nor its home. The
-    lower limit `smallest` is as in :func:`pool`. `truth` contains the (n,) class indices of the frames, and
-    `homes` names the home of each. The loss, in nats, includes the sum of squared weights times `shrinkage`,
-    which is 0 or more. Raises PlacecatError if no finite weights are found.
+    `proba` contains (n, cues, n_classes) distributions from cues that saw neither the frame nor its home.
+    `smallest` is as in :func:`pool`. `truth` contains the (n,) class indices of the frames, and `homes` names
+    the home of each. The loss, in nats, includes the sum of squared weights times `shrinkage`, which is 0 or
+    more. Raises PlacecatError if no finite weights are found.
 
     References
     ----------
@@ -77,7 +77,7 @@ def fit_weights(
     found = minimize(loss, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
     if not np.isfinite(found.x).all():
         raise PlacecatError("no finite integration weights were found: raise integrator.shrinkage")
-    # The search is accurate to about a millionth. Further decimals depend on the processor.
+    # The search is accurate to about a millionth. Later decimals vary between processors.
     weights: Float = found.x.round(6)
     return weights
 
@@ -88,7 +88,8 @@ def _logs(proba: Float, smallest: float) -> Float:
 
 def _scores(logs: Float, weights: Float) -> Float:
     """Sum (n, cues, n_classes) weighted logarithms over the cues, and subtract each row's maximum."""
-    # Add the cues one by one, so that even the last bits for a frame do not depend on other frames.
+    # Add the cues one by one, so that a frame's scores do not depend on the other frames, even in the last
+    # bits.
     total = np.zeros((len(logs), logs.shape[2]))
     for cue, weight in enumerate(weights.tolist()):
         total += weight * logs[:, cue]
@@ -96,7 +97,7 @@ def _scores(logs: Float, weights: Float) -> Float:
 
 
 def _importance(truth: NDArray[np.intp], homes: NDArray[np.str_]) -> Float:
-    """Return (n,) frame weights that sum to 1, with equal weight for homes and for classes within a home."""
+    """Return (n,) frame weights that sum to 1, weighting homes, and classes within a home, equally."""
     _, home = np.unique(homes, return_inverse=True)
     group = home * (truth.max() + 1) + truth
     sizes = np.bincount(group)

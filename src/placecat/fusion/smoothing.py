@@ -1,4 +1,4 @@
-"""Smooth the decisions in a home with the hidden Markov model and then with the delay (thesis 3.4)."""
+"""Smooth the decisions in a home with the hidden Markov model, and then the delay (thesis 3.4)."""
 
 import math
 from collections.abc import Sequence
@@ -37,10 +37,10 @@ class Smoother:
     """Smooth one sequence frame by frame. The result for frame t uses only frames up to t.
 
     Any frame rate works, even one that changes, because transitions, evidence and delay are measured in
-    seconds. A frame counts as the number of frames at the model's rate that fit into the time since the last
-    frame. Doubling the rate therefore adds no evidence, because it only repeats the same views. A single
-    frame is not enough evidence for a long gap, so it counts for at most `evidence_seconds`, or for one frame
-    of the model if that is longer.
+    seconds. A frame counts as however many frames would fit into the time since the last one at the model's
+    rate. Doubling the rate therefore adds no evidence, because the extra frames only repeat the same views. A
+    single frame is not enough evidence for a long gap, so it counts for at most `evidence_seconds`, or for
+    one frame at the model's rate if that is longer.
     """
 
     def __init__(self, model: SmoothingModel) -> None:
@@ -51,12 +51,12 @@ class Smoother:
     def step(
         self, proba: NDArray[np.float64], seconds: float | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return the distributions of the filter and of the delay for the next frame.
+        """Return the filter's and the delay's distributions for the next frame.
 
         `proba` is the integrator's (n_classes,) distribution. `seconds` is the time since the last frame, or
-        the duration of the first frame. A negative or non-finite time raises PlacecatError. None means the
-        duration of one frame at the model's rate. Passing this duration explicitly gives exactly the same
-        result.
+        the duration of the first frame. A negative or non-finite time raises PlacecatError. None stands for
+        the duration of one frame at the model's rate. Passing that duration explicitly has exactly the same
+        effect.
         """
         steps = 1.0
         check_elapsed(seconds)
@@ -92,11 +92,11 @@ def fit(
 ) -> SmoothingModel:
     """Estimate the statistics of the training homes.
 
-    The transitions are estimated from `training_sequences` and `training_frame_rates`. These are the labels
-    of the training homes in temporal order (-1 for unlabelled frames) and their frame rates in frames per
-    second. The model uses the highest rate (see :func:`placecat.fusion.hmm.transition_matrix`). The emission
-    is estimated from `training_proba`, the integrator's cross-validated outputs on training frames, and
-    `training_truth`, the classes of these frames. `delay_seconds` is as in
+    The transitions are estimated from `training_sequences`, the labels of the training homes in temporal
+    order (-1 for unlabelled frames), and `training_frame_rates`, their frame rates in frames per second. The
+    model uses the highest rate (see :func:`placecat.fusion.hmm.transition_matrix`). The emission is estimated
+    from `training_proba`, the integrator's cross-validated outputs for the training frames, and
+    `training_truth`, the classes of those frames. `delay_seconds` is as in
     :class:`placecat.fusion.delay.Delay`, and `evidence_seconds`, finite and above 0, is as in
     :class:`Smoother`. The other settings are as in `placecat.fusion.hmm`.
     """
@@ -127,10 +127,10 @@ def apply(
     """Smooth one home with a model.
 
     `proba` contains (frames, n_classes) distributions for all frames of the home, labelled or not.
-    `sequences` contains one slice of frames per sequence, and the filter restarts at each slice. `frame_rate`
-    is in frames per second. `times` contains (frames,) seconds since the start of the sequence, or is None if
-    frames are evenly spaced. Returns (frames, n_classes) distributions under the keys ``hmm`` and
-    ``delayed``.
+    `sequences` contains one slice of frames per sequence, and the filter restarts with each slice.
+    `frame_rate` is in frames per second. `times` contains (frames,) seconds since the start of the sequence,
+    or is None if the frames are evenly spaced. Returns (frames, n_classes) distributions under the keys
+    ``hmm`` and ``delayed``.
     """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-# Range of the exponents 1 / T in the search.
+# Search range for the exponent 1 / T.
 _EXPONENTS = (0.01, 100.0)
 
 
@@ -12,9 +12,9 @@ def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64])
     """Raise distributions to the power of 1 / T and normalise them.
 
     This makes them flatter if the temperature T is above 1, and sharper if it is below 1. The ranking of the
-    classes does not change. `proba` and the result are (..., n_classes), and rows sum to 1. The temperature,
-    above 0, is one number or an array that broadcasts against ``proba[..., 0]``. A temperature of 1 changes
-    the result only by rounding.
+    classes does not change. `proba` and the result are (..., n_classes), and rows sum to 1. The temperature
+    is a positive number, or an array of them that broadcasts against ``proba[..., 0]``. A temperature of 1
+    changes nothing apart from rounding errors.
 
     >>> temper(np.array([[0.8, 0.2]]), 2.0).round(3).tolist()
     [[0.667, 0.333]]
@@ -28,7 +28,7 @@ def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64])
 def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> float:
     """Find the temperature with the lowest log-loss on frames that the model has not seen.
 
-    The result is in [0.01, 100] and rounded to four significant digits.
+    The result lies in [0.01, 100], and is rounded to four significant digits.
 
     The thesis does not use temperatures. Naive Bayes multiplies probabilities as if codewords were
     independent, so it is far too confident. The parallel scheme averages them, so it is not confident enough.
@@ -60,5 +60,5 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
 
     # The loss is convex in the exponent, so it has a single minimum in the log exponent too.
     found = minimize_scalar(loss, bounds=np.log(_EXPONENTS), method="bounded", options={"xatol": 1e-6})
-    # The search is accurate to a millionth. Further digits depend on the processor.
+    # The search is accurate to a millionth. Later digits vary between processors.
     return float(f"{np.exp(-found.x):.4g}")

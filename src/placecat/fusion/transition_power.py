@@ -8,17 +8,17 @@ Float = NDArray[np.float64]
 
 
 def generator(transition: Float) -> Float:
-    """Return rates Q of place changes per step, with exp(Q) equal or close to the transition matrix P.
+    """Return the rates Q of place changes per step, with exp(Q) equal or close to the transition matrix P.
 
-    P is (n, n) without negative entries, and its rows sum to 1. Q is (n, n) without negative entries off the
+    P is (n, n) with no negative entries, and its rows sum to 1. Q is (n, n) with no negative entries off the
     diagonal, and its rows sum to 0. Q is the logarithm of P if that is a rate matrix. Some stochastic
-    matrices have no such logarithm (they are not *embeddable*), so no continuous-time chain produces P. Then
-    Q follows these rules:
+    matrices have no such logarithm (they are not *embeddable*), so no continuous-time chain produces P. In
+    that case:
 
     - Negative rates of the logarithm become 0, and the diagonal is adjusted (Israel, Rosenthal and
       Wei, Finding generators for Markov chains via empirical transition matrices, 2001).
-    - If P has an eigenvalue at or below 0, it has no real logarithm. Q is then P - I, so the chain changes as
-      in P, but at random times, on average once per step.
+    - If P has an eigenvalue at or below 0, it has no real logarithm. Q is then P - I, so the chain makes the
+      same transitions as P, but at random times, once per step on average.
     """
     identity = np.eye(len(transition))
     values = np.linalg.eigvals(transition)
@@ -38,7 +38,7 @@ class TransitionPower:
     def __init__(self, transition: Float) -> None:
         self._transition = transition
         self._generator: Float | None = None
-        # Remember the last power, because most footage has a constant frame rate.
+        # Cache the last power, because most footage has a constant frame rate.
         self._last: tuple[float, Float] = (1.0, transition)
 
     def __call__(self, exponent: float) -> Float:
@@ -48,7 +48,7 @@ class TransitionPower:
         if exponent != self._last[0]:
             if self._generator is None:
                 self._generator = generator(self._transition)
-            # Rounding can make entries slightly negative, and sums slightly different from 1.
+            # Rounding can make entries slightly negative, and the sums slightly different from 1.
             power = np.clip(expm(exponent * self._generator), 0.0, None)
             self._last = (exponent, power / power.sum(axis=1, keepdims=True))
         return self._last[1]

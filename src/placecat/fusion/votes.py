@@ -1,4 +1,4 @@
-"""The two simple votes of thesis 3.3.3, which are baselines for the SVM integration."""
+"""The two simple voting schemes from thesis 3.3.3, as baselines for the SVM integration."""
 
 import numpy as np
 from numpy.typing import NDArray

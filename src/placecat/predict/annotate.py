@@ -15,17 +15,17 @@ from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]
 LEAST_HEIGHT, MOST_HEIGHT = 480, 540
-"""Limits of a frame's height in pixels. Smaller frames are enlarged to keep the text readable, and larger
-frames are reduced to save space."""
+"""Limits for the frame height, in pixels. Smaller frames are enlarged to keep the text readable, and larger
+ones are reduced to save space."""
 _PAPER, _INK, _GREY, _LIGHT = (255, 255, 255), (34, 34, 34), (120, 120, 120), (232, 232, 232)
 _RIM, _REGION = (30, 30, 30), (120, 235, 255)
 
 
 class Annotator:
-    """Draws frames that all have the same size.
+    """Draws frames that are all the same size.
 
     The parameter `size` is the (width, height) of the frames. The attribute `size` is the (width, height) of
-    the drawn pictures. Width and height are even because video encoders require it.
+    the resulting pictures, both even because video encoders require it.
     """
 
     def __init__(self, classes: Sequence[str], size: tuple[int, int]) -> None:
@@ -44,7 +44,7 @@ class Annotator:
         self.size = (total + total % 2, height + height % 2)
 
     def __call__(self, frame: Frame, decision: Decision, label: str | None = None) -> NDArray[np.uint8]:
-        """Return the picture of a frame, (h, w, 3) uint8 BGR, with the true place if it is known."""
+        """Draw a frame, with its true place if known, and return the (h, w, 3) uint8 BGR picture."""
         picture = np.full((self.size[1], self.size[0], 3), 255, np.uint8)
         image = cv2.resize(frame.image, (self._width, self._height), interpolation=self._method)
         self._regions(image, decision.regions)  # type: ignore[arg-type]
@@ -55,7 +55,7 @@ class Annotator:
         return picture
 
     def _regions(self, image: NDArray[np.uint8], regions: NDArray[np.float32]) -> None:
-        """Draw a circle around each region; stronger regions cover weaker ones."""
+        """Draw a circle around each region, with stronger regions on top."""
         line = max(2, round(self._height / 360))
         sizes = radius(regions[:, 2], self._width)
         for (x, y, *_), size in zip(regions[::-1], np.atleast_1d(sizes)[::-1], strict=True):
@@ -65,7 +65,7 @@ class Annotator:
                 cv2.circle(image, centre, round(float(size) * 16), color, thickness, cv2.LINE_AA, 4)
 
     def _decision(self, picture: NDArray[np.uint8], decision: Decision, label: str | None) -> None:
-        """Draw the place and its colour, the confidence as a number and as a bar, and the label."""
+        """Draw the place and its colour, the confidence as a number and a bar, and the label."""
         unit, left, right = self._unit, self._left, self._right
         top = unit
         corner, swatch = (left, top + unit // 4), round(1.1 * unit)
@@ -85,7 +85,7 @@ class Annotator:
             write(picture, text, (left, top + unit), _fitting(text, unit, right - left), _GREY)
 
     def _places(self, picture: NDArray[np.uint8], decision: Decision) -> None:
-        """Draw a bar for the probability of each place, and a thin bar below it for this frame alone."""
+        """Draw a bar for each place's probability, and a thin bar below it for this frame alone."""
         unit, left, right = self._unit, self._left, self._right
         top, bottom = round(7.9 * unit), self._height - round(4.2 * unit)
         row = min(round(3.0 * unit), (bottom - top) // max(1, len(self._classes)))
@@ -94,7 +94,7 @@ class Annotator:
         for number, name in enumerate(self._classes):
             y = top + number * row
             bold, share = name == decision.place, float(decision.proba[number])
-            # A long name is cut off where the number begins.
+            # Long names are cut off where the number begins.
             uncovered = picture[:, : right - 3 * size]
             write(uncovered, palette.place_title(name), (left, y), size, _INK, bold=bold)
             write(picture, f"{share:.0%}", (right, y), size, _INK, align="right", bold=bold)
@@ -117,7 +117,7 @@ def _fitting(text: str, size: int, width: int) -> int:
 
 
 def _bar(picture: NDArray[np.uint8], box: tuple[int, int, int, int], share: float, color: Color) -> None:
-    """Draw a bar in `box` (left, top, right, bottom), filled to `share`, from 0 to 1."""
+    """Draw a bar in `box` (left, top, right, bottom), and fill the fraction `share` of it."""
     left, top, right, bottom = box
     picture[top:bottom, left:right] = _LIGHT
     picture[top:bottom, left : left + round(share * (right - left))] = color

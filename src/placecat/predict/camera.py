@@ -12,7 +12,7 @@ from placecat.errors import PlacecatError
 from placecat.footage.timing import MOST_RATE
 from placecat.predict.frame import Frame, Source
 
-# The frame rate if a camera reports none or an implausible one. Some streams report 90,000.
+# The frame rate to assume if a camera reports none, or an implausible one. Some streams report 90,000.
 USUAL_FPS = 30.0
 # The camera is considered disconnected after this many failed reads in a row. The second number is the pause
 # after each failed read, in seconds.
@@ -29,10 +29,9 @@ class Camera(Source):
     or delivers no frames.
 
     `address` is the number of a camera or the address of a stream. `name` is used for the results folder, and
-    `title` in messages. `fps` replaces the frame rate that the camera reports, in frames per second. `size`
+    `title` in messages. `fps`, in frames per second, overrides the frame rate that the camera reports. `size`
     is the (width, height) requested from a numbered camera, which may still deliver a different size. The
-    attribute `arrived` is the number of frames that the camera had delivered when the last used frame
-    arrived.
+    attribute `arrived` counts the frames that the camera has delivered, up to the last one used.
     """
 
     is_live, timing = True, None
@@ -65,7 +64,7 @@ class Camera(Source):
         self._is_over = False
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Wait for new frames and yield the newest. `every` applies only to files and is ignored."""
+        """Wait for new frames and yield the newest. `every` is only for files, and is ignored here."""
         thread = threading.Thread(target=self._read, name="camera", daemon=True)
         thread.start()
         start: float | None = None

@@ -1,4 +1,4 @@
-"""The command ``placecat predict``."""
+"""The ``placecat predict`` command."""
 
 import os
 import sys
@@ -28,7 +28,7 @@ from placecat.progress import Progress
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
-# Number of segments to print. The file lists all segments.
+# Number of segments to print. The file lists all of them.
 SHOWN_SEGMENTS = 12
 # Largest valid --every.
 MOST_EVERY = 1_000_000
@@ -36,7 +36,7 @@ MOST_EVERY = 1_000_000
 
 @dataclass(frozen=True)
 class Options:
-    """The options of `placecat predict`; see its help."""
+    """The options of `placecat predict`, as described in its help."""
 
     source: str
     model: Path
@@ -62,7 +62,7 @@ class Options:
 
 @dataclass(frozen=True)
 class _Job:
-    """The footage, the system, a function that fits frames to it, and the labels of all frames or None."""
+    """The footage, the system, a function that fits frames to it, and the labels of all frames, if any."""
 
     options: Options
     source: Source
@@ -176,7 +176,7 @@ def _write(folder: Path, job: _Job) -> None:
         files.write_json(temporary / destination.SUMMARY, content)
         kept = destination.keep(folder, temporary)
     for name, copy in kept.items():
-        note = f"{one_line(name)} was added or edited: it is kept as {one_line(folder / copy)}"
+        note = f"{one_line(name)} was added or edited, so it is kept as {one_line(folder / copy)}"
         print(f"placecat: note: {note}", file=sys.stderr)
     _print(folder, job, prediction, speed, content)
 
@@ -185,22 +185,20 @@ def _check(options: Options) -> None:
     if not options.source:
         raise PlacecatError("SOURCE is empty: use a video, a folder of images or a camera")
     if not 1 <= options.every <= MOST_EVERY:
-        raise PlacecatError(f"--every is {options.every}: use 1 to {MOST_EVERY}")
+        raise PlacecatError(f"--every is {options.every}: use a number from 1 to {MOST_EVERY}")
     is_home = options.source.startswith(PREFIX)
     if options.ignore and options.labels is None and not is_home:
         raise PlacecatError("--ignore has no effect without labels: add --labels")
     if options.overrides and not is_home:
         raise PlacecatError("--set chooses the data set for home:NAME: use home:NAME as SOURCE")
     if options.labels is not None and is_home:
-        raise PlacecatError(
-            "--labels is for other footage, not for a data set with its own labels: leave it out"
-        )
+        raise PlacecatError("--labels is not for data sets, which have their own labels: leave it out")
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
         raise PlacecatError(f"--seconds is {options.seconds:g}: use a number above 0")
 
 
 def _quiet() -> None:
-    """Silence FFmpeg and OpenCV, because placecat reports their errors."""
+    """Silence FFmpeg and OpenCV, because placecat reports their errors itself."""
     os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     # The title may contain characters that the timeline's font lacks.
@@ -224,14 +222,14 @@ def _announce(job: _Job) -> None:
     if source.is_live:
         end = f"after {options.seconds:g} s" if options.seconds is not None else "when you press Ctrl-C"
         print(
-            f"Only the newest frame is used; older ones are dropped. The prediction ends {end}, and "
-            "then the results are written."
+            f"Only the newest frame is used; older ones are dropped. Prediction stops {end}, and "
+            "the results are then written."
         )
     sys.stdout.flush()
 
 
 def _total(job: _Job) -> int | None:
-    """Estimate the number of frames to categorize; return None if it is unknown."""
+    """Estimate the number of frames to categorize, or return None if it is unknown."""
     timing, limit = job.source.timing, job.options.seconds
     if timing is None:
         return None
@@ -241,7 +239,7 @@ def _total(job: _Job) -> int | None:
 
 def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None) -> dict[str, Any]:
     card, damage = job.categorizer.card, job.source.damage()
-    # The summary omits empty entries.
+    # Empty entries are left out of the summary.
     odd = {
         "lost_frames": list(damage.lost),
         "damaged_frames": list(damage.damaged),

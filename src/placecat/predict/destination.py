@@ -16,8 +16,8 @@ from placecat.predict.tables import TABLES
 
 SUMMARY = "summary.json"
 CHECKED = "sha256"
-"""The summary lists the checksums of the tables under this key. They reveal whether a table was edited
-later."""
+"""The summary lists the checksums of the tables under this key. They show whether a table has been edited
+since."""
 
 
 @contextmanager
@@ -27,9 +27,8 @@ def reserved(
     """Reserve the results folder for this prediction alone.
 
     The folder is `output` or, by default, predictions/NAME. For a camera, the default is the first of NAME,
-    NAME_2, ... that does not exist and is not being written by another prediction. The other parameters are
-    those of :func:`check`. Raises PlacecatError in the same cases as :func:`check`, and also if the folder is
-    in use.
+    NAME_2, ... that does not exist and is not being written by another prediction. See :func:`check` for the
+    other parameters. Raises PlacecatError in the same cases as :func:`check`, and if the folder is in use.
     """
     # Without its suffix, a file name such as `...mp4` consists only of dots.
     name = name if name.strip(". ") else "footage"
@@ -72,12 +71,13 @@ def reserved(
 
 
 def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
-    """Raise an error if replacing the results folder would lose files that cannot be recreated.
+    """Check that replacing the results folder would not lose files that cannot be recreated.
 
     Only a prediction is ever replaced. Without `force`, it must be unedited and come from the same `source`,
     and the source must not be a camera. With `force`, any prediction is replaced, and :func:`keep` saves what
     a user added or edited. `source` is the footage as the user typed it, but without any password. None of
-    the input files in `read` may be in `folder`. The PlacecatError says what prevents the replacement.
+    the input files in `read` may be in `folder`. Raises a PlacecatError that explains why the folder cannot
+    be replaced.
     """
     files.check_target(folder)
     for path in read:
@@ -98,7 +98,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
         return
     if summary.get("source") != source or summary.get("camera"):
         raise PlacecatError(
-            f"{folder} contains the prediction of {summary.get('source')}: choose another "
+            f"{folder} contains the prediction for {summary.get('source')}: choose another "
             "--output, or use --force to replace it"
         )
     changed = _changed(folder, summary)
@@ -110,12 +110,12 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 
 def keep(folder: Path, new: Path) -> dict[str, str]:
-    """Copy the files that a user added or edited from an old prediction to its replacement.
+    """Carry a user's added or edited files over from an old prediction to its replacement.
 
     `folder` is the old prediction, and `new` is its replacement. Returns a dictionary that maps the name of
-    each copied file or folder to the name of its copy. A copy keeps its name unless the new prediction uses
-    that name. In that case, it is called ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... The summary does not
-    list copies, so the next prediction keeps them too.
+    each copied file or folder to the name of its copy. A copy has the same name as the original unless the
+    new prediction uses that name. In that case, it is called ``NAME.edited.csv``, ``NAME.edited_2.csv``, ...
+    The summary does not list copies, so the next prediction keeps them too.
     """
     summary = _summary(folder)
     kept: dict[str, str] = {}
@@ -147,7 +147,7 @@ def _summary(folder: Path) -> dict[str, Any] | None:
 
 
 def _changed(folder: Path, summary: dict[str, Any]) -> list[str]:
-    """List the files that were added or edited since the prediction."""
+    """List the files added or edited since the prediction was written."""
     digests = summary[CHECKED]
     return [
         path.name

@@ -1,6 +1,6 @@
 """Export a prediction for robotics tools, as MCAP and Rerun files outside the results folder.
 
-The modules of these formats are imported late because they import Matplotlib for its colours.
+The modules for these formats are imported late because they import Matplotlib for its colours.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -33,16 +33,16 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
 
     `wanted` maps each option, one of `OPTIONS`, to its file. `folder` is the results folder, which will be
     replaced. An existing file is replaced only with `force`. The input files in `read` are never replaced.
-    Raises PlacecatError if a package is missing, a suffix is wrong, or a file must not or cannot be written.
+    Raises PlacecatError if a package is missing, a suffix is wrong, or a file is off limits or not writable.
     """
     for option, path in wanted.items():
         ending = _ENDINGS[option]
         _kind(option).require()
         given = f"--{option} is {path}"
         if path.suffix != ending:
-            raise PlacecatError(f"{given}: choose a name that ends with {ending}")
+            raise PlacecatError(f"{given}: choose a name that ends in {ending}")
         if any(path.resolve().is_relative_to(other.resolve()) for other in read):
-            raise PlacecatError(f"{given}, which is an input of the prediction: choose another name")
+            raise PlacecatError(f"{given}, which is an input to the prediction: choose another name")
         if path.resolve().is_relative_to(folder.resolve()):
             raise PlacecatError(
                 f"{given}, but the prediction replaces the folder {folder}: choose another name"
@@ -56,7 +56,7 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
 def opened(
     wanted: Mapping[str, Path], classes: tuple[str, ...], size: tuple[int, int], start: int
 ) -> Iterator[list["Export"]]:
-    """Open the files that :func:`check` accepted, and give them their final names if the block succeeds.
+    """Open the files that :func:`check` accepted, and rename them to their final names if the block succeeds.
 
     `size` is the (width, height) of the frames. `start` is the first frame's time in nanoseconds since 1970,
     or 0 if unknown.

@@ -1,4 +1,4 @@
-"""Write pictures to a video."""
+"""Write pictures to a video file."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 
-# Maps each suffix to a codec and its options. The options favour speed, and browsers play both formats.
+# Maps each suffix to a codec and its options. The options favour speed. Browsers can play both formats.
 _CODECS = {
     ".mp4": ("libx264", {"preset": "ultrafast"}),
     ".webm": ("libvpx", {"deadline": "good", "cpu-used": "5", "crf": "20", "b": "2M"}),
@@ -22,9 +22,9 @@ _CODECS = {
 class Film:
     """Writes a video file in a ``with`` block.
 
-    `path` ends with .mp4 (for H.264) or .webm (for VP8). `fps` is in frames per second. `size` is the (width,
-    height); both numbers must be even. Raises PlacecatError if FFmpeg cannot write the format, or if the file
-    is incomplete at the end of the block.
+    `path` ends in .mp4 (for H.264) or .webm (for VP8). `fps` is in frames per second. `size` is the (width,
+    height), and both must be even. Raises PlacecatError if FFmpeg cannot write the format, or if the file is
+    incomplete at the end of the block.
     """
 
     def __init__(self, path: Path, fps: float, size: tuple[int, int]) -> None:
@@ -77,7 +77,7 @@ class Film:
             raise self._cut()
 
     def _cut(self) -> PlacecatError:
-        return PlacecatError(f"the film {self._path.name} could not be written completely: is the disk full?")
+        return PlacecatError(f"the film {self._path.name} could not be written in full: is the disk full?")
 
     def _is_whole(self) -> bool:
         """Return whether the file contains its last picture. FFmpeg does not always report a failed write."""

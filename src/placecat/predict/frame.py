@@ -13,11 +13,11 @@ from placecat.footage.timing import Timing
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """One frame.
+    """A frame of footage.
 
-    `number` counts from 1 and skips the unused frames of a camera. `seconds` is the time since the first
-    frame. `file` is the name of the image file, or "" if there is none. `image` is (H, W, 3) uint8 BGR. If
-    `begins` is true, the frame follows a cut and the system restarts.
+    `number` counts from 1 and leaves out the frames that a camera drops. `seconds` is the time since the
+    first frame. `file` is the name of the image file, or "" if there is none. `image` is (H, W, 3) uint8 BGR.
+    If `begins` is true, the frame follows a cut and the system restarts.
     """
 
     number: int
@@ -30,7 +30,7 @@ class Frame:
 def nanoseconds(seconds: float) -> int:
     """Convert seconds to whole nanoseconds.
 
-    The conversion is exact for times up to a hundred days that were measured in nanoseconds.
+    Times measured in nanoseconds are recovered exactly, up to a hundred days.
     """
     return round(seconds * 1e9)
 
@@ -59,9 +59,9 @@ class Source(ABC):
     `name` is the default name of the results folder, and `fps` is in frames per second. `size` is the (width,
     height) of the first frame in pixels; later frames may differ if a phone was rotated. `timing` contains
     the times of all frames, including lost ones, or is None for a camera. If `is_live` is true, frames that
-    are not read in time are lost. `reached` is the number of the last frame that was read, counted from 1. It
-    is 0 before the first frame. `start` is the time of the first frame in nanoseconds since 1970, or 0 if it
-    is unknown. `topic` is the image topic of a bag, or "" for other footage.
+    are not read in time are dropped. `reached` is the number of the last frame read, counted from 1, or 0
+    before the first frame. `start` is the time of the first frame in nanoseconds since 1970, or 0 if it is
+    unknown. `topic` is the image topic of a bag, or "" for other footage.
     """
 
     name: str
@@ -75,7 +75,7 @@ class Source(ABC):
 
     @abstractmethod
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first frame that is not lost in each group of `every` frames. Cameras ignore `every`."""
+        """From each group of `every` frames, decode the first that is not lost. Cameras ignore `every`."""
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
         """Return the true place of each frame, or None if there are no labels.

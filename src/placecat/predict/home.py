@@ -15,16 +15,16 @@ from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import open_home_of, place_labels
 
 PREFIX = "home:"
-"""Prefix of a source that is a home from a data set. The name of the home follows it."""
+"""Prefix that marks a source as a home from a data set. The name of the home follows it."""
 
 
 class DataSetHome(Source):
     """The frames of a home, floor by floor.
 
     The system restarts at each floor and at any other cut. Times continue from the previous floor. `name` is
-    the name of the home. `dataset` contains the settings of its data set, from a file in conf/dataset. `fps`
-    replaces the frame rate of the data set, in frames per second. Raises PlacecatError if the home is unknown
-    or cannot be read.
+    the name of the home. `dataset` contains the settings of its data set, from a file in conf/dataset. `fps`,
+    in frames per second, overrides the frame rate of the data set. Raises PlacecatError if the home is
+    unknown or cannot be read.
     """
 
     timing: Timing
@@ -88,7 +88,7 @@ class DataSetHome(Source):
         for number in np.unique(labels[labels >= 0]):
             if own[number] not in classes:
                 raise PlacecatError(
-                    f"{self.name}: the label {own[number]!r} is not a place of the model "
+                    f"{self.name}: the label {own[number]!r} is not one of the model's places "
                     f"({', '.join(classes)}): exclude such frames from scoring with --ignore {own[number]}"
                 )
         numbers = [classes.index(name) if name in classes else -1 for name in own]

@@ -41,7 +41,7 @@ class McapFile:
 
     @staticmethod
     def require() -> tuple[Any, Any]:
-        """Return the message definitions and the writer module; raise PlacecatError if rosbags is missing."""
+        """Return the message definitions and the writer module. Raise PlacecatError if rosbags is missing."""
         try:
             from rosbags import rosbag2
             from rosbags.typesys import Stores, get_types_from_msg, get_typestore
@@ -89,7 +89,7 @@ class McapFile:
             shutil.rmtree(self._folder, ignore_errors=True)
 
     def add(self, frame: Frame, decision: Decision, label: str | None = None) -> None:
-        """Add a frame, and its true place if it is known. Frames must have the (width, height) `size`."""
+        """Add a frame, and its true place if it is known. Every frame must match the given `size`."""
         types = self._store.types
         now = self._start + nanoseconds(frame.seconds)
         stamp = types["builtin_interfaces/msg/Time"](now // 10**9, now % 10**9)
@@ -123,7 +123,7 @@ def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
 
 
 def _quality(*, is_latched: bool) -> Any:
-    """Return the quality of service of a topic.
+    """Return the quality of service for a topic.
 
     If a topic is latched, late subscribers receive its last message.
     """

@@ -19,9 +19,9 @@ class Prediction:
     in the footage, counted from 1. `seconds`, (n,) float64, are their times since the first frame. `names`
     lists the names of their image files, or is empty if there are none.
 
-    `proba`, (n, K) float64, are the smoothed probabilities, which decide the place. `integrated` are the
-    probabilities of each frame alone. The last frame ends at `end` seconds; None means that it lasts as long
-    as the median frame. `turned` are the numbers of the frames that differ in size from the first frame.
+    `proba`, (n, K) float64, are the smoothed probabilities, which determine the place. `integrated` are the
+    probabilities from each frame alone. The last frame ends at `end` seconds or, if that is None, lasts as
+    long as the median frame. `turned` are the numbers of the frames that differ in size from the first frame.
     `cuts` are the indices of the frames that follow a cut, such as a change of floor. Decisions with a
     confidence below `threshold` are unknown.
     """

@@ -1,4 +1,4 @@
-"""Report a prediction as text and as JSON, with notes for the user."""
+"""Report a prediction as text and JSON, with notes for the user."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -38,17 +38,17 @@ def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> l
         period = float(np.median(np.diff(prediction.seconds)))
         if period * categorizer.frame_rate * SLOW > 1:
             found.append(
-                f"{1 / period:.3g} frames/s are used, but the threshold for `unknown` was chosen at "
-                f"{categorizer.frame_rate:.3g} frames/s: each frame now has more weight, so "
+                f"only {1 / period:.3g} frames/s are used, but the threshold for `unknown` was chosen at "
+                f"{categorizer.frame_rate:.3g} frames/s: each frame now carries more weight, so "
                 "`unknown` is too rare"
             )
     return [note for note in found if note]
 
 
 def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[str, Any]:
-    """Return the facts for the summary; they are reproducible because they exclude run times.
+    """Return the facts for the summary, which are reproducible because run times are left out.
 
-    `agreement` comes from `placecat.predict.truth.agreement`; it is None without labels.
+    `agreement` comes from `placecat.predict.truth.agreement`, or is None if there are no labels.
     """
     return {
         "frames": len(prediction.numbers),
@@ -67,15 +67,15 @@ def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[s
 
 
 def shares(prediction: Prediction) -> list[str]:
-    """Return one line for each place that was seen, with its share of time. The largest share comes first.
+    """Return one line for each place seen, with its share of the time. The largest share comes first.
 
-    If the place is unknown for part of the time, another line gives that share.
+    If the place is unknown for part of the time, a final line states how much.
     """
     longest_first = sorted(_share_of_time(prediction).items(), key=lambda one: -one[1])
     width = max(map(len, prediction.classes))
     lines = [f"  {name:{width}}  {value:6.1%}" for name, value in longest_first if value > 0]
     unknown = _share_unknown(prediction)
-    return [*lines, f"  The place is unknown for {unknown:.1%} of the time."] if unknown else lines
+    return [*lines, f"  The place is unknown {unknown:.1%} of the time."] if unknown else lines
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
@@ -104,12 +104,12 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
 def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = None) -> str:
     """Compare the speed of a prediction with the frame rate of the footage.
 
-    The footage has `fps` frames per second, and one frame out of `every` is used. `dropped` is the number of
+    The footage has `fps` frames per second, and one in `every` frames is used. `dropped` is the number of
     camera frames that were not used.
     """
     footage = "footage's" if every == 1 else f"{speed.wanted:.4g} frames/s used out of the footage's"
     text = (
-        f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
+        f"{speed.rate:.1f} frames/s ({speed.categorizer_rate:.1f} for the categorizer alone), "
         f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"
     )
     return text if dropped is None else f"{text}; {dropped} frames arrived in between and were dropped"

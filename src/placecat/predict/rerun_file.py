@@ -20,16 +20,16 @@ FRAME, TIME = "frame", "time"
 """The timelines: the frame number, and the time since 1970. If that time is unknown, the time since the first
 frame is used."""
 LEAST_FREE = 64_000_000
-"""Bytes that must be free on the disk, because Rerun hangs on a full disk. Our choice."""
+"""Free disk space required, in bytes, because Rerun hangs when the disk is full. Our choice."""
 _REGION = (255, 235, 120)
 
 
 class RerunFile:
     """Writes a Rerun recording in a ``with`` block.
 
-    The bytes differ between runs because Rerun stores when each message was logged. The parameters are the
-    same as for :class:`placecat.predict.mcap_file.McapFile`, but frames may have any size, and a `start` of 0
-    means that the time is unknown.
+    The file differs from run to run because Rerun records when each message was logged. The parameters are
+    the same as for :class:`placecat.predict.mcap_file.McapFile`, but frames may have any size, and a `start`
+    of 0 means that the time is unknown.
     """
 
     def __init__(
@@ -42,7 +42,7 @@ class RerunFile:
 
     @staticmethod
     def require() -> Any:
-        """Return the Rerun library; raise PlacecatError if it is not installed."""
+        """Return the Rerun library. Raise PlacecatError if it is not installed."""
         try:
             import rerun
         except ModuleNotFoundError as error:
@@ -73,7 +73,7 @@ class RerunFile:
         """Add a frame, and its true place if it is known. Raises PlacecatError if the disk is nearly full."""
         if shutil.disk_usage(self._path.parent).free < LEAST_FREE:
             raise PlacecatError(
-                f"--rerun needs at least {LEAST_FREE // 10**6} MB of free disk space: make room"
+                f"--rerun needs at least {LEAST_FREE // 10**6} MB of free disk space: free up some space"
             )
         rerun, log = self._rerun, self._stream.log
         self._stream.set_time(FRAME, sequence=frame.number)

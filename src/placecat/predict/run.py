@@ -65,7 +65,7 @@ def run(
 
     Returns the prediction, the speed, and whether Ctrl-C ended the footage. The prediction has at least one
     frame. Once a frame from a camera has been categorized, Ctrl-C ends the footage. In all other cases,
-    Ctrl-C raises KeyboardInterrupt. Raises PlacecatError if a frame cannot be read, or if no frame is used.
+    Ctrl-C raises KeyboardInterrupt. Raises PlacecatError if a frame cannot be read, or if no frames are used.
     """
     rows: list[tuple[int, float, str, NDArray[np.float64], NDArray[np.float64]]] = []
     speed = Speed(source.fps / every)
@@ -102,7 +102,7 @@ def run(
                 if film is not None:
                     label = true_label(truth, frame.number, system.classes)
                     film.add(annotator(frame, decision, label), frame.seconds / pace)
-                # Append the row in one step, so that Ctrl-C cannot leave half of it.
+                # Append the row in one step, so that Ctrl-C cannot leave it half written.
                 rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
                 speed.frames, speed.seconds = len(rows), time.perf_counter() - start
                 shown(frame, decision, speed)
@@ -111,7 +111,7 @@ def run(
                 raise
             was_stopped = True
     if not rows:
-        raise PlacecatError("no frame was used: increase --seconds")
+        raise PlacecatError("no frames were used: increase --seconds")
     numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
     last = source.reached if limit is None else numbers[-1]
     timing = source.timing

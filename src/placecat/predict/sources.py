@@ -22,7 +22,7 @@ _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
 
 
 def without_password(text: str) -> str:
-    """Remove the user name and password from a stream's address; leave other text unchanged."""
+    """Remove the user name and password from a stream's address, and leave other text unchanged."""
     return re.sub(r"(?<=://)[^/@]*@", "", text) if _STREAM.fullmatch(text) else text
 
 
@@ -34,12 +34,12 @@ def open_source(
     `text` names the footage: a video file, a folder of images, a bag, the address of a stream (rtsp, http),
     ``camera``, or ``camera:NUMBER``. A file or folder takes precedence over a camera of the same name.
 
-    `fps` replaces the frame rate of the footage, in frames per second. A folder has no frame rate, so its
+    `fps`, in frames per second, overrides the frame rate of the footage. A folder has no frame rate, so its
     default is `usual_fps`. `size` is the (width, height) requested from a camera. `topic` is the image topic
     of a bag. It may be None if the bag has only one.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
-        raise PlacecatError(f"--fps is {fps:g}: use {SLOWEST:g} to {FASTEST:g}")
+        raise PlacecatError(f"--fps is {fps:g}: use a number from {SLOWEST:g} to {FASTEST:g}")
     path = Path(text)
     with reading(path):
         if is_bag(path):
@@ -73,14 +73,14 @@ def _video(path: Path, fps: float | None) -> "Recorded":
     if path.suffix.lower() not in video.SUFFIXES:
         raise PlacecatError(
             f"{path}: not a video with a supported suffix ({', '.join(video.SUFFIXES)}); convert it, for "
-            f"example with `ffmpeg -i {path.name} {path.stem}.mp4`, or put images into a folder"
+            f"example with `ffmpeg -i {path.name} {path.stem}.mp4`, or put its frames in a folder"
         )
     recording = Recording(path)
     return Recorded(path.stem, recording, recording.timing(fps, "--fps"))
 
 
 class Recorded(Source):
-    """A video or a bag. It is decoded from the start, exactly as the stages decode it."""
+    """A video or a bag. It is decoded from the start, exactly as in the stages."""
 
     timing: Timing
 
@@ -91,7 +91,7 @@ class Recorded(Source):
             self.topic, self.start = recording.topic, recording.start
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first frame that is not lost in each group of `every` frames."""
+        """From each group of `every` frames, decode the first that is not lost."""
         last = -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number
@@ -106,7 +106,7 @@ class Recorded(Source):
 
 
 class Folder(Source):
-    """A folder of JPEG and PNG files, in the same order as in the layout `folder`."""
+    """A folder of JPEG and PNG files, in the order used by the `folder` layout."""
 
     timing: Timing
 
@@ -122,7 +122,7 @@ class Folder(Source):
         self.size = (first.shape[1], first.shape[0])
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode every `every`-th frame, beginning with the first."""
+        """Decode every `every`-th frame, starting with the first."""
         for number, name in enumerate(self._images, 1):
             self.reached = number
             if (number - 1) % every == 0:

@@ -53,5 +53,5 @@ def write_visits(path: Path, prediction: Prediction) -> None:
 
 
 def _write(path: Path, table: pd.DataFrame) -> None:
-    # File names may have any encoding; bytes that are not UTF-8 become \xNN.
+    # File names may use any encoding. Bytes that are not valid UTF-8 are written as \xNN.
     table.to_csv(path, index=False, lineterminator="\n", errors="backslashreplace")

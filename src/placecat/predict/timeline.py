@@ -16,17 +16,18 @@ from placecat.predict.frame import clock
 from placecat.predict.prediction import Prediction
 
 COLUMNS = 2000
-"""Number of moments in a strip, about one per pixel."""
+"""Number of points in time per strip, about one per pixel."""
 UNLABELLED = "#ffffff"
 WIDTH, HEIGHT, ROW = 6.5, 1.75, 0.3
 LINE = 96
-"""Characters per line of the title; most titles fit on one line."""
+"""Characters per line in the title. Most titles fit on one line."""
 
 
 def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
     """Draw the timeline of a prediction, which must have at least one frame.
 
-    `truth` contains (n,) int16 class indices, or -1 for unlabelled frames; None omits the label strip.
+    `truth` contains (n,) int16 class indices, with -1 for unlabelled frames. If it is None, the label strip
+    is left out.
     """
     colors = palette.place_colors(prediction.classes)
     strips: dict[str, NDArray[np.integer]] = {} if truth is None else {"label": truth}
@@ -73,7 +74,7 @@ def _strip(axes: Axes, name: str, places: NDArray[np.integer], colors: Sequence[
 
 def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     chance = 1 / len(prediction.classes)
-    # Extend the last value to the end.
+    # Hold the last value until the end.
     times, values = np.append(prediction.seconds, end), prediction.confidence
     values = np.append(values, values[-1])
     axes.fill_between(times, 0.0, values, step="post", color="#e3e3e3", linewidth=0)

@@ -14,7 +14,7 @@ from placecat.predict.prediction import Prediction
 from placecat.sequences.labels import read_label_csv
 
 UNSCORED = "transition"
-"""Label for frames between places; any label file may use it."""
+"""Label for frames between places, allowed in any label file."""
 
 
 def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
@@ -32,14 +32,14 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
     for label, line in zip(labels, lines, strict=True):
         if label not in numbers:
             raise PlacecatError(
-                f"{path} line {line}: {label!r} is not a place of the model ({', '.join(classes)}): correct "
-                f"the label, or exclude such frames from scoring with --ignore {label}"
+                f"{path} line {line}: {label!r} is not one of the model's places ({', '.join(classes)}): "
+                f"correct the label, or exclude such frames from scoring with --ignore {label}"
             )
     return np.array([numbers[label] for label in labels], dtype=np.int16)
 
 
 def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, object]:
-    """Score the categorized frames in the same way as the frames of a home (thesis 4.2).
+    """Score the categorized frames the same way as the frames of a home (thesis 4.2).
 
     `truth` contains the (n,) class indices of these frames, or -1 for unscored frames.
 
@@ -47,7 +47,7 @@ def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, obj
     of each frame alone. Both are means over the labelled places, in percent, or None if nothing is scored.
     ``by_place`` contains the percentage of correct frames for each place. ``confusion`` contains counts, with
     one row per true place. ``named`` is the percentage of scored frames that are not unknown, and
-    ``named_wrongly`` is the percentage of these frames that are wrong. In both, all places have equal weight.
+    ``named_wrongly`` is the percentage of these that are wrong. Both weight all places equally.
     """
     n_classes = len(prediction.classes)
     confusion = confusion_matrix(truth, prediction.decision, n_classes)

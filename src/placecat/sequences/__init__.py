@@ -1,7 +1,7 @@
 """Read homes and their labels. Each layout on disk has a module in this package.
 
-A layout is a module that defines ``read_home(root, name, *, fps, camera)``, as documented by `open_home`.
-Settings refer to it by the name of the module. To add a layout, add a module.
+A layout is a module that defines ``read_home(root, name, *, fps, camera)``, as documented in `open_home`.
+Settings refer to it by its module name. To add a layout, add a module.
 """
 
 from collections.abc import Mapping
@@ -33,11 +33,11 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
     Parameters
     ----------
     layout
-        A module of this package.
+        A module in this package.
     root
-        The folder with the homes.
+        The folder that contains the homes.
     name
-        Name of a home in `root`.
+        The name of a home in `root`.
     **settings
         Keyword parameters of the layout's ``read_home``: ``fps`` (frames per second, or None to take the rate
         from the files), ``camera`` (the name of the camera), and others.

@@ -1,7 +1,7 @@
 """Layout with one folder per home, ``<name>``, which contains one bag per floor.
 
 A bag is a file ``<floor>.bag``, ``<floor>.mcap`` or ``<floor>.db3``, or a folder. The labels of a floor are
-in ``<name>/<floor>.csv``, or on a string topic of the bag. Without labels, every frame is unlabelled.
+in ``<name>/<floor>.csv``, or on a string topic of the bag. If there are none, every frame is unlabelled.
 """
 
 from collections.abc import Iterator
@@ -32,12 +32,12 @@ def read_home(
     Parameters
     ----------
     fps
-        Frames per second; None uses the timestamps of the pictures.
+        Frames per second, or None to use the timestamps of the images.
     topic
-        Topic of the pictures; None uses the only picture topic of each bag.
+        Image topic, or None to use the only one in each bag.
     labels_topic
-        Topic of the labels (std_msgs/String). Each frame gets the last label received before it. Frames
-        before the first label are unlabelled. None uses the label files.
+        Topic of the labels (std_msgs/String), or None to use the label files. Each frame gets the last label
+        received before it, and frames before the first label are unlabelled.
     """
     folder = home_folder(root, name)
     bags = _bags(folder)
@@ -53,7 +53,7 @@ def read_home(
                 labels = find_labels(root, [label_file], recording.timing, "the bag")
             elif file := label_csv(root, label_file):
                 raise PlacecatError(
-                    f"{root / file} and dataset.labels_topic label the same frames; remove one of the two."
+                    f"{root / file} and dataset.labels_topic label the same frames; remove one of them."
                 )
             else:
                 labels = _labels_on_topic(recording, labels_topic)
@@ -68,7 +68,7 @@ def _bags(folder: Path) -> dict[str, Path]:
 
 
 def _labels_on_topic(recording: BagRecording, topic: str) -> Labels:
-    """Match labels to frames by the time of reception, because strings have no timestamps."""
+    """Match labels to frames by reception time, because string messages have no timestamps."""
     bag = Bag(recording.path)
     bag.require(topic, (STRING,), "dataset.labels_topic")
     times, labels = zip(*bag.strings(topic), strict=True)

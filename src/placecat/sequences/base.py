@@ -13,12 +13,12 @@ from placecat.footage.pictures import read_image, turned
 COLUMNS = ("sequence", "number", "source", "position", "seconds", "label")
 """The columns of `Home.frames`."""
 TURN = "turn"
-"""Additional column if pictures must be rotated."""
+"""Extra column, present only if pictures must be rotated."""
 
 
 @dataclass(frozen=True, eq=False)
 class Home:
-    """A home, with the label of each frame and the location of its picture, but without pixels.
+    """A home: the label of each frame and where to find its picture, but no pixels.
 
     Attributes
     ----------
@@ -34,17 +34,17 @@ class Home:
     frames
         One row per frame, in order, with the index 0, 1, ... The columns are:
 
-        - ``sequence`` (str): the floor of a VPC home, the sequence folder of COLD, or "1" for a video or a
+        - ``sequence`` (str): the floor in a VPC home, the sequence folder in COLD, or "1" for a video or a
           folder.
         - ``number`` (int32): the number of the frame in its sequence, counted from 1.
         - ``source`` (str): the image, the video file or the bag, as a POSIX path relative to `root`.
         - ``position`` (int32): the index of the frame in its video, including lost frames, or the index of
           the message among the picture messages of its bag. It starts at 0. For an image file, it is -1.
         - ``seconds`` (float64): the time since the start of the sequence.
-        - ``label`` (str): the label as in the label file, or "" for none.
+        - ``label`` (str): the label as in the label file, or "" if there is none.
         - ``turn`` (int32), only if pictures must be rotated: 0, 90, 180 or 270 degrees clockwise.
     label_files
-        Maps each sequence to its label file, relative to `root`; empty without labels.
+        Maps each sequence to its label file, relative to `root`. Empty if there are none.
     label_lines
         Line of each frame in the label file, (frames,) int32, counted from 1, or 0 for a frame without a
         label.

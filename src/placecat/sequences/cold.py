@@ -1,10 +1,10 @@
 """The COLD database: ``<site>/<sequence>/localization/places.lst`` and images in ``<sequence>/std_cam``.
 
-Each line of the label file has the form ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. Labels
-remain codes. The setting ``aliases`` of the data set maps each code to a class.
+Each line of the label file has the form ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. Labels are
+left as codes. The data set's ``aliases`` setting maps each code to a class.
 
-A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. The name of a
-site alone stands for a home with all sequences of that site. Sequences of one site show the same rooms, so
+A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. A site name on
+its own stands for a home with all sequences from that site. Sequences from one site show the same rooms, so
 only folds by site keep the test rooms out of training.
 
 References
@@ -38,7 +38,7 @@ _LABEL = re.compile(r"([0-9]*[A-Z]+)[0-9]*(-[AB])?")
 def read_home(
     root: Path, name: str, *, fps: float | None = None, camera: str = "", images: str = "std_cam"
 ) -> Home:
-    """Read a sequence, ``<site>-<sequence>``, or all sequences of a site, ``<site>``.
+    """Read a sequence, ``<site>-<sequence>``, or all sequences from a site, ``<site>``.
 
     See `placecat.sequences.open_home`. Times come from the file names. Without `fps`, the rate is computed
     from the median time between frames. `images` is the name of the image folder in each sequence. Images
@@ -60,13 +60,13 @@ def read_home(
         entries = read_places(file)
         if not folder.is_dir():
             raise PlacecatError(
-                f"{folder}: the folder of images is missing; restore it, or correct dataset.images."
+                f"{folder}: the image folder is missing; restore it, or correct dataset.images."
             )
         listed = {one.image: f"{file} line {one.line}" for one in entries}
         check_listed(folder, sequence, str(file), listed, "restore it, or remove the line")
         where = sequence.relative_to(root).as_posix()
         sources = [f"{where}/{images}/{one.image}" for one in entries]
-        # Differences between microseconds are exact, unlike differences between seconds since 1970.
+        # Subtracting whole microseconds is exact, unlike subtracting seconds since 1970.
         seconds = [(one.time - entries[0].time) / 1e6 for one in entries]
         numbers, labels = range(1, len(entries) + 1), [one.code for one in entries]
         tables.append(frame_table(sequence.name, sources, -1, numbers, seconds, labels))
@@ -88,7 +88,7 @@ class Entry(NamedTuple):
 
 
 def code(label: str) -> str | None:
-    """Return the code of a label, without the number and the building (``-A`` or ``-B``) at its end.
+    """Return the code of a label, without the trailing number and building (``-A`` or ``-B``).
 
     ``2PO1-A`` becomes ``2PO``, a two-person office. Returns None for labels that are not from COLD.
     """
@@ -109,7 +109,7 @@ def read_places(file: Path) -> list[Entry]:
             continue
         where = f"{file} line {line}"
         if len(words) != 2:
-            raise PlacecatError(f"{where}: {shown(text.strip())} must be an image name and a label.")
+            raise PlacecatError(f"{where}: {shown(text.strip())} must consist of an image name and a label.")
         image = _IMAGE.fullmatch(words[0])
         if image is None:
             raise PlacecatError(
@@ -124,7 +124,7 @@ def read_places(file: Path) -> list[Entry]:
         time = int(image[1]) * 1_000_000 + int(image[2])
         if entries and time <= entries[-1].time:
             raise PlacecatError(
-                f"{where}: {words[0]!r} is not later than the image of line {entries[-1].line}; sort the "
+                f"{where}: {words[0]!r} is not later than the image on line {entries[-1].line}; sort the "
                 "lines by time."
             )
         entries.append(Entry(words[0], label, time, line))

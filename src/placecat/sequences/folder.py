@@ -1,7 +1,7 @@
 """Layout with one folder of frames per home, ``<name>``.
 
-Frames are JPEG or PNG files; see `placecat.footage.pictures.list_frames`. Labels are in ``<name>.csv`` or in
-``<name>/labels.csv``. Without such a file, every frame is unlabelled.
+Frames are JPEG or PNG files; see `placecat.footage.pictures.list_frames`. Labels are in ``<name>.csv`` or
+``<name>/labels.csv``. If neither exists, every frame is unlabelled.
 """
 
 from pathlib import Path

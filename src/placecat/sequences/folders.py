@@ -11,18 +11,18 @@ from placecat.footage.names import natural, relative
 
 
 def inside(path: Path, folder: Path, origin: str) -> None:
-    """Raise an error if a path leaves a folder through a symbolic link.
+    """Raise an error if a symbolic link takes a path outside a folder.
 
-    `origin` is where the path is listed, for the message.
+    `origin` says where the path is listed, for the error message.
     """
     if not path.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
-            f"{origin}: {path} is a link that leads out of {folder}; replace the link with the data itself."
+            f"{origin}: {path} is a link that points outside {folder}; replace the link with the data itself."
         )
 
 
 def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, str], remedy: str) -> None:
-    """Raise an error if a frame is missing, or if a link leads out of the folder `limit`.
+    """Raise an error if a frame is missing, or if a link points outside the folder `limit`.
 
     `origin` is the file that lists the frames. `listed` maps the name of each frame to its place in that
     file. `remedy` tells the user what to do about a missing frame.
@@ -42,16 +42,16 @@ def data_folder(root: Path) -> Path:
 
 
 def home_folder(root: Path, name: str) -> Path:
-    """Find the folder of one home below the folder of its data set; the name may contain slashes.
+    """Find a home's folder in the folder of its data set. The name may contain slashes.
 
-    Raises PlacecatError if either folder is missing or the name leads out of `root`.
+    Raises PlacecatError if either folder is missing or the name points outside `root`.
     """
     folder = data_folder(root) / relative(name, "dataset.homes")
     return existing(folder, "correct dataset.homes or dataset.root.")
 
 
 def existing(folder: Path, advice: str) -> Path:
-    """Return a folder; if it is missing or not a folder, raise a PlacecatError that ends with `advice`."""
+    """Return a folder, or raise a PlacecatError ending in `advice` if it is missing or not a folder."""
     if not folder.is_dir():
         what = "is not a folder" if folder.exists() else "does not exist"
         raise PlacecatError(f"{folder} {what}; {advice}")
@@ -61,7 +61,7 @@ def existing(folder: Path, advice: str) -> Path:
 def by_name(paths: Iterable[Path]) -> dict[str, Path]:
     """Map folder names, and file names without their suffixes, to paths in natural order.
 
-    Raises PlacecatError if two names are equal.
+    Raises PlacecatError if two names are the same.
     """
     named: dict[str, Path] = {}
     for path in sorted(paths, key=lambda one: natural(one.name)):

@@ -1,4 +1,4 @@
-"""Check and expand labels for intervals of frames, and read label files (CSV)."""
+"""Check and expand labels for frame intervals, and read label files (CSV)."""
 
 import codecs
 import csv
@@ -17,12 +17,12 @@ from placecat.footage.timing import Timing
 FRAME_HEADER = ("start", "end", "label")
 """CSV columns for intervals of frame numbers, counted from 1. Both ends are included, as in VPC-2009."""
 SECOND_HEADER = ("start_seconds", "end_seconds", "label")
-"""CSV columns for intervals in seconds from 0. The end is excluded."""
-# Both limits are above the number of frames in any footage.
+"""CSV columns for intervals in seconds, counted from 0. The end is excluded."""
+# Both limits exceed the number of frames in any footage.
 _WHOLE = re.compile(r"-?[0-9]{1,10}")
 _MOST_FRAMES = 1e10
 MOST_BYTES = 16 << 20
-"""Largest size of a label file, enough for over 500,000 rows. Our choice."""
+"""Largest label file accepted, enough for over 500,000 rows. Our choice."""
 
 
 class Segment(NamedTuple):
@@ -38,9 +38,9 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
     """Check that segments, in file order, cover frames 1 to `count` exactly once.
 
     Raises PlacecatError with the line number if there is a gap or an overlap, if a segment ends before it
-    starts or after the last frame, or if frames at the end are unlabelled. The other parameters are used in
-    the message. `file` is the label file, `sequence` names what the frames belong to (``floor 1`` or
-    ``the video``), and `counted` says where `count` comes from (``line 2``).
+    starts or after the last frame, or if frames at the end are unlabelled. The other parameters appear in the
+    message. `file` is the label file, `sequence` names what the frames belong to (``floor 1`` or ``the
+    video``), and `counted` says where `count` comes from (``line 2``).
     """
     if not segments:
         raise PlacecatError(f"{file}: {sequence} has no labels; label its frames 1 to {count}.")
@@ -49,7 +49,7 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
         where = f"{file} line {segment.line}"
         if segment.end < segment.start:
             raise PlacecatError(
-                f"{where}: the segment ends at frame {segment.end}, before it starts at {segment.start}; "
+                f"{where}: the segment starts at frame {segment.start} but ends at frame {segment.end}; "
                 "correct one of them."
             )
         if segment.start > last + 1:
@@ -93,10 +93,10 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
 
 
 def label_csv(root: Path, *names: str) -> str | None:
-    """Find the label file with one of the given names, which end with ``.csv`` and are relative to `root`.
+    """Find the label file with one of the given names, which end in ``.csv`` and are relative to `root`.
 
     Returns its relative path as spelled on disk, or None if there is no such file. The suffix may be in upper
-    or lower case. Raises PlacecatError if there are several.
+    or lower case. Raises PlacecatError if there is more than one.
     """
     found: list[Path] = []
     for wanted in (root / name for name in names):
@@ -110,9 +110,9 @@ def label_csv(root: Path, *names: str) -> str | None:
 class Labels(NamedTuple):
     """The labels of n frames, and where they come from.
 
-    `names` contains the label of each frame, or "" for none. `lines`, (n,) int32, contains the line of each
-    label in the label file, or 0 for none. `file` is the path of that file relative to the folder of the
-    homes, or None.
+    `names` contains the label of each frame, or "" if it has none. `lines`, (n,) int32, contains the line of
+    each label in the label file, or 0 if there is none. `file` is the path of that file, relative to the
+    folder that contains the homes, or None if no file was found.
     """
 
     names: list[str]
@@ -121,9 +121,9 @@ class Labels(NamedTuple):
 
 
 def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str) -> Labels:
-    """Read the label file that :func:`label_csv` finds; without a file, no frame has a label.
+    """Read the label file that :func:`label_csv` finds. If it finds none, all frames are unlabelled.
 
-    `timing` covers all frames; `sequence` and errors are as for :func:`read_label_csv`.
+    See :func:`read_label_csv` for `timing`, `sequence` and the errors raised.
     """
     file = label_csv(root, *names)
     if file is None:
@@ -133,17 +133,17 @@ def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str)
 
 
 def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str], NDArray[np.int32]]:
-    """Read the UTF-8 label CSV of a video or a folder of frames.
+    """Read the UTF-8 label CSV for a video or a folder of frames.
 
-    With the header ``start,end,label``, the rows contain frame numbers from 1, and both ends are included.
-    With the header ``start_seconds,end_seconds,label``, the rows contain times from 0. A time selects the
-    nearest boundary between frames, so a few decimal places are enough. Every frame must be in exactly one
-    row.
+    With the header ``start,end,label``, the rows contain frame numbers, counted from 1, and both ends are
+    included. With the header ``start_seconds,end_seconds,label``, the rows contain times from the start. A
+    time selects the nearest boundary between frames, so a few decimal places are enough. Exactly one row must
+    cover each frame.
 
-    `timing` covers all frames. Messages refer to the frames as `sequence`, such as ``the video`` or
-    ``the folder``. Returns the label of each frame without surrounding spaces, and the line number of its
-    row, (frames,) int32. Raises PlacecatError with the line number if the header, a number or a label is
-    wrong, or if a frame is in no row or in several rows.
+    `timing` covers all frames. Messages refer to the frames as `sequence`, such as ``the video`` or ``the
+    folder``. Returns the label of each frame without surrounding spaces, and the line number of its row,
+    (frames,) int32. Raises PlacecatError with the line number if the header, a number or a label is wrong, or
+    if a frame is covered by no row or by several.
     """
     rows = read_rows(path)
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
@@ -173,7 +173,7 @@ def read_text(path: Path) -> str:
     """Read a UTF-8 label file, without its byte order mark.
 
     Invalid bytes become U+FFFD, because some real files end with free text in another encoding. Raises
-    PlacecatError if the file is missing, too large, empty or UTF-16, or if it cannot be opened.
+    PlacecatError if the file is missing, empty, too large or in UTF-16, or if it cannot be opened.
     """
     try:
         if path.is_file() and path.stat().st_size > MOST_BYTES:
@@ -196,8 +196,8 @@ def read_text(path: Path) -> str:
 def read_rows(path: Path) -> list[tuple[int, list[str]]]:
     """Read the line number and cells of each non-empty row of a CSV file.
 
-    Raises PlacecatError in the same cases as `read_text`. If the file is not UTF-8 or not valid CSV, the
-    PlacecatError names the line.
+    Raises PlacecatError in the same cases as `read_text`. If the file is not valid UTF-8 or CSV, the message
+    names the line.
     """
     lines = read_text(path).splitlines()
     for number, line in enumerate(lines, start=1):
@@ -243,7 +243,9 @@ def _from_seconds(
         except ValueError:
             seconds = math.nan
         if not (seconds >= 0 and seconds * fps < _MOST_FRAMES):
-            raise PlacecatError(f"{path} line {line}: {shown(cell)} is not a time; write seconds from 0.")
+            raise PlacecatError(
+                f"{path} line {line}: {shown(cell)} is not a time; write a number of seconds."
+            )
         bounds.append(_boundary(seconds, starts, fps))
     if bounds[1] <= bounds[0]:
         raise PlacecatError(
@@ -256,7 +258,7 @@ def _from_seconds(
 def _boundary(seconds: float, starts: NDArray[np.float64], fps: float) -> int:
     """Return the number of frames before the nearest boundary between frames.
 
-    Beyond the last frame, further frames are assumed at the rate `fps`.
+    After the last frame, frames are assumed to continue at the rate `fps`.
     """
     if seconds > starts[-1]:
         # Assume at most one more day of frames.

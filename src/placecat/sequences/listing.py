@@ -11,7 +11,7 @@ from placecat import files, paths
 
 
 def read_labels(home: str) -> NDArray[np.int16]:
-    """Return the class indices of a home's frames in time order, (frames,); -1 for unlabelled frames."""
+    """Return the (frames,) class indices of a home in temporal order, with -1 for unlabelled frames."""
     return files.read_table(paths.sequences(home) / "labels.csv")["class"].to_numpy(np.int16)
 
 
@@ -35,7 +35,7 @@ def frame_rate(home: str) -> float:
 
 
 def uneven_times(home: str) -> NDArray[np.float64] | None:
-    """Return each frame's time in its sequence, in seconds, or None if the frame rate is constant."""
+    """Return the time of each frame in its sequence, in seconds, or None if the frame rate is constant."""
     return None if _facts(home).get("is_even", True) else read_frames(home)["seconds"].to_numpy(np.float64)
 
 

@@ -19,7 +19,7 @@ def place_labels(
     *,
     home: Home | None = None,
 ) -> NDArray[np.int16]:
-    """Convert label names to class numbers, (len(labels),) int16; unlabelled frames get -1.
+    """Convert label names to class numbers, (len(labels),) int16, with -1 for unlabelled frames.
 
     Frames without a label, or with a label in `ignored` (``transition``, ``corridor``, ...), stay in the
     sequence as unlabelled frames. They are not used for scoring or training, but the smoothing filter does
@@ -29,7 +29,7 @@ def place_labels(
     Parameters
     ----------
     labels
-        The ``label`` column of `Home.frames`, or some of its rows with their index. A missing value is
+        The ``label`` column of `Home.frames`, or some rows of it, with the original index. A missing value is
         treated as an empty label, because pandas reads empty cells as missing values.
     classes, ignored
         The classes, numbered by their position, and the labels that have no class.
@@ -37,7 +37,7 @@ def place_labels(
         Maps other spellings and codes to classes or ignored labels. An alias overrides a class of the same
         name.
     home
-        The home that the labels belong to, for messages.
+        The home that the labels belong to, used in messages.
     """
     if not classes:
         raise PlacecatError("dataset.classes is empty; list at least one class.")

@@ -64,7 +64,7 @@ def home_of(name: str, root: Path, camera: str, parts: Iterable[Part], kind: str
 
 
 def _readable(recording: Recording | BagRecording, first: Size, kind: str) -> list[int]:
-    """Return the numbers of the frames that can be decoded; raise an error if a size differs from `first`."""
+    """Return the numbers of the decodable frames. Raise an error if the size of one differs from `first`."""
     numbers = []
     for frame in recording.pictures():
         if (size := frame.size) is None:

@@ -1,8 +1,8 @@
 """Robot@Home2: the database ``rh.db`` and the pictures in ``files/rgbd``, as unpacked from the archive.
 
-A robot with four cameras drove through five homes. A home has one sequence per session, with the frames of
-one camera in time order. The label of a frame is the type of its room, such as ``livingroom``. The setting
-``aliases`` of the data set maps each type to a class. Recordings of several rooms have the type
+A robot with four cameras drove through five homes. A home has one sequence per session, with the frames from
+one camera in temporal order. The label of a frame is the type of its room, such as ``livingroom``. The data
+set's ``aliases`` setting maps each type to a class. Recordings that span several rooms have the type
 ``fullhouse``.
 
 References
@@ -33,7 +33,7 @@ OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
 ``all`` also selects the other frames, even discarded ones."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
-"""Suffix of colour pictures; other files contain depth and labels."""
+"""Suffix of colour pictures. The other files contain depth and labels."""
 TICKS = 10_000_000
 """Ticks per second of the clock in the database."""
 
@@ -76,15 +76,15 @@ def read_home(
     database: str = DATABASE,
     pictures: str = PICTURES,
 ) -> Home:
-    """Read the frames of one camera in one home, with one sequence per session.
+    """Read the frames from one camera in one home, with one sequence per session.
 
     See `placecat.sequences.open_home`.
 
     Parameters
     ----------
     fps
-        Frames per second. If it is given, frames are evenly spaced. None uses the times in the database, and
-        computes the rate from the median time between frames.
+        Frames per second, if frames are to be evenly spaced. With None, times come from the database, and the
+        rate is computed from the median time between frames.
     camera
         ``RGBD_1`` to ``RGBD_4``.
     observations
@@ -92,10 +92,10 @@ def read_home(
     turn
         Clockwise rotation of the pictures in degrees.
     longest_gap
-        Longest time between two frames of a session, in seconds. Longer gaps occur between rooms and are
-        shortened to this time.
+        Longest time allowed between two frames of a session, in seconds. Longer gaps, which occur between
+        rooms, are shortened to this length.
     database, pictures
-        Paths of the database and of the folder with colour pictures, relative to `root`.
+        Paths of the database and the folder of colour pictures, relative to `root`.
     """
     relative(name, "dataset.homes")
     file = data_folder(root) / relative(database, "dataset.database")
@@ -110,7 +110,7 @@ def read_home(
         )
     if not frames:
         raise PlacecatError(
-            f"{file}: {name} has no frames of camera {camera} in {' or '.join(tables)}; choose another "
+            f"{file}: {name} has no frames from camera {camera} in {' or '.join(tables)}; choose another "
             "dataset.camera or dataset.observations."
         )
     sources = [f"{pictures}/{one.picture}" for one in frames]
@@ -187,7 +187,7 @@ def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], l
 def _check_pictures(file: Path, root: Path, folder: Path, sources: list[str]) -> None:
     if not folder.is_dir():
         raise PlacecatError(
-            f"{folder}: the folder of pictures is missing; unpack the pictures there, or correct "
+            f"{folder}: the picture folder is missing; unpack the pictures there, or correct "
             "dataset.pictures."
         )
     wanted: dict[Path, dict[str, str]] = {}

@@ -13,7 +13,7 @@ from placecat.sequences.labels import shown
 Columns = Mapping[str, type | UnionType]
 """Maps each column name to the type of its values: int or str, possibly with None."""
 MOST_BYTES = 1 << 20
-"""Largest size of a row, far larger than a path or a name. Our choice."""
+"""Largest row accepted, far larger than any path or name. Our choice."""
 
 
 class SqliteFile:
@@ -23,7 +23,7 @@ class SqliteFile:
         self._path, self._connection, self._tables = path, connection, tables
 
     def rows(self, table: str, **equal: int) -> Iterator[tuple[Any, ...]]:
-        """Yield the expected columns of the rows that match `equal`; raise an error for a wrong type."""
+        """Yield the expected columns of the rows that match `equal`. Raise an error if a type is wrong."""
         columns = self._tables[table]
         condition = " AND ".join(f"{name} = ?" for name in equal) or "TRUE"
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {condition}"
@@ -39,7 +39,7 @@ class SqliteFile:
 
 @contextmanager
 def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
-    """Open a database to read the columns in `tables`, without writing any file.
+    """Open a database to read the columns in `tables`, without writing any files.
 
     Raises PlacecatError if the file is missing, damaged or not a database, if a program is writing to it, or
     if it lacks a table or a column.

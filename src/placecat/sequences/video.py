@@ -1,6 +1,6 @@
 """Layout with one video and one label file per home: ``<name>.mp4`` and ``<name>.csv``.
 
-Without the CSV, every frame is unlabelled; predictions on new footage need no labels.
+If there is no CSV, every frame is unlabelled. Predictions on new footage need no labels.
 """
 
 from collections.abc import Iterator

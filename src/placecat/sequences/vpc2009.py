@@ -31,7 +31,7 @@ _FRAME = re.compile(r"([0-9]{1,10})\.jpe?g", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Floor:
-    """A floor, with its folder, its declared number of frames, the line of that number, and its segments."""
+    """A floor: its folder, its declared number of frames, the line that declares it, and its segments."""
 
     name: str
     count: int
@@ -61,7 +61,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
 
 
 def read_floors(file: Path) -> list[Floor]:
-    """Read the floors of a ``label.txt`` in file order; there is at least one.
+    """Read the floors, at least one, from a ``label.txt`` in file order.
 
     Raises PlacecatError with the line number if anything other than floors precedes the second end line.
     """
@@ -90,7 +90,7 @@ def read_floors(file: Path) -> list[Floor]:
         elif not count:
             if len(words) > 1 or whole(words[0], file, line) < 1:
                 raise PlacecatError(
-                    f"{where}: {shown(text.strip())} must be the number of frames of floor {name}/."
+                    f"{where}: {shown(text.strip())} must be the number of frames on floor {name}/."
                 )
             count, count_line = int(words[0]), line
         elif words == _END:
@@ -114,7 +114,7 @@ def read_floors(file: Path) -> list[Floor]:
 def _images(folder: Path, floor: Floor, file: Path) -> list[str]:
     path = folder / floor.name
     if not path.is_dir():
-        raise PlacecatError(f"{path}: the folder of this floor is missing; restore it, or correct {file}.")
+        raise PlacecatError(f"{path}: the folder for this floor is missing; restore it, or correct {file}.")
     inside(path, folder, str(file))
     found: dict[int, str] = {}
     for image in sorted(entry.name for entry in os.scandir(path)):

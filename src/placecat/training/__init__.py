@@ -1,1 +1,1 @@
-"""Plan which frames train a system, and train and apply systems according to these plans."""
+"""Plan which frames to train a system on, and train and apply systems according to these plans."""

@@ -24,7 +24,7 @@ class Cue:
 
     `descriptor` is as in :func:`placecat.cues.cue_input.check`, and `classifier` is as in
     :func:`placecat.cues.fit`. `codebook` has ``cells`` and ``tree``, as in
-    :meth:`placecat.cues.codebook.Codebook.fit`; it is None for a cue without clusters.
+    :meth:`placecat.cues.codebook.Codebook.fit`, or is None for a cue without clusters.
     """
 
     descriptor: Mapping[str, Any]
@@ -55,7 +55,7 @@ class TrainedCue:
     """A trained cue, with the classes and sequence names of its training frames.
 
     `cross_validated` contains (n, n_classes) distributions for these frames from
-    :func:`placecat.cues.cross_validate`, or is None.
+    :func:`placecat.cues.cross_validate`, or is None if there was no cross-validation.
     """
 
     descriptor: Mapping[str, Any]
@@ -65,7 +65,7 @@ class TrainedCue:
     cross_validated: NDArray[np.float64] | None
 
     def predict(self, home: str, rows: NDArray[np.int64] | None = None) -> NDArray[np.float64]:
-        """Return (n, n_classes) distributions for the frames `rows` of a sequence; None means all frames."""
+        """Return (n, n_classes) distributions for the frames `rows` of a sequence, by default all."""
         return self.model.predict_proba(store.read_descriptors(home, self.descriptor, rows))
 
     def predict_chosen(self, parts: Sequence[Part]) -> dict[str, NDArray[np.float64]]:
@@ -87,7 +87,7 @@ class TrainedCue:
 
 
 def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> TrainingFrames:
-    """Read the parts' chosen frames, in order.
+    """Read the chosen frames of each part, in order.
 
     Raises the same errors as :func:`placecat.training.store.read_descriptors`.
     """
@@ -105,9 +105,9 @@ def cluster(
 ) -> Codebook:
     """Cluster a cue's training frames.
 
-    The seed of the clustering is derived from the plan, the cue, and `seed`, which is one of
-    ``protocol.seeds``. `numbers` are the numbers of clusters that will be used. None means the numbers in the
-    codebook settings.
+    The clustering seed is derived from the plan, the cue, and `seed`, which is one of ``protocol.seeds``.
+    `numbers` lists the numbers of clusters that will be used. If it is None, they come from the codebook
+    settings.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]
@@ -130,9 +130,8 @@ def fit(
 ) -> TrainedCue:
     """Train a cue on frames, with a codebook if it needs one.
 
-    With `cross_validate`, the frames of each sequence are also predicted, by a cue that was trained on the
-    other sequences. `classes` are the names of the places. Raises the same errors as
-    :func:`placecat.cues.fit`.
+    With `cross_validate`, the frames of each sequence are also predicted by a cue trained on the other
+    sequences. `classes` are the names of the places. Raises the same errors as :func:`placecat.cues.fit`.
     """
     data = frames.described, frames.truth, frames.home_of_frame
     options: dict[str, Any] = {"classifier": cue.classifier, "classes": classes, "codebook": codebook}
@@ -151,8 +150,8 @@ def train(
 ) -> TrainedCue:
     """Train a cue according to a plan: read the plan's frames, cluster them if needed, and learn.
 
-    `seed` and `numbers` are as in :func:`cluster`. They are not needed without clusters. `cross_validate` is
-    as in :func:`fit`. Raises the same errors as :func:`read_frames` and :func:`fit`.
+    `seed` and `numbers` are as in :func:`cluster`. They are not needed for a cue without clusters.
+    `cross_validate` is as in :func:`fit`. Raises the same errors as :func:`read_frames` and :func:`fit`.
     """
     frames = read_frames(plan.cues, cue.descriptor)
     codebook = None

@@ -1,6 +1,6 @@
 """Store the results of a cue or system for one test home and seed.
 
-Arrays are in one file, and facts are in another. A result has no folder of its own, because DVC takes about a
+Arrays go in one file, and facts in another. A result has no folder of its own, because DVC takes about a
 millisecond per folder.
 """
 
@@ -47,11 +47,11 @@ def has(path: Path, name: str) -> bool:
 
 
 def read(path: Path, name: str) -> NDArray[Any]:
-    """Read one array; raise FileNotFoundError or KeyError if `has` returns False."""
+    """Read one array. Raise FileNotFoundError or KeyError if `has` returns False."""
     with np.load(path, allow_pickle=False) as archive:
         return archive[name]
 
 
 def read_facts(path: Path) -> dict[str, Any]:
-    """Read the facts that :func:`write` stored."""
+    """Read the facts stored by :func:`write`."""
     return files.read_json(path.with_suffix(".json"))

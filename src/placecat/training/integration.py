@@ -21,9 +21,9 @@ def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def fused_parts(plan: Plan, *, method: str, extra: bool) -> tuple[Part, ...]:
-    """Return the parts that train an integration.
+    """Return the parts used to train an integration.
 
-    If its method learns from held-out frames, these are the parts that train the cues.
+    If its method learns from held-out frames, these are the parts used to train the cues.
     """
     if integrate.learns_from_held_out(method):
         return plan.cues
@@ -41,8 +41,8 @@ def fuse(
 ) -> integrate.Trained:
     """Train an integration on `parts`.
 
-    `outputs` has one dictionary per cue. It maps the name of each part to the distributions for the chosen
-    frames of that part. `classes` are the names of the places. The other parameters are as in
+    `outputs` has one dictionary per cue, which maps the name of each part to the distributions for its chosen
+    frames. `classes` are the names of the places. The other parameters are as in
     :func:`placecat.fusion.integrate.fit`.
     """
     train = {part.home: np.stack([proba[part.home] for proba in outputs], axis=1) for part in parts}
@@ -58,10 +58,10 @@ def fit_smoothing(
     truth: NDArray[np.int16],
     options: Mapping[str, Any],
 ) -> smoothing.SmoothingModel:
-    """Fit the smoothing: estimate its statistics on the frames of `parts`.
+    """Fit a smoothing model by estimating its statistics on the frames of `parts`.
 
     `proba` contains (n, n_classes) cross-validated distributions for the frames of the parts, and `truth`
-    contains the classes of these frames, (n,). `options` are as in :func:`placecat.fusion.smoothing.fit`.
+    contains the (n,) classes of these frames. `options` are as in :func:`placecat.fusion.smoothing.fit`.
     """
     walks, rates = training_walks(parts)
     return smoothing.fit(walks, proba, truth, proba.shape[1], training_frame_rates=rates, **options)
@@ -72,7 +72,7 @@ def apply_smoothing(
 ) -> dict[str, NDArray[np.float64]]:
     """Smooth the (frames, n_classes) distributions of `home`.
 
-    Returns ``hmm`` and ``delayed``, the distributions after the filter and after the delay.
+    Returns ``hmm`` and ``delayed``, the distributions after the filter and the delay, respectively.
     """
     return smoothing.apply(
         model,
@@ -84,7 +84,7 @@ def apply_smoothing(
 
 
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
-    """Return the labels and the frame rate of each sequence, for counting transitions.
+    """Return the labels and frame rate of each sequence, for counting transitions.
 
     If frames have uneven times, they are resampled as if a camera had recorded them at this frame rate.
     """

@@ -1,4 +1,4 @@
-"""Training plans: the sequences and frames that train each component, and the tested sequences."""
+"""Training plans: the sequences and frames used to train each component, and the test sequences."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from placecat.training import protocol
 
 @dataclass(frozen=True)
 class Part:
-    """Frames of one sequence.
+    """Frames from one sequence.
 
     `home` names the sequence, as in :func:`placecat.paths.sequences`. `numbers` contains the class index of
     each place in the data set of the sequence, or -1 if the place does not count. `offset` and `step` select
@@ -34,7 +34,7 @@ class Part:
         return self.home.rpartition("/")[2]
 
     def labels(self) -> NDArray[np.int16]:
-        """Return the (frames,) class indices of all frames; -1 for a frame that does not count."""
+        """Return the (frames,) class indices of all frames, with -1 for frames that do not count."""
         return np.array([*self.numbers, -1], dtype=np.int16)[listing.read_labels(self.home)]
 
     def chosen(self) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
@@ -46,13 +46,13 @@ class Part:
 
 @dataclass(frozen=True)
 class Plan:
-    """The training sequences and the tested sequences.
+    """The training and test sequences.
 
-    `classes` are the names of the places, and `dataset` is the name of the data set. The parts in `cues`
-    train codebooks, scalings and cues. Those in `integration` train the integration and the smoothing. Those
-    in `extra` also train the integration if a system uses additional data (thesis 4.5). No trained component
-    has seen the parts in `tested`. `left_out` lists the homes that do not train the cues, or is None for a
-    fixed split.
+    `classes` are the names of the places, and `dataset` is the name of the data set. The parts in `cues` are
+    used to train codebooks, scalings and cues, and those in `integration` to train the integration and the
+    smoothing. Those in `extra` are also used for the integration if a system trains on additional data
+    (thesis 4.5). No trained component has seen the parts in `tested`. `left_out` lists the homes not used to
+    train the cues, or is None for a fixed split.
     """
 
     classes: tuple[str, ...]
@@ -75,7 +75,7 @@ class Plan:
         return part.home
 
     def with_cue_frames(self, frames: Mapping[str, int]) -> Plan:
-        """Return this plan, but with other frames (``offset`` and ``step``) to train the cues."""
+        """Return this plan, but with other frames (``offset`` and ``step``) for training the cues."""
         offset, step = frames["offset"], frames["step"]
         return replace(self, cues=tuple(replace(part, offset=offset, step=step) for part in self.cues))
 
@@ -100,8 +100,8 @@ def of_release(
 ) -> Plan:
     """Plan a system for other footage: test the homes in `without`, and train on all others.
 
-    `params` contains all settings; `scheme`, `without` and the errors are as in
-    :func:`placecat.training.protocol.training_homes`. `extra` adds the sequences of ``protocol.extra``.
+    `params` contains all settings. See :func:`placecat.training.protocol.training_homes` for `scheme`,
+    `without` and the errors raised. `extra` adds the sequences in ``protocol.extra``.
     """
     cues, integration = protocol.training_homes(settings.get(params, "dataset.homes"), scheme, without)
     kept = [home for home in integration if home not in cues]
@@ -148,7 +148,7 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
 
 
 def on_training_homes(plan: Plan) -> list[Plan]:
-    """Plan to test each training home after training on the other training homes of `plan`.
+    """For each training home of `plan`, plan a test on it after training on the other training homes.
 
     The tested sequence of `plan` is not used.
     """
@@ -172,7 +172,7 @@ def _of_main(
     tested: Sequence[str],
     left_out: tuple[str, ...],
 ) -> Plan:
-    """Make a plan for homes of the main data set, without additional sequences."""
+    """Make a plan for homes from the main data set, without additional sequences."""
     classes = tuple(settings.get(params, "dataset.classes"))
     numbers = tuple(range(len(classes)))
     cue_frames, integration_frames = (
@@ -190,7 +190,7 @@ def _of_main(
 
 
 def _numbers(classes: Sequence[str], counted: Sequence[str] | None) -> tuple[int, ...]:
-    """Return each place's class index, or -1 if it is not in `counted`; None counts all places."""
+    """Return each place's class index, or -1 if it is not in `counted`. None counts all places."""
     return tuple(
         number if counted is None or place in counted else -1 for number, place in enumerate(classes)
     )

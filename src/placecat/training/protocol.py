@@ -19,7 +19,7 @@ def training_set(left_out: Sequence[str]) -> str:
 
 
 def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tuple[str, ...]:
-    """Return the homes to test on, in the order of `homes`; training sets do not depend on the choice.
+    """Return the homes to test on, in the order of `homes`. The choice does not affect the training sets.
 
     `wanted` is ``all``, or one or more names. Raises PlacecatError for an unknown home.
     """
@@ -38,14 +38,14 @@ def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tup
 def training_homes(
     homes: Sequence[str], scheme: str, without: Sequence[str] = ()
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Choose the homes that train the cues, and the homes that train the integration.
+    """Choose the homes used to train the cues, and those used to train the integration.
 
     Homes in `without` are never chosen. The test home comes first in `without`, which may be empty.
 
     The schemes keep their names from the thesis for any number of homes. In "5-5-1", the cues and the
-    integration train on different frames of all other homes. In "4-5-1", one of these homes trains only the
-    integration, not the cues. It is the next one after the test home (cyclically), or the first home if
-    `without` is empty. The thesis does not say which home it used. Raises PlacecatError if the scheme or a
+    integration train on different frames of all other homes. In "4-5-1", one of these homes is used only for
+    the integration, not for the cues. It is the one after the test home (wrapping around), or the first home
+    if `without` is empty. The thesis does not say which home it used. Raises PlacecatError if the scheme or a
     home is unknown, or if there are too few homes for the scheme.
     """
     for home in without:
@@ -70,15 +70,15 @@ def training_homes(
 
 
 def least_homes(scheme: str) -> int:
-    """Return the number of homes that a scheme needs, including the tested home."""
-    # The statistics come from cross-validation by home, so at least two homes must train the cues.
+    """Return the number of homes that a scheme needs, including the test home."""
+    # The statistics come from cross-validation by home, so the cues must train on at least two homes.
     return 3 if scheme == "5-5-1" else 4
 
 
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:
-    """Take every `step`-th frame from `offset` on, and return the indices of those that are labelled.
+    """Take every `step`-th frame, starting at `offset`, and return the indices of the labelled ones.
 
-    `labels` are (frames,) class indices, or -1 for unlabelled frames. The returned indices, (n,), are in
+    `labels` are (frames,) class indices, with -1 for unlabelled frames. The (n,) indices returned are in
     ascending order. The step counts all frames, and unlabelled frames are dropped afterwards. Selections with
     the same step and different offsets therefore never share a frame (thesis 4.2 and 4.5). Raises
     PlacecatError unless `offset` is at least 0 and less than `step`.

@@ -29,7 +29,7 @@ class CueResults:
         }
 
     def arrays(self, name: str) -> list[NDArray[Any]]:
-        """Read the array `name` of each cue; raise PlacecatError if a cue was not applied to these frames."""
+        """Read the array `name` of each cue. Raise PlacecatError if a cue was not applied to these frames."""
         found = []
         for cue, place in self._places.items():
             if not fold_file.has(place, name):
@@ -54,7 +54,7 @@ class CueResults:
     def training(
         self, plan: Plan, parts: Sequence[Part], method: str
     ) -> list[dict[str, NDArray[np.float64]]]:
-        """Like `outputs`, but for the parts that train an integration (see `fused_parts`).
+        """Like `outputs`, but for the parts used to train an integration (see `fused_parts`).
 
         If the method learns from held-out frames, the distributions come from cues that have not seen the
         part.
@@ -69,7 +69,7 @@ class CueResults:
         ]
 
     def temperatures(self) -> list[float]:
-        """Read each cue's temperature; raise PlacecatError if a cue was not cross-validated."""
+        """Read each cue's temperature. Raise PlacecatError if a cue was not cross-validated."""
         found = []
         for cue, place in self._places.items():
             facts = fold_file.read_facts(place)
@@ -82,7 +82,7 @@ class CueResults:
 
 
 def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Smooth the test home of a fold with statistics from the training homes of the fold.
+    """Smooth the test home of a fold with statistics from its training homes.
 
     `source` is a cue's or a system's result file for the fold. Raises PlacecatError if it has no
     cross-validated distributions. `model` is as in :func:`placecat.fusion.smoothing.fit`.

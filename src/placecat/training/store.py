@@ -1,4 +1,4 @@
-"""Read the descriptors of a home, as written by the stages `features` and `tracks`."""
+"""Read the descriptors of a home, as written by the `features` and `tracks` stages."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -18,9 +18,9 @@ def read_descriptors(
 ) -> Descriptors:
     """Read a cue's descriptor for the frames `rows` of one home, or for all its frames.
 
-    `home` is as for :func:`placecat.paths.features`, and `descriptor` is as for
-    :func:`placecat.cues.cue_input.check`. Raises PlacecatError for an unknown setting, too many regions, or a
-    descriptor that was not computed for these frames.
+    `home` is as in :func:`placecat.paths.features`, and `descriptor` is as in
+    :func:`placecat.cues.cue_input.check`. Raises PlacecatError if a setting is unknown, if there are too many
+    regions, or if the descriptor was not computed for these frames.
     """
     cue_input.check(descriptor)
     folder = folder_of(home, descriptor)
@@ -46,7 +46,7 @@ def read_descriptors(
 
 
 def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
-    """Return the paths of all files that :func:`read_descriptors` reads for a home, even missing ones."""
+    """Return the paths of all files read by :func:`read_descriptors` for a home, including missing ones."""
     folder = folder_of(home, descriptor)
     names = [f"{name}.npy" for name in cue_input.array_names(descriptor)]
     if "variant" in descriptor:
@@ -57,14 +57,14 @@ def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
 
 
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return the frames of `rows` that have a descriptor, in time order. Region variants lack some frames."""
+    """Return the frames in `rows` that have a descriptor, in temporal order. Region variants lack some."""
     if "variant" not in descriptor:
         return rows
     return np.intersect1d(rows, _described(folder_of(home, descriptor)))
 
 
 def folder_of(home: str, descriptor: Mapping[str, Any]) -> Path:
-    """Return the folder with a descriptor's arrays; parameters are as for :func:`read_descriptors`."""
+    """Return the folder with a descriptor's arrays. See :func:`read_descriptors` for the parameters."""
     if descriptor.get("tracked", False):
         return paths.TRACKS / home
     folder = paths.features(home)

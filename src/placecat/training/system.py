@@ -30,8 +30,9 @@ class System:
     """The settings of a system, and its cues by name, in order.
 
     `integrator` has ``method`` and ``classifier``, as in :func:`placecat.fusion.integrate.fit`. `smoothing`
-    is as in :func:`placecat.fusion.smoothing.fit`. If `tempered` is true, the distributions of the cues are
-    tempered first. If `extra` is true, the integration also trains on the additional sequences of the plan.
+    is as in :func:`placecat.fusion.smoothing.fit`. If `tempered` is true, the cues' distributions are
+    tempered before integration. If `extra` is true, the integration also trains on the additional sequences
+    in the plan.
     """
 
     cues: Mapping[str, Cue]
@@ -70,7 +71,7 @@ class Trained:
         """Estimate the place in every frame of a sequence.
 
         Returns (frames, n_classes) distributions by name: those of each cue, and those after the integration
-        (``integration``), after the filter (``hmm``) and after the delay (``delayed``).
+        (``integration``), the filter (``hmm``) and the delay (``delayed``).
         """
         by_cue = {name: cue.predict(home) for name, cue in self.cues.items()}
         fused = self.integrator.predict_proba(np.stack(list(by_cue.values()), axis=1))
@@ -78,10 +79,10 @@ class Trained:
 
 
 def train(plan: Plan, system: System, seed: int) -> Trained:
-    """Train a system according to a plan, with its cues in parallel.
+    """Train a system according to a plan, training its cues in parallel.
 
-    `seed` is the seed for clustering, one of ``protocol.seeds``. Raises PlacecatError for missing features or
-    invalid settings.
+    `seed` is the seed for clustering, one of ``protocol.seeds``. Raises PlacecatError if features are missing
+    or settings are invalid.
     """
     method = system.integrator["method"]
     parts = fused_parts(plan, method=method, extra=system.extra)

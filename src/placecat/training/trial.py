@@ -21,14 +21,14 @@ Prediction = tuple[NDArray[np.float64] | str, Mapping[str, Any]]
 
 
 def of_settings(settings: Mapping[str, Any]) -> Cue:
-    """Read a trial's settings: ``descriptor``, ``classifier`` and, if it has one, ``codebook``."""
+    """Read a trial's settings: ``descriptor``, ``classifier`` and, if there is one, ``codebook``."""
     return Cue(settings["descriptor"], settings["classifier"], settings.get("codebook"))
 
 
 def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
     """Train cues that share a descriptor and clusters, and count their decisions on the tested sequence.
 
-    Parameters are as in :func:`predict`.
+    See :func:`predict` for the parameters.
     """
     truth, predictions = predict(plan, cues, seed)
     count = len(plan.classes)
@@ -42,9 +42,9 @@ def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[
     """Train cues that share a descriptor and codebook settings, and apply them to the tested sequence.
 
     The plan must have exactly one tested sequence. Returns the true classes of the scored frames, and the
-    distributions of each cue for these frames. The labelled frames of the sequence are scored. With a region
-    variant, only those that have a descriptor are scored. `seed` is one of ``protocol.seeds``, or None
-    without clusters.
+    distributions of each cue for these frames. The labelled frames of the sequence are scored, or with a
+    region variant, only those that have a descriptor. `seed` is one of ``protocol.seeds``, or None if the
+    cues have no clusters.
     """
     descriptor = cues[0].descriptor
     frames = read_frames(plan.cues, descriptor)
