@@ -106,7 +106,7 @@ def tree(**changes):
             lambda: smoothing(transition=np.eye(2)),
             "emission of a SmoothingModel.* size 3, but another",
         ),
-        (lambda: smoothing(emission=np.full((3, 3), np.nan)), "emission .*not finite"),
+        (lambda: smoothing(emission=np.full((3, 3), np.nan)), "emission .*non-finite"),
         (
             lambda: smoothing(emission=np.array([[2.0, -1, 0]] * 3)),
             "emission .*from -1.0 to 2.0, .*out of range",

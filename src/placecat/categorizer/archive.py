@@ -20,7 +20,7 @@ from placecat.errors import PlacecatError
 # The checksum is the zip comment at the end of the file, so other programs can still open the archive.
 _MARK = b"placecat sha256 "
 _DIGITS = 2 * hashlib.sha256().digest_size
-# Only the exact header that `array_content` writes. NumPy's reader evaluates the header as Python literals.
+# Accept only the exact header that `array_content` writes, because NumPy's reader evaluates any header.
 _HEADER = re.compile(
     rb"\x93NUMPY\x01\x00..\{'descr': '([<|][biufU][0-9]{1,6})', 'fortran_order': False, "
     rb"'shape': \(((?:[0-9]{1,15}(?:,|, )?){0,8})\), \} *\n",

@@ -32,7 +32,7 @@ class Decision:
 
     `place` is the most probable class in `proba`, and `confidence` is its probability. `is_known` is true if
     this is at least :attr:`Categorizer.threshold`. `proba` is the distribution after the hidden Markov model
-    and the delay (thesis 3.4), and `hmm` is the distribution before the delay. The other two come
+    and the delay (thesis 3.4), and `hmm` is the distribution before the delay. Two more hold distributions
     from before the hidden Markov model: `integrated` is the distribution from all cues combined (3.3.3), and
     `cues` has one distribution per cue.
 
@@ -129,7 +129,7 @@ class Categorizer:
         if classes is not None and list(classes) != known:
             raise PlacecatError(
                 f"{path} has the classes {', '.join(known)}, not {', '.join(classes)}: use the model's "
-                "classes in the same order, or train a model for yours"
+                "classes in the same order, or train a model for your own"
             )
         try:
             categorizer = cls(system, resize=resize)
@@ -160,8 +160,8 @@ class Categorizer:
     ) -> Decision:
         """Categorize the next frame.
 
-        If neither `seconds` nor `time` is given, the frame is assumed to come one frame period (1 /
-        `frame_rate`) after the previous one. A frame at the same time as the previous one adds no evidence.
+        If neither `seconds` nor `time` is given, the frame is assumed to come 1 / `frame_rate` seconds after
+        the previous one. A frame at the same time as the previous one adds no evidence.
 
         Parameters
         ----------

@@ -50,7 +50,7 @@ def array(
         if value.dtype.kind == "b" or not known.size:
             return value
         if not np.isfinite(known).all():
-            raise ValueError("it contains numbers that are not finite")
+            raise ValueError("it contains non-finite numbers")
         sizes: Any = info.context
         least, most = known.min().item(), known.max().item()
         if least < low or most > high or (below and most >= sizes[below]):

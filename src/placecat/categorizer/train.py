@@ -20,7 +20,7 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
     """Run `placecat train`: train a system, measure it in unseen homes, and write it to a file.
 
     `system` is the name of a system in conf/system, by default ``model.system``. `seed` is one of
-    ``protocol.seeds``, by default ``model.seed``. The homes `without` are left out of all training. By
+    ``protocol.seeds``, by default ``model.seed``. The homes in `without` are left out of all training. By
     default, `output` is data/model.placecat, or, if any other option is given, a file in data/models named
     after the options, such as SYSTEM-without-HOME.placecat. Returns 0. User errors raise PlacecatError.
     """
@@ -60,7 +60,7 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
 def train(
     params: Mapping[str, Any], name: str, *, without: Sequence[str] = (), seed: int | None = None
 ) -> TrainedSystem:
-    """Train the system `name` on all homes except `without`. For `seed`, see :func:`train_command`.
+    """Train the system `name` on all homes not in `without`. For `seed`, see :func:`train_command`.
 
     If `without` has one home, the system is identical to the one that the stages apply to that home. Its card
     has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system,

@@ -22,7 +22,7 @@ class Visit:
 
 
 class VisitLog:
-    """Collects stays frame by frame. Its memory use grows with the number of stays, not of frames."""
+    """Collects stays frame by frame. Memory use grows with the number of stays, not the number of frames."""
 
     def __init__(self) -> None:
         self._visits: list[Visit] = []

@@ -52,7 +52,7 @@ class Descriptors:
 
 
 class CueModel(Protocol):
-    """A trained cue. `facts` describes its training, such as the nu in use, in JSON types only."""
+    """A trained cue. `facts` describes its training, such as the nu used, in JSON types only."""
 
     facts: dict[str, Any]
 

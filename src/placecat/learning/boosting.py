@@ -24,7 +24,7 @@ class Boosting:
 
     `binned` contains the n samples, and `tasks` lists the two-class problems. `weight_trim` is the parameter
     of :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`. Raises PlacecatError if all training
-    samples of a problem have the same class.
+    samples of a problem belong to the same class.
     """
 
     def __init__(self, binned: BinnedFeatures, tasks: Sequence[Task], weight_trim: float) -> None:

@@ -211,7 +211,7 @@ def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
     """Make decision values comparable across machines that each leave out a different home.
 
     `values` and the result have one array per home. All arrays are shifted to the same mean: the average of
-    the original means, which is also the mean to expect for an unseen home.
+    the original means, which is also the mean expected for an unseen home.
 
     Examples
     --------

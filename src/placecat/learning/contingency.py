@@ -13,7 +13,7 @@ _EXACT_FLOAT32 = 1 << 24
 def value_counts(
     codes: NDArray[np.integer], labels: NDArray[np.integer], n_classes: int, n_values: int
 ) -> NDArray[np.int64]:
-    """Return (n_classes, V, n_values) counts of how often each variable has each value in each class.
+    """Return (n_classes, V, n_values) counts of how often each variable takes each value in each class.
 
     `codes` is an (n, V) array of integers in [0, n_values), and `labels` is an (n,) array of integers in
     [0, n_classes).

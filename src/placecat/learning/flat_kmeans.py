@@ -110,7 +110,7 @@ class FlatKMeans(BaseEstimator):
         )
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
-        """Return the number of the nearest centre, in [0, n_clusters), for each of (n, D) points."""
+        """Return the index of the nearest centre, in [0, n_clusters), for each of (n, D) points."""
         points = check_samples(X, least=0)
         check_width(points, self)
         return nearest_centers(points, self.centers(n_clusters))[:, 0]

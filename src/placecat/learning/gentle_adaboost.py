@@ -153,7 +153,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         )
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return the (n,) values F(x) of (n, D) samples, positive for ``classes_[1]``."""
+        """Return the (n,) values F(x) for (n, D) samples, positive for ``classes_[1]``."""
         check_is_fitted(self, "feature_")
         samples = check_samples(X)
         check_width(samples, self)

@@ -202,7 +202,7 @@ class HierarchicalKMeans(BaseEstimator):
     def labels(self, n_clusters: int) -> NDArray[np.int32]:
         """Return each training point's cluster in the cut, as (n,) int32 indices into `centers`.
 
-        This is the partition that k-means found. It differs from `assign` near cluster borders. Raises
+        This is the partition that k-means found, which differs from `assign` near cluster boundaries. Raises
         PlacecatError in the same cases as `centers`, and also if the tree comes from `from_arrays`.
         """
         cut = self._cut(n_clusters)

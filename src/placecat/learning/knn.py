@@ -29,7 +29,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
 
     where j runs over the K centres nearest to x_k. For K = 1 this is equation (2). f(l, c) is the number of
     training points of class l in cluster c, and f(l) is the number of all training points of class l. A
-    centre at distance 0 receives all the weight. Everything is computed in logarithms.
+    centre at distance 0 receives all the weight. The computation is done in log space.
 
     Parameters
     ----------
@@ -38,9 +38,9 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     n_neighbors : int
         K, the number of nearest centres.
     smoothing : float
-        Number added to every f(l, c), and so n_clusters times to f(l). The thesis does not specify this. If
-        it is 0, a cluster rules out every class that it does not contain. If all classes are ruled out, the
-        result is uniform.
+        Number added to every f(l, c), which adds n_clusters times as much to f(l). The thesis does not
+        specify this number. If it is 0, a cluster rules out every class that it does not contain. If all
+        classes are ruled out, the result is uniform.
     class_weighting : {"once", "per_region"}
         "once" divides by f(l) once, as in equations (2) and (4) and the thesis text. "per_region"
         divides by f(l)^n, which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). The two agree
@@ -209,7 +209,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         neighbors = nearest_centers(points, self.centers_, self.n_neighbors)
         with np.errstate(divide="ignore"):
             if self.n_neighbors == 1:
-                # With one neighbour, all classes share its weight, so it can be left out.
+                # With one neighbour, the weight is the same for all classes, so it can be left out.
                 return np.log(frequencies)[neighbors[:, 0]]
             interpolated = np.empty((len(points), len(self.classes_)))
             rows = max(1, _BLOCK // (self.n_neighbors * self.n_features_in_))

@@ -258,7 +258,7 @@ class _Statistics:
         self.current = False
 
     def promising(self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool) -> NDArray[np.intp]:
-        """Return the functions that would add most evidence, at most `count` of them, in ascending order."""
+        """Return up to `count` functions, in ascending order, that would increase the evidence the most."""
         gram, n = self.gram, len(self.gram)
         squared_quality = np.empty(n + 1)
         squared_quality[:n] = gram @ mode.error.astype(np.float32)

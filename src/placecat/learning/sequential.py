@@ -157,7 +157,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return proba
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Choose classes from (n, K) outputs p(o_k|x) according to `decision`; return indices, (n,)."""
+        """Return (n,) indices into `classes_` for (n, K) outputs p(o_k|x), according to `decision`."""
         if self.decision == "product":
             return self._product(outputs).argmax(axis=1)
         of_class = [self.sigmoid_[self.machine_class_ == k] for k in range(len(self.order_))]
