@@ -175,8 +175,8 @@ class Categorizer:
             frame period.
 
         Raises PlacecatError, and skips the frame, if its type or size is wrong, if its time is not finite or
-        is earlier than that of the last frame, or if both `seconds` and `time` are given. With `resize`, a
-        size is wrong only if less than half of the frame would remain.
+        is earlier than that of the previous frame, or if both `seconds` and `time` are given. With `resize`,
+        a size is wrong only if less than half of the frame would remain.
         """
         frame = self._fitted(frame)
         now, elapsed = self._moment(seconds, time)

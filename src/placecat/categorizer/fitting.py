@@ -46,11 +46,11 @@ class Fit:
 
 
 def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
-    """Choose how to crop and scale footage to a frame size of the model.
+    """Choose how to crop and scale footage to one of the model's frame sizes.
 
     `source` is the size of the footage, and `known` lists the sizes the model was trained on. With `resize`,
     frames of other sizes are scaled, and are cropped around the centre if their aspect ratio differs. The
-    target is the size that keeps the largest part of the frame. In a tie, it is the size that requires the
+    target is the size that keeps the largest part of the frame. Ties go to the size that needs the
     least scaling. Raises PlacecatError if the size is not in `known` and `resize` is false, or if less than
     half of the frame would remain.
     """

@@ -1,4 +1,4 @@
-"""Model files: archives that contain a trained system as JSON and arrays, with a readable card."""
+"""Model files: archives that contain a trained system as JSON and arrays, with a human-readable card."""
 
 import json
 import zipfile

@@ -38,7 +38,7 @@ def fit(
     classes: Sequence[str],
     codebook: Codebook | None = None,
 ) -> CueModel:
-    """Train one cue on the descriptors of training frames.
+    """Train one cue on the descriptors of the training frames.
 
     `labels` are (n,) class indices in [0, len(classes)), and every class must occur. `homes` (n,) is the home
     of each frame. Cross-validation keeps the frames of a home together, because neighbouring frames are

@@ -23,8 +23,8 @@ def seed_of(
     """Derive the seed of a codebook, in [0, 2**32), from the data that it clusters.
 
     The inputs are the name of the data set, the descriptor of the cue, the number of cells of a holistic
-    descriptor, the name of the training set, and one of ``protocol.seeds``. Equal inputs produce equal seeds.
-    Raises the errors of :func:`placecat.cues.cue_input.check`.
+    descriptor, the name of the training set, and one of ``protocol.seeds``. The same inputs always produce
+    the same seed. Raises the same errors as :func:`placecat.cues.cue_input.check`.
     """
     cue_input.check(descriptor)
     # The clustering depends on this string, so if a setting or descriptor is renamed, keep its old name here.

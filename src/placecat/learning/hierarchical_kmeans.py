@@ -46,7 +46,7 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
 class HierarchicalKMeans(BaseEstimator):
     """Hierarchical k-means as in FLANN, which the thesis uses for codebooks (sections 3.3.2 and 4.2).
 
-    K-means (k-means++ seeds, then Lloyd's iterations) splits the points into `branching` clusters, then
+    K-means (k-means++ seeds, then Lloyd iterations) splits the points into `branching` clusters, then
     splits each cluster into `branching` smaller ones, and so on. A cut of this tree starts at the root and
     always splits the node whose split most reduces the total variance (the sum of squared distances to the
     centres). Every larger cut begins with the same splits. One tree therefore provides every number of

@@ -38,12 +38,12 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         decisions (lowest first), which favours rare classes. Ties keep the order of `classes_`. The
         thesis says only "strongest".
     training
-        Training samples of a node. With ``all``, this scheme uses the same classifiers as `OneAgainstAll`,
+        Training samples of each node. With ``all``, this scheme uses the same classifiers as `OneAgainstAll`,
         because thesis 4.8 compares ways of combining their outputs. ``remaining`` leaves out the classes of
         earlier nodes. The thesis does not specify this.
     decision
         How `predict` decides. ``sign`` and ``probability`` choose the first class whose node accepts the
-        sample, or the last class if there is none. With ``sign``, a node accepts a sample whose decision
+        sample, or the last class if none does. With ``sign``, a node accepts a sample whose decision
         value is positive. With ``probability``, p(o_k|x) must be above 0.5. ``product`` chooses the class
         with the largest probability-like output. The thesis mentions negative decisions, which implies
         ``sign``.
