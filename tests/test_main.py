@@ -83,7 +83,7 @@ def test_every_command_has_help(command, capsys):
 def test_without_a_model_predict_says_how_to_make_one(folder):
     with pytest.raises(SystemExit) as caught:
         main(["predict", "walk.mp4"])
-    message = "the model data/model.placecat is missing: make one with `make repro` or `placecat train`"
+    message = "the model data/model.placecat is missing: create one with `make repro` or `placecat train`"
     assert str(caught.value).startswith("placecat: ")
     assert message in str(caught.value)
     assert "\n" not in str(caught.value)

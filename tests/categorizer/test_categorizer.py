@@ -111,7 +111,7 @@ def test_invalid_frames_are_rejected_and_skipped(categorizer):
 @pytest.mark.parametrize(
     ("times", "message"),
     [
-        ({"time": 0.5}, "a frame is 1.5 s older than the last one"),
+        ({"time": 0.5}, "a frame is 1.5 s older than the previous one"),
         ({"time": float("inf")}, "time of a frame is inf"),
         ({"seconds": -0.1}, "the time between two frames is"),
         ({"seconds": 0.1, "time": 3.0}, "not both"),
@@ -207,7 +207,7 @@ def test_frames_of_other_sizes_are_scaled_on_request():
     ]
     for frame, other in zip(seen, (large[0], seen[1], large[2]), strict=True):
         np.testing.assert_array_equal(plain.update(frame).proba, scaling.update(other).proba)
-    with pytest.raises(PlacecatError, match=r"only 32% of it would remain; film .*, or train a model"):
+    with pytest.raises(PlacecatError, match=r"would leave only 32% of it; film .*, or train a model"):
         scaling.update(np.zeros((320, 180, 3), np.uint8))
 
 

@@ -104,9 +104,9 @@ def tree(**changes):
         (lambda: smoothing(transition=np.ones((3, 3))), "SmoothingModel do not match"),
         (
             lambda: smoothing(transition=np.eye(2)),
-            "emission of a SmoothingModel.* side of length 3, but another",
+            "emission of a SmoothingModel.* size 3, but another",
         ),
-        (lambda: smoothing(emission=np.full((3, 3), np.nan)), "emission .*not finite"),
+        (lambda: smoothing(emission=np.full((3, 3), np.nan)), "emission .*non-finite"),
         (
             lambda: smoothing(emission=np.array([[2.0, -1, 0]] * 3)),
             "emission .*from -1.0 to 2.0, .*out of range",
@@ -115,9 +115,9 @@ def tree(**changes):
         (lambda: smoothing(frame_rate=True), "frame_rate .*=True: it must be a valid number"),
         (lambda: smoothing(frame_rate=float("inf")), "frame_rate .*=inf: it must be"),
         (lambda: smoothing(delay_seconds=10**400), "delay_seconds .*=1000"),
-        (lambda: changed(smoothing(), another=1), "has wrong attributes .another."),
+        (lambda: changed(smoothing(), another=1), "has missing or unexpected attributes .another."),
         (lambda: expansion(support_vectors=np.ones(4)), "support_vectors .*2 dimensions"),
-        (lambda: expansion(intercept=np.ones(2)), "intercept .*a side of length 2"),
+        (lambda: expansion(intercept=np.ones(2)), "intercept .*it has size 2"),
         (lambda: expansion(coef=np.ones((4, 3), np.int64)), "coef of a KernelExpansion.*must be an array"),
         (lambda: tree(split_nodes_=np.array([0, 99, 1], np.int32)), "split_nodes_ .*out of range"),
         # A node is split before it exists.
@@ -128,7 +128,7 @@ def tree(**changes):
             lambda: changed(fitted("svm")[0].scheme, classes_=np.array([0, 2, 1])),
             "classes_ .*numbers 0, 1, 2",
         ),
-        (lambda: changed(fitted("svm")[0].scheme, sigmoid_=np.ones((4, 2))), "a side of"),
+        (lambda: changed(fitted("svm")[0].scheme, sigmoid_=np.ones((4, 2))), "has size"),
         (
             lambda: changed(fitted("sequential")[0].scheme, order_=np.array([0, 0, 1])),
             "Sequential do not match",

@@ -33,7 +33,8 @@ def test_the_size_that_keeps_most_is_chosen():
 
 
 def test_an_aspect_ratio_that_leaves_too_little_is_rejected():
-    with pytest.raises(PlacecatError, match=r"720x1280 pixels: if it is cropped .* 640x480, only 42% of"):
+    message = r"720x1280 pixels: cropping it .* 640x480, would leave only 42% of"
+    with pytest.raises(PlacecatError, match=message):
         fit((720, 1280), [(640, 480)], resize=True)
 
 

@@ -156,7 +156,7 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: file.write_bytes(b"no zip"), "not a placecat model"),
         (lambda file: file.write_bytes(file.read_bytes()[:5000]), "not a placecat model.* truncated"),
         (lambda file: file.write_bytes(file.read_bytes().replace(b"\x93NUMPY", b"\x93NUMPX", 1)), "damaged"),
-        (lambda file: reseal(file, comment=b""), "made by an earlier version: train it again"),
+        (lambda file: reseal(file, comment=b""), "written by an earlier version: train it again"),
         (lambda file: rewrite(file, "card.json", change_json(format=99)), "format 99"),
         (lambda file: rewrite(file, "card.json", change_json(placecat="9.3.0")), "placecat 9.3.0"),
         (lambda file: rewrite(file, "card.json", change_json(format=None)), "its card has no version"),
@@ -213,12 +213,12 @@ MODEL = ("cues", 0, "model", "state")
                 "arrays/0000.npy",
                 header("{'descr': '<f8', 'fortran_order': False, 'shape': (10000, 1000000), }"),
             ),
-            "it declares 80000000000 bytes but has 8",
+            "it declares 80000000000 bytes but contains 8",
         ),
         (lambda file: rewrite(file, "arrays/0000.npy", header("(" * 100)), "0000.npy has no array header"),
         (lambda file: reseal(file, compression=zipfile.ZIP_DEFLATED), "compressed"),
         (lambda file: reseal(file, twice=["arrays/0003.npy"]), "two of its members"),
-        (lambda file: larger(file, "arrays/0003.npy", 2**31), "more bytes than the file has"),
+        (lambda file: larger(file, "arrays/0003.npy", 2**31), "exceed the file size"),
     ],
 )
 def test_other_files_and_versions_are_rejected(file, damage, message):
@@ -291,7 +291,9 @@ def test_only_a_model_is_replaced(file, tmp_path):
 def test_the_output_path_is_checked_before_training(tmp_path, monkeypatch):
     monkeypatch.setattr(train, "train", lambda *_, **__: pytest.fail("it trains"))
     (tmp_path / "README.md").write_text("text")
-    with pytest.raises(PlacecatError, match=r"README\.md exists and is not a model, so it is not replaced"):
+    with pytest.raises(
+        PlacecatError, match=r"README\.md exists and is not a model, so it will not be replaced"
+    ):
         train.train_command("das_551_best", [], None, tmp_path / "README.md")
     with pytest.raises(PlacecatError, match="a file is where a folder should be"):
         train.train_command("das_551_best", [], None, tmp_path / "README.md/x")

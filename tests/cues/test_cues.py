@@ -122,13 +122,13 @@ def test_invalid_cluster_numbers_raise_an_error_with_the_nearest():
 
 def test_a_class_without_training_frames_is_rejected():
     train, labels, homes = regions()
-    with pytest.raises(PlacecatError, match="no training frame of attic"):
+    with pytest.raises(PlacecatError, match="no training frames of attic"):
         cues.fit(train, labels, homes, classifier=naive_bayes(13), classes=[*PLACES, "attic"])
 
 
 def test_a_descriptor_that_cannot_be_cut_is_rejected():
     train, _, _ = whole()
-    with pytest.raises(PlacecatError, match="16 values cannot be cut into 5 equal cells"):
+    with pytest.raises(PlacecatError, match="16 values cannot be split into 5 equal cells"):
         Codebook.fit(train, cells=5, seed=0, tree=TREE)
 
 

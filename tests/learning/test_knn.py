@@ -217,7 +217,7 @@ def test_update_of_a_single_cluster():
 
 def test_wrong_updates():
     model = line_model()
-    with pytest.raises(PlacecatError, match="class 'c' is not a trained class: use one of a, b"):
+    with pytest.raises(PlacecatError, match="class 'c' is unknown: use one of a, b"):
         model.update([0.0], "c")
     with pytest.raises(PlacecatError, match="X has 2 features"):
         model.update([0.0, 1.0], "a")

@@ -111,5 +111,5 @@ def test_nu_without_margin_is_raised_or_rejected():
 
 
 def test_coinciding_classes_are_rejected():
-    with pytest.raises(PlacecatError, match="descriptors of both classes coincide"):
+    with pytest.raises(PlacecatError, match="both classes have identical descriptors"):
         NuSVM(gamma=1.0, nu=0.5).fit(np.zeros((8, 2)), np.repeat([0, 1], 4))

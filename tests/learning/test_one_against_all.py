@@ -211,7 +211,7 @@ X3, Y3, _ = homes(30)
             r"nu = 0.9 is infeasible for class '0' .*largest feasible value is 0.666667",
         ),
         (OneAgainstAll(NuSVM(nu=2.0)), Y3, "nu=2.0: it must be less than or equal to 1"),
-        (OneAgainstAll(sigmoid="own"), Y3, "sigmoid 'own' needs a base classifier with probabilities"),
+        (OneAgainstAll(sigmoid="own"), Y3, "sigmoid 'own' needs a base classifier with its own sigmoid"),
         (OneAgainstAll(sigmoid="x"), Y3, "sigmoid=x: it must be '"),
         (OneAgainstAll(calibration="x"), Y3, "calibration=x: it must be '"),
         (OneAgainstAll(calibration="homes_centred"), Y3, "'homes_centred' needs the home of each sample"),

@@ -20,7 +20,7 @@ from placecat.errors import PlacecatError
 # The checksum is the zip comment at the end of the file, so other programs can still open the archive.
 _MARK = b"placecat sha256 "
 _DIGITS = 2 * hashlib.sha256().digest_size
-# The header that `array_content` writes. NumPy's reader also accepts other headers, and evaluates them.
+# Accept only the exact header that `array_content` writes, because NumPy's reader evaluates any header.
 _HEADER = re.compile(
     rb"\x93NUMPY\x01\x00..\{'descr': '([<|][biufU][0-9]{1,6})', 'fortran_order': False, "
     rb"'shape': \(((?:[0-9]{1,15}(?:,|, )?){0,8})\), \} *\n",
@@ -43,11 +43,11 @@ def write(path: Path, members: Mapping[str, bytes]) -> None:
 
 @contextmanager
 def opened(path: Path) -> Iterator["Archive"]:
-    """Open an archive. Raises PlacecatError if it cannot be opened, is not an archive, or was changed."""
+    """Open an archive. Raises PlacecatError if it cannot be opened, is not an archive, or was modified."""
     try:
         if not path.is_file():
             raise PlacecatError(
-                f"the model {path} is missing: make one with `make repro` or `placecat train`"
+                f"the model {path} is missing: create one with `make repro` or `placecat train`"
             )
         with path.open("rb") as file:
             _check_seal(path, file)
@@ -66,7 +66,7 @@ class Archive:
     """The members of an archive.
 
     Raises PlacecatError if a member is compressed or encrypted, if two members have the same name, or if the
-    members together claim more bytes than the file has.
+    declared sizes of the members add up to more than the file size.
     """
 
     def __init__(self, path: Path, archive: zipfile.ZipFile) -> None:
@@ -79,7 +79,7 @@ class Archive:
             if info.compress_type != zipfile.ZIP_STORED or info.flag_bits & 1:
                 raise self.damaged(f"its member {info.filename!r} is compressed or encrypted")
         if sum(max(info.file_size, info.compress_size) for info in infos) > path.stat().st_size:
-            raise self.damaged("its members claim more bytes than the file has")
+            raise self.damaged("the declared sizes of its members exceed the file size")
         if len(set(self.names)) < len(self.names):
             raise self.damaged("two of its members share a name")
 
@@ -114,7 +114,7 @@ class Archive:
             # Check the size before allocating memory.
             size = math.prod(shape) * kind.itemsize
             if size != len(data) or not kind.itemsize:
-                raise ValueError(f"it declares {size} bytes but has {len(data)}")
+                raise ValueError(f"it declares {size} bytes but contains {len(data)}")
             return np.frombuffer(data, kind).reshape(shape).copy() if size else np.zeros(shape, kind)
         except (ValueError, TypeError) as error:
             raise self.damaged(f"the header of {name} is invalid ({error})") from None
@@ -123,7 +123,7 @@ class Archive:
 def array_content(array: NDArray[np.generic]) -> bytes:
     """Encode an array for :meth:`Archive.array`."""
     buffer = io.BytesIO()
-    # ascontiguousarray turns a scalar into a vector, and reshape undoes this.
+    # ascontiguousarray makes a scalar one-dimensional, and reshape undoes this.
     plain = np.ascontiguousarray(array).reshape(array.shape)
     np.lib.format.write_array(buffer, plain, version=(1, 0), allow_pickle=False)
     return buffer.getvalue()
@@ -136,8 +136,8 @@ def _check_seal(path: Path, file: BinaryIO) -> None:
     if not end.startswith(_MARK):
         if zipfile.is_zipfile(file):
             raise PlacecatError(
-                f"{path} does not end with its checksum, so it was changed or made by an earlier version: "
-                f"{TRAIN_AGAIN}"
+                f"{path} does not end with its checksum, so it was modified, or written by an earlier "
+                f"version: {TRAIN_AGAIN}"
             )
         raise PlacecatError(f"{path} is not a placecat model, or is truncated: {TRAIN_AGAIN}")
     file.seek(0)

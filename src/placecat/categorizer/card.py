@@ -7,23 +7,23 @@ from typing import Any
 
 from placecat import __version__
 
-# Version of the model file format. Raise it when the meaning of stored values changes.
+# Version of the model file format. Increment it when the meaning of stored values changes.
 FORMAT = 5
 # The last bits of a result may depend on the versions of these libraries.
 LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
 
 
 def make_card(**known: Any) -> dict[str, Any]:
-    """Build a card from the facts `known` and the versions of placecat, Python and `LIBRARIES`.
+    """Build a card from the `known` facts and the versions of placecat, Python and `LIBRARIES`.
 
-    The facts have only JSON types. ``title`` is the name of the system. ``data`` contains the ``title`` of
+    The facts contain only JSON types. ``title`` is the name of the system. ``data`` contains the ``title`` of
     the data set, its ``note`` (or None), and its ``version``, which is DVC's checksum. It also contains the
-    training ``homes``, the ``left_out`` homes, and the numbers of training ``frames`` for the cues and for
-    the integration. ``classes`` are the names of the places. ``frame_sizes`` lists every (width, height) in
-    the training footage, and ``fps`` lists every frame rate.
+    training ``homes``, the ``left_out`` homes, and the number of training ``frames`` used for the cues and
+    for the integration. ``classes`` lists the names of the places. ``frame_sizes`` lists every (width,
+    height) in the training footage, and ``fps`` lists every frame rate.
 
     ``accuracy`` maps each home to a percentage, measured with a system that has the same settings but was not
-    trained on this home. It may be empty. ``unknown`` comes from
+    trained on that home. It may be empty. ``unknown`` comes from
     :func:`placecat.categorizer.held_out.unknown`, or is None if it was not measured. ``settings`` contains
     all training settings.
     """

@@ -28,19 +28,19 @@ from placecat.vision.tracking import RegionTracker
 
 @dataclass(frozen=True)
 class Decision:
-    """The decision after a frame. Distributions are (n_classes,) float64 and sum to 1.
+    """The decision for one frame. Distributions are (n_classes,) float64 and sum to 1.
 
     `place` is the most probable class in `proba`, and `confidence` is its probability. `is_known` is true if
     this is at least :attr:`Categorizer.threshold`. `proba` is the distribution after the hidden Markov model
-    and the delay (thesis 3.4), and `hmm` is the distribution before the delay. Two attributes precede the
-    hidden Markov model: `integrated` is the distribution from all cues together (3.3.3), and `cues` has one
-    distribution per cue.
+    and the delay (thesis 3.4), and `hmm` is the distribution before the delay. Two more hold distributions
+    from before the hidden Markov model: `integrated` is the distribution from all cues combined (3.3.3), and
+    `cues` has one distribution per cue.
 
     `regions` are the salient regions, strongest first. They are (n, 4) float32 with columns x, y, scale and
-    strength, where x and y are in pixels of the resized frame. If any cue follows regions, these are the
+    strength, where x and y are in pixels of the resized frame. If any cue tracks regions, these are the
     tracked regions. `seconds` is the time of the frame; see :meth:`Categorizer.update`. `about` is the time
-    to which `proba` refers, at or before `seconds`. It is the mean time of the frames that the delay mixes,
-    with the same weights.
+    to which `proba` refers, at or before `seconds`. It is the mean time of the frames that the delay
+    averages, with the same weights.
     """
 
     place: str
@@ -61,9 +61,9 @@ class Decision:
 
 
 class Categorizer:
-    """Names the place in each frame from a video or a camera.
+    """Names the place in each frame of a video or camera stream.
 
-    The results are exactly those of the batch pipeline if NumPy's OpenBLAS uses the same kernels. The
+    The results match the batch pipeline exactly if NumPy's OpenBLAS uses the same kernels. The
     pipeline uses the Haswell kernels: it sets ``OPENBLAS_CORETYPE=Haswell`` before importing NumPy.
 
     Parameters
@@ -129,13 +129,13 @@ class Categorizer:
         if classes is not None and list(classes) != known:
             raise PlacecatError(
                 f"{path} has the classes {', '.join(known)}, not {', '.join(classes)}: use the model's "
-                "classes in the same order, or train a model for yours"
+                "classes in the same order, or train a model for your own"
             )
         try:
             categorizer = cls(system, resize=resize)
             with np.errstate(all="ignore"):
                 categorizer._try()
-        # A handmade file may raise any error.
+        # A hand-crafted file can cause any exception.
         except Exception as error:
             said = " ".join(str(error).split())[:300]
             raise PlacecatError(f"{path} is damaged, or is not a placecat model: {said}") from None
@@ -160,23 +160,23 @@ class Categorizer:
     ) -> Decision:
         """Categorize the next frame.
 
-        If neither `seconds` nor `time` is given, the frame is assumed to be one period of `frame_rate` after
-        the last frame. A frame at the same time as the last one adds no evidence.
+        If neither `seconds` nor `time` is given, the frame is assumed to come 1 / `frame_rate` seconds after
+        the previous one. A frame at the same time as the previous one adds no evidence.
 
         Parameters
         ----------
         frame
             An upright frame of one of the `frame_sizes`: (height, width, 3) uint8 BGR, as OpenCV returns it.
         seconds
-            Time since the last frame, at least 0. The first frame is at time 0, and its duration is
+            Time since the previous frame, at least 0. The first frame is at time 0, and its duration is
             `seconds`.
         time
             Time of the frame in seconds, on any clock that never runs backwards. The first frame lasts one
-            period of `frame_rate`.
+            frame period.
 
         Raises PlacecatError, and skips the frame, if its type or size is wrong, if its time is not finite or
-        is earlier than that of the last frame, or if both `seconds` and `time` are given. With `resize`, a
-        size is wrong only if less than half of the frame would remain.
+        is earlier than that of the previous frame, or if both `seconds` and `time` are given. With `resize`,
+        a size is wrong only if less than half of the frame would remain.
         """
         frame = self._fitted(frame)
         now, elapsed = self._moment(seconds, time)
@@ -202,7 +202,7 @@ class Categorizer:
                 raise PlacecatError(f"the time of a frame is {given!r}: pass a number of seconds")
         if seconds is not None and time is not None:
             raise PlacecatError(
-                "pass either the seconds since the last frame or the time of this one, not both"
+                "pass either the time since the previous frame or the time of this one, not both"
             )
         if time is None:
             check_elapsed(seconds)
@@ -214,13 +214,13 @@ class Categorizer:
             return time, None
         if time < self._last:
             raise PlacecatError(
-                f"a frame is {self._last - time:g} s older than the last one: pass frames in chronological "
-                "order, skip late ones, and call reset() when the clock restarts"
+                f"a frame is {self._last - time:g} s older than the previous one: pass frames in "
+                "chronological order, skip late ones, and call reset() when the clock restarts"
             )
         return time, time - self._last
 
     def _try(self) -> None:
-        """Run all parts on a frame of noise, then reset."""
+        """Run the whole system on a noise frame, then reset."""
         frame = np.random.default_rng(0).integers(0, 256, (256, 256, 3), np.uint8)
         decision = self._decide(frame, None, 0.0)
         for proba in (*decision.cues.values(), decision.integrated, decision.hmm, decision.proba):
@@ -296,7 +296,7 @@ class Categorizer:
 
 
 def _only(vision: dict[str, Any], descriptors: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """Return the vision settings, limited to these descriptors."""
+    """Return the vision settings with only these descriptors."""
     wanted = {(own["kind"], own["name"]) for own in descriptors}
     wanted |= {("local", own["color"]) for own in descriptors if own.get("color")}
     return vision | {

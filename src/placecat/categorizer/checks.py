@@ -14,7 +14,7 @@ from placecat.schema import signatures
 from placecat.schema.base import Own, Section
 from placecat.vision.frame import check as check_vision
 
-# Largest valid number in a vision setting. Larger numbers would need too much memory. Real settings are far
+# Largest number allowed in a vision setting. Larger numbers could exhaust memory. Real settings are far
 # smaller.
 _MOST = 4096
 _Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
@@ -123,12 +123,12 @@ def check_content(content: Any) -> None:
 
 
 def check_system(system: TrainedSystem) -> None:
-    """Raise an error if a system lists a cue twice, or if its parts do not fit together."""
+    """Raise an error if a system lists a cue twice, or if its parts are inconsistent."""
     n_classes, names = len(system.card["classes"]), [cue.name for cue in system.cues]
     if len(set(names)) < len(names):
         raise PlacecatError("a cue is listed twice")
     if any(cue.is_tracked for cue in system.cues) != (system.tracking is not None):
-        raise PlacecatError("its tracking settings do not fit its cues")
+        raise PlacecatError("its tracking settings do not match its cues")
     if system.smoothing.transition.shape != (n_classes, n_classes):
         raise PlacecatError(f"its smoothing does not match its {n_classes} places")
     integrator = system.integrator

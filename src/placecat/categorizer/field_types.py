@@ -13,7 +13,7 @@ _LARGE = 10**15
 
 
 def side(letter: str) -> AfterValidator:
-    """Require an integer, or the length of a list, to equal the size that this letter stands for."""
+    """Require an integer, or the length of a list, to equal the size this letter stands for."""
 
     def check(value: Any, info: ValidationInfo) -> Any:
         _same(value if isinstance(value, int) else len(value), letter, info)
@@ -30,11 +30,11 @@ def array(
     below: str = "",
     nan: bool = False,
 ) -> PlainValidator:
-    """Accept an array with these sides and this type.
+    """Accept an array of this shape and type.
 
     Each side is a number, the letter of a size, or None for any length. `kind` consists of one or more of
     NumPy's letters ``i``, ``u`` (integers), ``f`` (floats) and ``b`` (booleans). Values must be finite and
-    lie between `low` and `high`. If `below` is a letter, they must also be below the size of that letter. If
+    lie between `low` and `high`. If `below` is a letter, they must also be below the size it stands for. If
     `nan` is true, NaN is allowed too.
     """
 
@@ -50,7 +50,7 @@ def array(
         if value.dtype.kind == "b" or not known.size:
             return value
         if not np.isfinite(known).all():
-            raise ValueError("it contains numbers that are not finite")
+            raise ValueError("it contains non-finite numbers")
         sizes: Any = info.context
         least, most = known.min().item(), known.max().item()
         if least < low or most > high or (below and most >= sizes[below]):
@@ -65,7 +65,7 @@ def having(*methods: str) -> PlainValidator:
 
     def check(value: Any) -> Any:
         if not all(callable(getattr(value, name, None)) for name in methods):
-            raise ValueError(f"it must have all of the methods {', '.join(methods)}")
+            raise ValueError(f"it must have the methods {', '.join(methods)}")
         return value
 
     return PlainValidator(check)
@@ -74,4 +74,4 @@ def having(*methods: str) -> PlainValidator:
 def _same(length: int, letter: str, info: ValidationInfo) -> None:
     sizes: Any = info.context
     if sizes.setdefault(letter, length) != length:
-        raise ValueError(f"it has a side of length {length}, but another attribute has {sizes[letter]}")
+        raise ValueError(f"it has size {length}, but another attribute has size {sizes[letter]}")

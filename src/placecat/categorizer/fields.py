@@ -1,8 +1,8 @@
 """The fields of each class in a trained model: their types, ranges and shapes.
 
 An estimator's parameters have the types and ranges that its constructor declares. A class that is not listed,
-such as an added classifier, is accepted without a check, because `Categorizer.load` tries out every model
-before it is used.
+such as a user's own classifier, is not checked here, because `Categorizer.load` tries out every model before
+it is used.
 """
 
 from collections.abc import Callable, Mapping
@@ -22,7 +22,7 @@ from placecat.ranges import Count, NonNegative, OneOf, Positive, Share, Two
 
 
 def check(kind: type, state: Mapping[str, Any]) -> None:
-    """Raise PlacecatError if attributes do not fit their class or each other.
+    """Raise PlacecatError if attributes are invalid for their class or inconsistent with each other.
 
     The message names the class and, if possible, the attribute.
     """
@@ -32,7 +32,7 @@ def check(kind: type, state: Mapping[str, Any]) -> None:
     types = _types(kind)
     different = sorted(set(types) ^ set(state))
     if different:
-        raise PlacecatError(f"a {class_name} has wrong attributes ({', '.join(different)})")
+        raise PlacecatError(f"a {class_name} has missing or unexpected attributes ({', '.join(different)})")
     sizes: Sizes = {}
     for name, own in types.items():
         schema.check_value(state[name], own, f"{name} of a {class_name}", sizes)
@@ -241,7 +241,7 @@ def _fit_pairs(state: Mapping[str, Any], sizes: Sizes) -> bool:
     )
 
 
-# How the attributes of a class must fit together, apart from sides of equal length.
+# Constraints between the attributes of a class, other than equal sizes.
 RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
     "SmoothingModel": _fit_smoothing,
     "Integrator": lambda state, _: (

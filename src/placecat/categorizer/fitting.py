@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 
 Size = tuple[int, int]
 LEAST = 0.5
-"""Share of a frame that must remain after cropping. A smaller part would show too different a view."""
+"""Smallest share of a frame that may remain after cropping. A tighter crop would change the view too much."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Fit:
     def __call__(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """Crop and scale an (H, W, 3) uint8 frame to the size `target`.
 
-        If the size of a frame differs from `source`, for example after a phone was rotated, the frame is
+        If the size of a frame differs from `source`, for example because a phone was rotated, the frame is
         cropped around its centre to the aspect ratio of `target`. A frame that already has the size `target`
         is returned unchanged.
         """
@@ -36,7 +36,7 @@ class Fit:
             return frame
         left, top = ((have - keep) // 2 for have, keep in zip(self.source, self.kept, strict=True))
         middle = frame[top : top + self.kept[1], left : left + self.kept[0]]
-        # INTER_AREA averages pixels when it reduces a frame, but repeats them when it enlarges one.
+        # INTER_AREA averages pixels when shrinking a frame, but repeats them when enlarging one.
         method = cv2.INTER_AREA if self.target[0] <= self.kept[0] else cv2.INTER_LINEAR
         return cv2.resize(middle, self.target, interpolation=method)  # type: ignore[return-value]
 
@@ -46,11 +46,11 @@ class Fit:
 
 
 def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
-    """Choose how to crop and scale footage to a frame size of the model.
+    """Choose how to crop and scale footage to one of the model's frame sizes.
 
-    `source` is the size of the footage, and `known` lists the sizes that the model knows. With `resize`,
+    `source` is the size of the footage, and `known` lists the sizes the model was trained on. With `resize`,
     frames of other sizes are scaled, and are cropped around the centre if their aspect ratio differs. The
-    target is the size that keeps the largest part of the frame. In a tie, it is the size that requires the
+    target is the size that keeps the largest part of the frame. Ties go to the size that needs the
     least scaling. Raises PlacecatError if the size is not in `known` and `resize` is false, or if less than
     half of the frame would remain.
     """
@@ -66,9 +66,9 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
     best = max(fits, key=lambda one: (_share(one), -abs(np.log(_area(one.target) / _area(one.kept)))))
     if _share(best) < LEAST:
         raise PlacecatError(
-            f"the footage has {_text(source)} pixels: if it is cropped to the aspect ratio of the model's "
-            f"frames, {_text(best.target)}, only {_share(best):.0%} of it would remain; film in that format, "
-            "or train a model on such frames"
+            f"the footage has {_text(source)} pixels: cropping it to the aspect ratio of the model's frames, "
+            f"{_text(best.target)}, would leave only {_share(best):.0%} of it; film in that format, or train "
+            "a model on such frames"
         )
     return best
 

@@ -1,4 +1,4 @@
-"""Measurements of a system in unseen homes. Each home is left out of training and then tested."""
+"""Measurements of a system in unseen homes. Each home is left out of training, then used for testing."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -28,9 +28,9 @@ def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
 
 
 def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], seed: int) -> HeldOut:
-    """For each home, train the system `name` without that home, and apply it to that home.
+    """For each home, train the system `name` without that home, then apply it to that home.
 
-    Homes in `without` are always left out. If `without` is empty, the outputs are exactly those of the
+    Homes in `without` are always left out. If `without` is empty, the outputs are identical to those of the
     stages. If there are too few homes, the result is empty.
     """
     homes = [home for home in settings.get(params, "dataset.homes") if home not in without]
@@ -46,7 +46,7 @@ def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], se
 
 
 def accuracies(held_out: HeldOut) -> dict[str, float]:
-    """Return the accuracy in each home, in percent, as the mean over its places (thesis 4.2)."""
+    """Return the mean accuracy over the places of each home, in percent (thesis 4.2)."""
     return {
         home: round(
             home_accuracy(confusion_matrix(read_labels(home), proba.argmax(axis=1), proba.shape[1])), 2
@@ -63,7 +63,7 @@ def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[st
 
     In the dictionary, ``risk`` is `chosen`, and ``threshold`` is the chosen confidence, or None if no
     confidence is high enough. ``measured`` has one entry per share, with ``threshold``, ``coverage``,
-    ``wrong`` and ``worst``. For the last three, the threshold for each home is chosen on the other homes (see
+    ``wrong`` and ``worst``. For the last three, each home's threshold is chosen on the other homes (see
     :class:`placecat.evaluation.selection.Selection`).
     """
     homes = {home: decided(read_labels(home), proba) for home, proba in held_out.items()}

@@ -1,4 +1,4 @@
-"""Model files: archives that contain a trained system as JSON and arrays, with a readable card."""
+"""Model files: archives that contain a trained system as JSON and arrays, with a human-readable card."""
 
 import json
 import zipfile
@@ -121,6 +121,6 @@ def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
 def _series(version: str) -> list[str]:
     """Return the major and minor version.
 
-    Features and models keep their meaning until one of these changes.
+    Features and models stay compatible until one of these changes.
     """
     return version.split(".")[:2]

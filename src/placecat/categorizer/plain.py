@@ -1,7 +1,7 @@
 """Convert trained models to JSON and arrays, and back, without pickle.
 
 A model's attributes are numbers, text, arrays, containers of these, and objects of classes in
-`placecat.learning`, `placecat.cues` and `placecat.fusion`. Rebuilding a model calls no code in these classes.
+`placecat.learning`, `placecat.cues` and `placecat.fusion`. Rebuilding a model runs none of their code.
 """
 
 import math
@@ -45,7 +45,7 @@ def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
     kind = type(value)
     name = f"{kind.__module__}:{kind.__qualname__}"
     if name not in _classes(kind.__module__):
-        raise TypeError(f"{name} is not a class of a trained model")
+        raise TypeError(f"{name} is not a class that a model may contain")
     skipped = getattr(kind, "TRAINING_ONLY", ())
     state = {key: to_plain(item, arrays) for key, item in vars(value).items() if key not in skipped}
     return {_KIND: "object", "class": name, "state": state}
@@ -65,7 +65,7 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
             index = plain["index"]
             if type(index) is not int or not 0 <= index < len(arrays):
                 raise PlacecatError(
-                    f"a part of the model refers to array {index!r}, but there are {len(arrays)} arrays"
+                    f"part of the model refers to array {index!r}, but there are {len(arrays)} arrays"
                 )
             array = arrays[index]
             return array if kind == "array" else array[()]
@@ -80,16 +80,16 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
     except PlacecatError:
         raise
     except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise PlacecatError(f"a part of the model cannot be read ({error!r})") from None
-    raise PlacecatError(f"a part of the model has an unknown kind, {kind!r}")
+        raise PlacecatError(f"part of the model cannot be read ({error!r})") from None
+    raise PlacecatError(f"part of the model is of an unknown kind, {kind!r}")
 
 
 def _rebuild(name: str, state: dict[str, Any]) -> Any:
     kind = _classes(name.partition(":")[0]).get(name)
     if kind is None:
-        raise PlacecatError(f"a part of the model is a {name}, which this version of placecat does not have")
+        raise PlacecatError(f"part of the model is a {name}, which this version of placecat does not have")
     if not all(attribute.isidentifier() and not attribute.startswith("__") for attribute in state):
-        raise PlacecatError(f"a part of the model, a {name}, has an invalid attribute name")
+        raise PlacecatError(f"part of the model, a {name}, has an invalid attribute name")
     fields.check(kind, state)
     rebuilt: Any = object.__new__(kind)
     # Bypass __setattr__, because frozen classes forbid it.

@@ -21,7 +21,7 @@ class TrainedCue:
 
     @property
     def is_tracked(self) -> bool:
-        """Whether the cue follows regions."""
+        """Whether the cue tracks regions."""
         return bool(self.descriptor.get("tracked", False))
 
 
@@ -29,10 +29,10 @@ class TrainedCue:
 class TrainedSystem:
     """The cues, their integration, and the smoothing, in order of use.
 
-    `card` contains facts about the system, with JSON types only; see :mod:`placecat.categorizer.card`.
+    `card` contains facts about the system, in JSON types only; see :mod:`placecat.categorizer.card`.
     `vision` contains the settings of :func:`placecat.vision.frame.describe_frame` for regions that are not
     tracked. `tracking` contains the settings of :class:`placecat.vision.tracking.RegionTracker`, or is None
-    if no cue follows regions.
+    if no cue tracks regions.
     """
 
     card: dict[str, Any]

@@ -1,4 +1,4 @@
-"""Train a system for new footage, on homes whose features the stages have computed."""
+"""Train a system for new footage, on the homes for which the stages have computed features."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -20,10 +20,9 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
     """Run `placecat train`: train a system, measure it in unseen homes, and write it to a file.
 
     `system` is the name of a system in conf/system, by default ``model.system``. `seed` is one of
-    ``protocol.seeds``, by default ``model.seed``. The homes `without` are left out of all training. By
-    default, `output` is data/model.placecat. If any other option is given, the default is a file in
-    data/models that is named after the options, such as SYSTEM-without-HOME.placecat. Returns 0. User errors
-    raise PlacecatError.
+    ``protocol.seeds``, by default ``model.seed``. The homes in `without` are left out of all training. By
+    default, `output` is data/model.placecat, or, if any other option is given, a file in data/models named
+    after the options, such as SYSTEM-without-HOME.placecat. Returns 0. User errors raise PlacecatError.
     """
     params = settings.load()
     name = system if system is not None else str(settings.get(params, "model.system"))
@@ -36,7 +35,7 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
     files.check_writable(output)
     if output.exists() and not model_file.is_model(output):
         raise PlacecatError(
-            f"{output} exists and is not a model, so it is not replaced: give another --output"
+            f"{output} exists and is not a model, so it will not be replaced: choose another --output"
         )
     check_data(params)
     for home in settings.get(params, "dataset.homes"):
@@ -61,10 +60,10 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
 def train(
     params: Mapping[str, Any], name: str, *, without: Sequence[str] = (), seed: int | None = None
 ) -> TrainedSystem:
-    """Train the system `name` on all homes except `without`. For `seed`, see :func:`train_command`.
+    """Train the system `name` on all homes not in `without`. For `seed`, see :func:`train_command`.
 
-    If `without` has one home, the system is exactly the one that the stages apply to that home. The card of
-    the system has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system,
+    If `without` has one home, the system is identical to the one that the stages apply to that home. Its card
+    has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system,
     home or seed, for too few homes, and for missing features.
     """
     seed = int(settings.get(params, "model.seed")) if seed is None else seed

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 UNKNOWN = "unknown"
-"""Name for a decision whose confidence is too low."""
+"""Name given to a decision whose confidence is too low."""
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class Visit:
 
 
 class VisitLog:
-    """Collects stays frame by frame. It needs memory for each stay, but not for each frame."""
+    """Collects stays frame by frame. Memory use grows with the number of stays, not the number of frames."""
 
     def __init__(self) -> None:
         self._visits: list[Visit] = []
@@ -38,7 +38,7 @@ class VisitLog:
         self._visits[-1] = replace(last, confidence=mean, frames=count)
 
     def until(self, seconds: float | None) -> list[Visit]:
-        """List the stays. The last one ends at `seconds`. The list is empty if `seconds` is None."""
+        """List the stays, with the last one ending at `seconds`. If `seconds` is None, the list is empty."""
         if not self._visits or seconds is None:
             return []
         return [*self._visits[:-1], replace(self._visits[-1], end=seconds)]

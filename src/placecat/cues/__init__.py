@@ -23,7 +23,7 @@ logger = logging.getLogger(__name__)
 
 __all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "of_regions_only"]
 
-# Number of parts into which the frames are divided if homes cannot be left out.
+# Number of parts to split the frames into if homes cannot be left out.
 _PARTS = 5
 # Calibration needs at least this many training frames of each place in the other homes.
 _LEAST = 2
@@ -38,7 +38,7 @@ def fit(
     classes: Sequence[str],
     codebook: Codebook | None = None,
 ) -> CueModel:
-    """Train one cue on the descriptors of training frames.
+    """Train one cue on the descriptors of the training frames.
 
     `labels` are (n,) class indices in [0, len(classes)), and every class must occur. `homes` (n,) is the home
     of each frame. Cross-validation keeps the frames of a home together, because neighbouring frames are
@@ -50,7 +50,7 @@ def fit(
     missing = sorted(set(range(len(classes))) - set(np.unique(labels).tolist()))
     if missing:
         raise PlacecatError(
-            f"the training homes {', '.join(sorted(set(homes.tolist())))} have no training frame of "
+            f"the training homes {', '.join(sorted(set(homes.tolist())))} have no training frames of "
             f"{classes[missing[0]]}: remove this place from dataset.classes, or add homes that show it"
         )
     module = _load(str(settings.get(classifier, "model")))
@@ -70,11 +70,11 @@ def cross_validate(
 ) -> NDArray[np.float64]:
     """Predict the frames of each home with a cue trained on the other homes.
 
-    Parameters and errors are those of :func:`fit`. Returns (n, n_classes) distributions. Everything,
-    including calibration and scaling, is fitted again for each home, so the distributions of different homes
-    are comparable. Only the codebook, which uses no labels, is shared. If there is only one home, or if
-    leaving one out would leave fewer than two frames of a place, a warning is logged. In that case, the
-    frames of each place are cut into five consecutive parts, and these parts are left out instead of homes.
+    Takes the same parameters and raises the same errors as :func:`fit`. Returns (n, n_classes) distributions.
+    Everything, including calibration and scaling, is refitted for each home, so that distributions can be
+    compared across homes. Only the codebook, which uses no labels, is shared. If there is only one home, or
+    if leaving one out would leave fewer than two frames of a place, a warning is logged. In that case, the
+    frames of each place are split into five consecutive parts, which are left out instead of homes.
     """
     index = labels.astype(np.intp)
     names = np.unique(homes)

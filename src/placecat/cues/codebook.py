@@ -20,14 +20,14 @@ from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 def seed_of(
     dataset: str, descriptor: Mapping[str, Any], cells: int, training_set: str, seed: int | str
 ) -> int:
-    """Derive the seed of a codebook, in [0, 2**32), from what the codebook clusters.
+    """Derive the seed of a codebook, in [0, 2**32), from the data that it clusters.
 
     The inputs are the name of the data set, the descriptor of the cue, the number of cells of a holistic
-    descriptor, the name of the training set, and one of ``protocol.seeds``. Equal inputs produce equal seeds.
-    Raises the errors of :func:`placecat.cues.cue_input.check`.
+    descriptor, the name of the training set, and one of ``protocol.seeds``. The same inputs always produce
+    the same seed. Raises the same errors as :func:`placecat.cues.cue_input.check`.
     """
     cue_input.check(descriptor)
-    # The clustering depends on this text. If a setting or descriptor is renamed, keep its old name here.
+    # The clustering depends on this string, so if a setting or descriptor is renamed, keep its old name here.
     content = json.dumps(dict(descriptor), sort_keys=True)
     return seeds.derive("codebook", dataset, content, cells, training_set, int(seed))
 
@@ -35,7 +35,7 @@ def seed_of(
 def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
     """Look up the settings of a codebook. For flat k-means, add the numbers of clusters that its cues use.
 
-    One hierarchy serves all numbers up to ``max_clusters``, but flat k-means clusters once for each of the
+    One hierarchy serves all numbers up to ``max_clusters``, but flat k-means runs once for each of the
     ``numbers`` in ``tree``. Raises PlacecatError if `name` is not one of ``codebooks``.
     """
     codebook = dict(settings.get(params, f"codebooks.{name}"))
@@ -70,17 +70,17 @@ class Codebook:
     ) -> Codebook:
         """Cluster the descriptors of n training frames.
 
-        `cells` is the number of equal parts into which a holistic descriptor is cut (16 in the thesis), or 1
+        `cells` is the number of equal parts that a holistic descriptor is split into (16 in the thesis), or 1
         for regions. The seed of each tree is derived from `seed` and the cell. `tree` contains the ``name``
-        of a clustering module in `placecat.learning` and the settings of this module. `numbers` are the
-        numbers of clusters that will be used. If it is None, those in the settings apply.
+        of a clustering module in `placecat.learning` and its settings. `numbers` lists the cluster counts
+        that will be used. If it is None, those in the settings apply.
         """
         if train.is_set:
             parts = [train.rows()]
         else:
             if train.x.shape[1] % cells:
                 raise PlacecatError(
-                    f"a descriptor of {train.x.shape[1]} values cannot be cut into {cells} equal cells"
+                    f"a descriptor of {train.x.shape[1]} values cannot be split into {cells} equal cells"
                 )
             parts = np.split(train.x, cells, axis=1)
         trees = []

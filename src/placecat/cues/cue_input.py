@@ -47,13 +47,13 @@ def assemble(
     height: int,
     modules: Mapping[str, str],
 ) -> Descriptors:
-    """Assemble a descriptor of n frames. Raises PlacecatError if `arrays` has too few regions for it.
+    """Assemble a descriptor for n frames. Raises PlacecatError if `arrays` has too few regions for it.
 
-    The shape descriptor of a region is joined with the vertical position of its centre and with its colour
-    descriptor (thesis 4.4.1). The position is 0 at the top and 1 at the bottom, and is multiplied by
-    ``y_weight``. Descriptors have different magnitudes (SIFT reaches 255, HOG 1), and the thesis does not say
-    how to weight them. Each is therefore divided by the ``SPREAD`` of its module, so that all of them
-    influence a distance equally.
+    The shape descriptor of a region is concatenated with the vertical position of its centre and with its
+    colour descriptor (thesis 4.4.1). The position is 0 at the top and 1 at the bottom, and is multiplied by
+    ``y_weight``. Descriptors have different ranges (up to 255 for SIFT, up to 1 for HOG), and the thesis does
+    not say how to weight them. Each is therefore divided by the ``SPREAD`` of its module, so that all of them
+    contribute equally to a distance.
 
     `descriptor` has the keys that :func:`check` describes. `arrays` contains the arrays that
     :func:`array_names` lists, with n frames along the first axis. `height` is the frame height in pixels.

@@ -1,4 +1,4 @@
-"""Descriptors of frames as the input of cues, and the interface of a trained cue."""
+"""Frame descriptors, which are the input to cues, and the interface of a trained cue."""
 
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -23,7 +23,7 @@ class Descriptors:
         return len(self.x)
 
     def take(self, frames: NDArray[np.intp]) -> "Descriptors":
-        """Return the descriptors of the frames with these indices, in this order."""
+        """Return the descriptors of the frames at these indices, in this order."""
         return Descriptors(self.x[frames], None if self.counts is None else self.counts[frames])
 
     @property
@@ -52,7 +52,7 @@ class Descriptors:
 
 
 class CueModel(Protocol):
-    """A trained cue. `facts` describes its training, such as the nu in use, with JSON types only."""
+    """A trained cue. `facts` describes its training, such as the nu used, in JSON types only."""
 
     facts: dict[str, Any]
 

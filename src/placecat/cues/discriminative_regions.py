@@ -32,7 +32,7 @@ class DiscriminativeRegionsCue:
 
 
 def only(frames: Descriptors, words: NDArray[np.int32], kept: NDArray[np.bool_]) -> Descriptors:
-    """Keep the regions whose codeword is in the mask `kept`.
+    """Keep the regions whose codeword the mask `kept` selects.
 
     `words` is (n, max_regions), padded with -1, and `kept` is (N,).
     """
@@ -54,10 +54,10 @@ def fit(
     clusters: Count,
     keep: PositiveShare,
 ) -> DiscriminativeRegionsCue:
-    """Choose codewords on the training frames, then train a cue on the regions with these codewords.
+    """Choose codewords using the training frames, then train a cue on the regions that have these codewords.
 
-    `cue` contains the settings of this cue's classifier, which also uses `clusters` clusters. `keep` is the
-    share of clusters to choose; see :func:`placecat.learning.discriminative.discriminative_codewords`.
+    `cue` contains the settings of this cue's classifier, which uses the same number of `clusters`. `keep` is
+    the share of clusters to choose; see :func:`placecat.learning.discriminative.discriminative_codewords`.
     """
     from placecat import cues
 

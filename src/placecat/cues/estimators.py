@@ -8,10 +8,10 @@ from placecat.schema import signatures
 
 
 def build(options: Mapping[str, Any], where: str, **fixed: Any) -> Any:
-    """Make the estimator named by ``options["name"]``. The other options are its parameters.
+    """Build the estimator named by ``options["name"]``. The other options are its parameters.
 
     ``name`` is a module of `placecat.learning` that defines one estimator. An unknown estimator or parameter
-    raises a PlacecatError that names `where` and the valid choices. `fixed` are parameters that are not
+    raises a PlacecatError that names `where` and the valid choices. `fixed` contains parameters that are not
     settings, such as a seed.
     """
     class_name = signatures.check_estimator(options, where)

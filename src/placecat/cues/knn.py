@@ -16,7 +16,7 @@ from placecat.ranges import Count
 
 @dataclass
 class NearestNeighboursCue:
-    """Cue that multiplies the class frequencies of the clusters nearest to the regions of a frame."""
+    """Cue that multiplies the class frequencies of the clusters nearest to a frame's regions."""
 
     estimator: Any
     facts: dict[str, Any] = field(default_factory=dict)
@@ -38,7 +38,7 @@ def fit(
     base: Mapping[str, Any],
     clusters: Count,
 ) -> NearestNeighboursCue:
-    """Train the modified classifier on all regions or all frames. A region has the label of its frame."""
+    """Train the modified classifier on all regions or all frames. Each region takes its frame's label."""
     if codebook is None:
         raise PlacecatError("classifier.model 'knn' needs a codebook: set the cue's codebook and input")
     if len(codebook.trees) != 1:

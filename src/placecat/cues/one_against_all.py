@@ -17,7 +17,7 @@ from placecat.ranges import OneOf, Positive, Two
 
 
 class OneAgainstAllCue:
-    """Cue that reduces and scales its descriptor, then applies the multi-class scheme."""
+    """Cue that reduces the dimension of its descriptor, scales it, and applies the multi-class scheme."""
 
     def __init__(self, steps: list[Any], scheme: Any) -> None:
         self.steps = steps
@@ -25,10 +25,10 @@ class OneAgainstAllCue:
         self.facts: dict[str, Any] = {}
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
-        """Return (n, n_classes) distributions over places, multiplied over the regions of each frame."""
+        """Return (n, n_classes) distributions over places, each a product over the regions of the frame."""
         _, rows = remembered("rows", (frames, None), lambda: _rows(frames, None))
         if len(rows) == 0:
-            # Without frames or regions, the matrix is empty, and estimators reject an empty matrix.
+            # With no frames or regions, the matrix is empty, which estimators reject.
             proba = np.empty((0, len(self.scheme.classes_)))
         else:
             for step in self.steps:
@@ -47,7 +47,7 @@ def product_of_rows(
 
     `log_proba` contains the (rows, n_classes) log-probabilities of the regions, and `frame_of_row` contains
     the (rows,) frame index of each region. Returns (n_frames, n_classes) distributions. A frame without
-    regions has a uniform distribution.
+    regions gets a uniform distribution.
     """
     total = np.zeros((n_frames, log_proba.shape[1]))
     np.add.at(total, frame_of_row, log_proba)

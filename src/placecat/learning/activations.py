@@ -1,4 +1,4 @@
-"""Activations of clusters by the regions of a frame."""
+"""Find the clusters that a frame's regions activate."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -11,20 +11,20 @@ from placecat.learning.stumps import BinnedFeatures, Stump, best_stumps
 # Number of machines whose histograms are computed in one pass over the binned samples.
 _TOGETHER = 8
 
-# A two-class problem: (n,) bool labels, indices of the training samples (None for all), and a name for
-# messages.
+# A two-class problem: (n,) bool labels, indices of the training samples (None for all), and a name to show
+# in messages.
 Task = tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]
 
 
 class Boosting:
     """Boosted machines for several two-class problems on the same samples.
 
-    Each machine is exactly the same as if it were fitted alone. More rounds can be added later without
-    changing the first stumps.
+    Each machine is identical to one fitted alone. More rounds can be added later without changing the
+    existing stumps.
 
     `binned` contains the n samples, and `tasks` lists the two-class problems. `weight_trim` is the parameter
     of :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`. Raises PlacecatError if all training
-    samples of a problem have the same class.
+    samples of a problem belong to the same class.
     """
 
     def __init__(self, binned: BinnedFeatures, tasks: Sequence[Task], weight_trim: float) -> None:
@@ -78,7 +78,7 @@ class _Machine:
         self._base_rate = Stump(0, -1, rate, rate)
 
     def trimmed(self) -> NDArray[np.float64]:
-        """Return the (n,) weights, with 0 for the lightest samples."""
+        """Return the (n,) weights, with the smallest set to 0."""
         weight = self._weight
         if self._trim >= 1:
             return weight
@@ -99,5 +99,5 @@ class _Machine:
             self.ended = True
 
     def first(self, n_rounds: int) -> list[Stump]:
-        """Return the first stumps, or a constant stump if no feature can be cut."""
+        """Return the first stumps, or a constant stump if no feature can be split."""
         return self.stumps[:n_rounds] or [self._base_rate]

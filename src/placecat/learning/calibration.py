@@ -32,17 +32,17 @@ Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 class Calibration:
     """How decision values are converted to probabilities.
 
-    If each machine leaves out a different home, the values of the machines are not comparable. For example, a
+    If each machine leaves out a different home, their values are not comparable. For example, a
     machine that leaves out a home with many positives sees few positives in training, so its values for that
-    home are low. Such values are never pooled unchanged, because a sigmoid fitted to them can fall where it
+    home are low. Such values are never pooled as they are, because a sigmoid fitted to them can fall where it
     should rise.
 
     Attributes
     ----------
     kind
         Which samples are held out, and how their values are used. ``samples`` splits each class into `folds`
-        random parts, as in dlib, which the thesis uses (3.3.1.2). ``consecutive`` makes `folds` parts of
-        consecutive samples, as in dlib without shuffling. Both fit one sigmoid to all values.
+        random parts, as in dlib, which the thesis uses (3.3.1.2). ``consecutive`` splits it into `folds` runs
+        of consecutive samples, as in dlib without shuffling. Both fit one sigmoid to all values.
         ``homes_centred`` and ``homes_averaged`` hold out one home at a time. ``homes_centred`` shifts each
         home's values to a common mean and then fits one sigmoid to all of them. ``homes_averaged`` fits a
         sigmoid for each machine and averages the resulting probabilities.
@@ -65,7 +65,7 @@ class Calibration:
 class Problem:
     """A two-class problem on n samples."""
 
-    #: Name in messages.
+    #: Name to show in messages.
     name: str
     #: (n,), true for the positive samples.
     positive: NDArray[np.bool_]
@@ -84,7 +84,7 @@ class FittedProblem:
     sigmoids: NDArray[np.float64]
     #: (n,) held-out p(o|x).
     outputs: NDArray[np.float64]
-    #: nu of each machine that leaves out a part, or NaN if the base classifier has no nu.
+    #: nu of each machine trained with one part left out, or NaN if the base classifier has no nu.
     nu: NDArray[np.float64]
     #: Number of sigmoids that are flat because the decision values were uninformative or reversed.
     flat: int
@@ -148,8 +148,8 @@ def fit_problems(
 
     Each (problem, fold) pair is a separate task, so that threads can share the work.
 
-    The training part of a fold may lack positives or negatives, for example if only one home has the class.
-    In that case, a warning is logged, and stratified parts of consecutive samples are held out instead.
+    The training part of a fold may lack positives or negatives, for example if the class occurs in only one
+    home. In that case, a warning is logged, and stratified parts of consecutive samples are held out instead.
     `shared` comes from ``base.prepare``, and `folds` comes from :func:`make_folds`. `base` itself is not
     fitted.
     """
@@ -187,11 +187,11 @@ def fit_problems(
 
 
 def _fit_all(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
-    """Fit a machine for each task. Inside `remembering`, fit equal tasks on the same samples only once."""
+    """Fit a machine for each task. Inside `remembering`, fit identical tasks on the same samples once."""
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
         return _fit_missing(base, shared, tasks, n_jobs)
-    # Keep only the machines for the latest prepared samples, because these may be large.
+    # Keep only the machines for the most recently prepared samples, because prepared samples may be large.
     machines: dict[Any, Any] = remembered("machines", (shared,), dict, latest=True)
     of_base = type(base).__name__, tuple(sorted(settings.items()))
     keys = [(of_base, positive.tobytes(), bytes_of(rows)) for positive, rows, _ in tasks]
@@ -208,10 +208,10 @@ def _fit_missing(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int
 
 
 def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
-    """Make decision values comparable between machines that each leave out a different home.
+    """Make decision values comparable across machines that each leave out a different home.
 
-    `values` and the result have one array per home. Each array is shifted to the same mean, which is the
-    average of the original means. This is the expected mean for an unseen home.
+    `values` and the result have one array per home. All arrays are shifted to the same mean: the average of
+    the original means, which is also the mean expected for an unseen home.
 
     Examples
     --------

@@ -17,7 +17,7 @@ def check_samples(X: ArrayLike, least: int = 1) -> NDArray[np.float32]:
     or if it has fewer than `least` samples.
     """
     if isinstance(X, np.ndarray) and X.dtype == np.float32 and X.ndim == 2 and X.size:
-        # scikit-learn's own check would take longer than many predictions.
+        # scikit-learn's own check would take longer than many predictions do.
         samples = np.ascontiguousarray(X)
     else:
         try:
@@ -47,7 +47,7 @@ def check_width(X: NDArray[Any], estimator: Any) -> None:
 def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
     """Return `y` as (n,) class labels.
 
-    Raises PlacecatError if labels are missing or are not classes, such as 0.5.
+    Raises PlacecatError if labels are missing or cannot be class labels, such as 0.5.
     """
     if y is None:
         raise PlacecatError("a classifier requires y to be passed, but the target y is None")

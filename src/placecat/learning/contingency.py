@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-# A pair's table is stored in full if it has at most this many cells per sample. Otherwise the pair is counted
-# by sorting the samples.
+# A pair's table is stored in full if it has at most this many cells per sample. Otherwise, its cells are
+# counted by sorting the samples.
 _CELLS_PER_SAMPLE = 16
 # float32 represents every integer up to this value exactly.
 _EXACT_FLOAT32 = 1 << 24
@@ -13,7 +13,7 @@ _EXACT_FLOAT32 = 1 << 24
 def value_counts(
     codes: NDArray[np.integer], labels: NDArray[np.integer], n_classes: int, n_values: int
 ) -> NDArray[np.int64]:
-    """Return (n_classes, V, n_values) counts of how often each variable has each value in each class.
+    """Return (n_classes, V, n_values) counts of how often each variable takes each value in each class.
 
     `codes` is an (n, V) array of integers in [0, n_values), and `labels` is an (n,) array of integers in
     [0, n_classes).
@@ -40,7 +40,7 @@ def value_counts(
 def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.float64]:
     """Compute the mutual information of every pair of variables from relative frequencies.
 
-    If n_ab are the counts of a pair, its mutual information I follows from
+    With n_ab denoting the counts of a pair, its mutual information I is given by
     n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. For binary variables, one matrix
     product counts all pairs. Larger tables are filled cell by cell. If a table would have far more cells than
     samples, the samples are sorted instead, so memory does not grow with the square of `n_values`.
@@ -66,7 +66,8 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
 def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
     """Return (V, V) counts of the samples in which both variables of a pair are 1.
 
-    `codes` is an (n, V) array of zeros and ones. The diagonal of the result counts the ones of each variable.
+    `codes` is an (n, V) array of zeros and ones. The diagonal of the result is the number of ones in each
+    variable.
 
     Examples
     --------
@@ -144,7 +145,7 @@ def _joint_by_tables(
     cells = np.empty(n, np.int64)
     for first, rows in enumerate(columns * n_values):
         for second in range(first + 1, n_variables):
-            # bincount would allocate a new table each time, which takes several times as long as counting.
+            # bincount would allocate a new table each time, which takes several times longer than counting.
             counts.fill(0)
             np.add.at(counts, np.add(rows, columns[second], out=cells), np.int32(1))
             # Counts of 0 and 1 can be left out, because m log m is 0 for them.
@@ -170,5 +171,5 @@ def _joint_by_sorting(
 
 
 def _exact_dtype(n: int) -> type[np.floating]:
-    """Return a dtype in which dot products of n zeros and ones are exact in any order of summation."""
+    """Return a dtype in which dot products of n zeros and ones are exact whatever the order of summation."""
     return np.float32 if n < _EXACT_FLOAT32 else np.float64

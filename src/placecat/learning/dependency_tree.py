@@ -16,8 +16,8 @@ from placecat.learning.contingency import (
 from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.ranges import Index, OneOf, Positive, Two
 
-# Maximum number of cells for which a table of pair counts is stored in full (32 MB). Larger tables store only
-# the pairs that occur.
+# Tables of pair counts with at most this many cells (32 MB) are stored in full. Larger tables store only the
+# pairs that occur.
 _DENSE_CELLS = 1 << 22
 # Number of table look-ups per block.
 _BLOCK = 1 << 18
@@ -26,10 +26,10 @@ _BLOCK = 1 << 18
 class DependencyTree(DiscreteBayes):
     """Model of p(c_1, ..., c_V | l_i) with an optimal dependency tree per class (equation 11).
 
-    The model multiplies p(c_r | l_i) for the root r by p(c_k | c_parent(k), l_i) for each other variable. The
-    tree of a class is the maximum spanning tree of the mutual information within the class. Among all trees,
-    it maximises the likelihood of that class's samples (Chow and Liu). The mutual information is computed
-    from relative frequencies. Only the conditional probabilities are smoothed.
+    The model is the product of p(c_r | l_i) for the root r and p(c_k | c_parent(k), l_i) for all other
+    variables. Each class's tree is the maximum spanning tree of the mutual information within that class. Of
+    all trees, it is the one that maximises the likelihood of the class's samples (Chow and Liu). The mutual
+    information is computed from relative frequencies. Only the conditional probabilities are smoothed.
 
     Parameters
     ----------

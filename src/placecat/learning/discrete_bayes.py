@@ -1,4 +1,4 @@
-"""Base class of the two joint-probability models. It applies Bayes' rule to codes."""
+"""Base class of the two joint-probability models, which apply Bayes' rule to codes."""
 
 from abc import abstractmethod
 from typing import Any, Self
@@ -24,8 +24,8 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     Parameters
     ----------
     alpha
-        Number that is added to every count (Laplace smoothing). It must be above 0. Otherwise, a value that
-        never occurs in a class would rule out the class. The thesis does not specify this.
+        Number added to every count (Laplace smoothing). It must be positive; otherwise, a value that never
+        occurs in a class would rule that class out. The thesis does not specify this.
     n_values
         Number of values per variable: the number of clusters, or 2 for activations. By default, it is the
         largest training code plus 1, but at least 2.
@@ -42,7 +42,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     class_log_prior_
         (n_classes,) float64, log p(l_i).
     n_values_
-        The number of values in use.
+        Number of values per variable.
     n_features_in_
         V, the number of variables.
     """
@@ -88,7 +88,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         """Return (n, n_classes) logarithms of p(codes, class), the numerator of equation (10).
 
         X is an (n, V) array of integers. Raises PlacecatError if a code is outside [0, n_values_), or if V
-        differs from the training data.
+        differs from that of the training data.
         """
         check_is_fitted(self)
         codes = self._read_codes(X)
@@ -106,7 +106,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return np.exp(self.predict_log_proba(X))
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the (n,) most probable classes of the samples."""
+        """Return the most probable class of each sample, (n,)."""
         best = self.predict_joint_log_likelihood(X).argmax(axis=1)
         return self.classes_[best]
 

@@ -17,8 +17,8 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     y
         (frames,) classes.
     keep
-        Share of codewords to mark, in (0, 1]. At least one codeword is marked. In a tie, the lower codeword
-        numbers win.
+        Share of codewords to mark, in (0, 1]. At least one codeword is marked. Ties go to the lower codeword
+        numbers.
 
     Returns
     -------

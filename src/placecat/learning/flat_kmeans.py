@@ -1,4 +1,4 @@
-"""Flat k-means, which thesis 4.2 compares with hierarchical clustering."""
+"""Flat k-means, compared with hierarchical clustering in thesis 4.2."""
 
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Self
@@ -28,8 +28,8 @@ class FlatKMeans(BaseEstimator):
     numbers : sequence of int
         Numbers of clusters for which k-means is run.
     max_iter : int
-        Maximum number of Lloyd iterations. The thesis does not specify this. The default, 11, is that of
-        hierarchical clustering, so that the two differ only in the hierarchy.
+        Maximum number of Lloyd iterations. The thesis does not specify this. The default of 11 matches
+        that of hierarchical clustering, so that the two differ only in the hierarchy.
     seed : int
         Random seed, at least 0. The random draws for each number of clusters are independent.
 
@@ -110,7 +110,7 @@ class FlatKMeans(BaseEstimator):
         )
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
-        """Return the number of the nearest centre, in [0, n_clusters), for each of (n, D) points."""
+        """Return the index of the nearest centre, in [0, n_clusters), for each of (n, D) points."""
         points = check_samples(X, least=0)
         check_width(points, self)
         return nearest_centers(points, self.centers(n_clusters))[:, 0]

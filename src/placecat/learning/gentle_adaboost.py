@@ -37,8 +37,7 @@ class StumpEnsembles:
         result = np.empty((len(X), len(self.feature)))
         for k in range(len(self.feature)):
             above = np.take(X, self.feature[k], axis=1) > self.threshold[k]
-            # Add stump by stump as `decide_rows` does, because a sum along the axis may use a different
-            # order.
+            # Add the stumps one by one, as `decide_rows` does. A sum along the axis might use another order.
             result[:, k] = np.cumsum(np.where(above, self.high[k], self.low[k]), axis=1)[:, -1]
         return result
 
@@ -54,11 +53,12 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
     n_rounds
         Number of weak classifiers. Thesis Table 2 uses 20, 50 and 100.
     max_bins
-        Maximum number of bins per feature. If a feature has no more distinct values than this, it can be cut
-        between any two adjacent values, as in exact boosting. The thesis does not specify this.
+        Maximum number of bins per feature. If a feature has no more distinct values than this, it can be
+        split between any two adjacent values, as in exact boosting. The thesis does not specify this.
     weight_trim
-        Each round leaves out the lightest samples, whose weights add up to 1 - weight_trim. The value 1 keeps
-        all samples. The default is 0.95, as in OpenCV, which the thesis uses.
+        Each round leaves out the samples with the smallest weights, up to a share of 1 - weight_trim of the
+        total weight. A value of 1 keeps all samples. The default is 0.95, as in OpenCV, which the thesis
+        uses.
 
     Attributes
     ----------
@@ -153,7 +153,7 @@ class GentleAdaBoost(TwoClass, ClassifierMixin, BaseEstimator):
         )
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return the (n,) values F(x) of (n, D) samples, positive for ``classes_[1]``."""
+        """Return the (n,) values F(x) for (n, D) samples, positive for ``classes_[1]``."""
         check_is_fitted(self, "feature_")
         samples = check_samples(X)
         check_width(samples, self)

@@ -1,4 +1,4 @@
-"""Hierarchical k-means. It grows one tree of clusters and cuts it to the desired number of codewords."""
+"""Hierarchical k-means, which grows one tree of clusters and cuts it to the desired number of codewords."""
 
 import heapq
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ from placecat.schema.signatures import check_parameters
 
 
 def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
-    """Raise PlacecatError if a tree with this branching cannot be cut to `n_clusters` clusters.
+    """Raise PlacecatError if a tree with this branching factor cannot be cut to `n_clusters` clusters.
 
     Each split replaces one cluster with `branching` clusters, so k splits produce (branching - 1) k + 1
     clusters. The message names the two nearest valid numbers.
@@ -46,7 +46,7 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
 class HierarchicalKMeans(BaseEstimator):
     """Hierarchical k-means as in FLANN, which the thesis uses for codebooks (sections 3.3.2 and 4.2).
 
-    K-means (k-means++ seeds, then Lloyd's iterations) splits the points into `branching` clusters, then
+    K-means (k-means++ seeds, then Lloyd iterations) splits the points into `branching` clusters, then
     splits each cluster into `branching` smaller ones, and so on. A cut of this tree starts at the root and
     always splits the node whose split most reduces the total variance (the sum of squared distances to the
     centres). Every larger cut begins with the same splits. One tree therefore provides every number of
@@ -57,7 +57,7 @@ class HierarchicalKMeans(BaseEstimator):
     computed in float32 relative to the node's centre, so a split resolves distances of about 1/1000 of the
     node's radius.
 
-    The tree is grown lazily. This does not change the result. A split gains at most the node's sum of
+    The tree is grown lazily, which does not change the result. A split gains at most the node's sum of
     squares, so a node is split only when this bound reaches the best known gain. A node's random draws depend
     on its position in the tree, not on the order of the splits.
 
@@ -68,8 +68,8 @@ class HierarchicalKMeans(BaseEstimator):
     max_clusters : int
         Number of clusters in the largest cut, of the form (branching - 1) k + 1. The thesis uses at most 991.
     max_iter : int
-        Maximum number of Lloyd iterations per split. The thesis does not specify this. The default, 11, is
-        FLANN's.
+        Maximum number of Lloyd iterations per split. The thesis does not specify this. The default of 11
+        is FLANN's.
     seed : int
         Seed of the k-means++ draws, at least 0.
 
@@ -85,7 +85,7 @@ class HierarchicalKMeans(BaseEstimator):
     node_sse_ : ndarray of shape (n_nodes,), float64
         Sum of the squared distances between each node's training points and its centre.
     split_nodes_ : ndarray of shape (n_splits,), int32
-        The node that each step of the cut splits.
+        The node that is split at each step of the cut.
     training_nodes_ : ndarray of shape (n,), int32 or None
         The node of each training point in the largest cut, or None if the tree comes from `from_arrays`.
     n_features_in_ : int
@@ -107,7 +107,7 @@ class HierarchicalKMeans(BaseEstimator):
     (3, 2)
     """
 
-    #: Attributes that prediction does not need, so stored systems omit them.
+    #: Attributes that stored systems omit, because prediction does not need them.
     TRAINING_ONLY = ("training_nodes_",)
     training_nodes_: NDArray[np.int32] | None = None
 
@@ -149,7 +149,7 @@ class HierarchicalKMeans(BaseEstimator):
     def _grow(self, points: NDArray[np.float32], n_splits: int) -> None:
         root = make_root(points)
         nodes = [root]
-        # Entries: (negative gain or bound, whether the gain is known, node). A bound precedes an equal gain.
+        # Entries: (negative gain or bound, whether the gain is known, node). Bounds come before equal gains.
         queue: list[tuple[float, bool, int]] = [(-root.sse, False, 0)]
         split_nodes: list[int] = []
         while queue and len(split_nodes) < n_splits:
@@ -192,7 +192,7 @@ class HierarchicalKMeans(BaseEstimator):
         say whether it descends the tree instead.
 
         `X` is an (n, D) array of finite descriptors, where n may be 0. Returns (n,) int32 in [0, n_clusters).
-        Raises PlacecatError in the same cases as `centers`, and if D differs from the training data.
+        Raises PlacecatError in the same cases as `centers`, and if D differs from that of the training data.
         """
         centers = self.centers(n_clusters)
         points = check_samples(X, least=0)
@@ -202,7 +202,7 @@ class HierarchicalKMeans(BaseEstimator):
     def labels(self, n_clusters: int) -> NDArray[np.int32]:
         """Return each training point's cluster in the cut, as (n,) int32 indices into `centers`.
 
-        This is the partition that k-means found. It differs from `assign` near cluster borders. Raises
+        This is the partition that k-means found, which differs from `assign` near cluster boundaries. Raises
         PlacecatError in the same cases as `centers`, and also if the tree comes from `from_arrays`.
         """
         cut = self._cut(n_clusters)
@@ -226,10 +226,10 @@ class HierarchicalKMeans(BaseEstimator):
             if self.max_clusters_ == self.max_clusters:
                 raise PlacecatError(
                     f"n_clusters={n_clusters} exceeds this tree's max_clusters={self.max_clusters}: "
-                    "raise max_clusters and fit again"
+                    "increase max_clusters and refit"
                 )
             raise NotComputable(
-                f"{n_clusters} clusters cannot be formed: the training data split into at most "
+                f"{n_clusters} clusters cannot be formed: the training data can be split into at most "
                 f"{self.max_clusters_}, and none of these has {self.branching} distinct points"
             )
         n_splits = (n_clusters - 1) // (self.branching - 1)

@@ -28,7 +28,7 @@ class KernelMachine(TwoClass):
     dual_coef_
         (s,) float64, the weights of the support vectors in the sum.
     intercept_
-        Constant that is added to the sum.
+        Constant added to the sum.
     """
 
     gamma: float
@@ -58,13 +58,13 @@ class KernelMachine(TwoClass):
         """Return (len(rows),) float64 decision values for some rows of the (n, n) Gram matrix `shared`."""
         weights = np.zeros(len(shared), dtype=shared.dtype)
         weights[self.support_] = self.dual_coef_
-        # A slice of the matrix is a view; an index list would make a copy.
+        # A slice of the matrix is a view, whereas indexing with a list would copy it.
         is_run = len(rows) > 0 and bool(np.all(np.diff(rows) == 1))
         block = shared[rows[0] : rows[-1] + 1] if is_run else shared[rows]
         return (block @ weights).astype(np.float64) + self.intercept_
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return (n,) decision values of (n, D) samples, positive for ``classes_[1]``. Call `fit` first."""
+        """Return (n,) decision values for (n, D) samples, positive for ``classes_[1]``. Call `fit` first."""
         check_is_fitted(self, "support_vectors_")
         samples = check_samples(X)
         check_width(samples, self)
@@ -74,7 +74,7 @@ class KernelMachine(TwoClass):
 
     @staticmethod
     def collect(machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> KernelExpansion:
-        """Combine machines that were fitted on the same (n, D) samples `X`, for prediction."""
+        """Combine machines fitted on the same (n, D) samples `X` into one expansion for prediction."""
         support = np.unique(np.concatenate([machine.support_ for machine in machines])).astype(np.intp)
         coef = np.zeros((len(support), len(machines)))
         for k, machine in enumerate(machines):

@@ -15,12 +15,12 @@ from placecat.learning.single_thread import single_blas_thread
 # Number of rows and columns per tile. A tile takes 2 MiB in float32.
 ROW_TILE = 512
 COLUMN_TILE = 1024
-# The same for predictions, where not even the last bits of a row may depend on other rows.
+# The same for predictions, in which even the last bits of a row must not depend on other rows.
 PREDICTION_ROWS = 480
 PREDICTION_COLUMNS = 912
 
 
-# One product of rows [2 gamma x, -gamma x.x, 1] and columns [y, 1, -gamma y.y] gives -gamma ||x - y||^2.
+# The product of rows [2 gamma x, -gamma x.x, 1] and columns [y, 1, -gamma y.y] is -gamma ||x - y||^2.
 # The origin is the mean of y, which leaves distances unchanged and reduces cancellation.
 def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the (D,) origin and the (m, D + 2) columns."""
@@ -33,7 +33,7 @@ def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32],
 
 
 def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> NDArray[np.float32]:
-    """Return the (n, D + 2) rows. Rows do not affect each other, not even in the last bits."""
+    """Return the (n, D + 2) rows. Each row is independent of the others, down to the last bit."""
     rows = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
     np.subtract(X, origin, out=rows[:, :-2])
     rows[:, -2] = -gamma * squared_lengths(rows[:, :-2])
@@ -103,9 +103,9 @@ def rbf_gram(
 
 @dataclass(frozen=True)
 class KernelExpansion:
-    """K functions sum_s coef[s, k] exp(-gamma ||x - v_s||^2) + intercept[k] that share their vectors v_s."""
+    """K functions sum_s coef[s, k] exp(-gamma ||x - v_s||^2) + intercept[k] with shared vectors v_s."""
 
-    #: (S, D), all vectors that any of the K functions uses. S may be 0.
+    #: (S, D), every vector used by any of the K functions. S may be 0.
     support_vectors: NDArray[np.float32]
     #: (S, K)
     coef: NDArray[np.float64]
@@ -114,7 +114,7 @@ class KernelExpansion:
     #: See `rbf_gram`.
     gamma: float
 
-    #: Attributes that prediction does not need, so stored systems omit them.
+    #: Attributes that stored systems omit, because prediction does not need them.
     TRAINING_ONLY = ("_prepared",)
 
     @cached_property
@@ -130,8 +130,8 @@ class KernelExpansion:
     def decisions(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
         """Evaluate all K functions for (n, D) samples, and return (n, K) float64 values.
 
-        One matrix product computes the kernel, and another computes the sums. Rows do not affect each other,
-        not even in the last bits.
+        One matrix product computes the kernel, and another computes the sums. Each row of the result is
+        independent of the other rows, down to the last bit.
         """
         result = np.tile(self.intercept, (len(X), 1))
         if len(self.support_vectors) == 0:

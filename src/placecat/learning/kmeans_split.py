@@ -1,4 +1,4 @@
-"""Split one node in hierarchical k-means, by k-means++ seeding and Lloyd's iterations."""
+"""Split one node of a k-means hierarchy, using k-means++ seeding and Lloyd's algorithm."""
 
 from dataclasses import dataclass, field
 
@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 # Number of floats per block of points. A block takes 1 MB in float32, half of a level-2 cache.
 _BLOCK = 1 << 18
-# The float32 result of |x|^2 - 2xc + |c|^2 has lost its significant digits if it is below this fraction of
+# The float32 result of |x|^2 - 2xc + |c|^2 has too few significant digits if it is below this fraction of
 # |x|^2 + |c|^2.
 _CANCELLATION = 1e-4
 
@@ -18,7 +18,7 @@ class Node:
 
     path: tuple[int, ...]
     members: NDArray[np.int32]
-    # The descriptors of the members minus the centre. Empty after the split.
+    # The members' descriptors minus the centre. Empty after the split.
     points: NDArray[np.float32]
     center: NDArray[np.float64]
     sse: float
@@ -26,8 +26,8 @@ class Node:
 
 
 def make_root(points: NDArray[np.float32]) -> Node:
-    """Make the root node, which contains all (n, D) points."""
-    # The points are centred on the rounded centre, not on the exact mean.
+    """Create the root node, which contains all (n, D) points."""
+    # Subtract the rounded centre, not the exact mean.
     center = _mean(points).astype(np.float32)
     centred = points - center
     members = np.arange(len(points), dtype=np.int32)
@@ -60,7 +60,7 @@ def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generat
 def seed_clusters(
     points: NDArray[np.float32], n_clusters: int, rng: np.random.Generator
 ) -> NDArray[np.uint16] | None:
-    """Draw k-means++ seeds with one try each, as in FLANN. Return the index of each point's nearest seed.
+    """Draw k-means++ seeds, with one trial each as in FLANN. Return the index of each point's nearest seed.
 
     Returns None if there are too few distinct points.
     """
@@ -84,7 +84,7 @@ def seed_clusters(
 def _squared_distances(
     points: NDArray[np.float32], norms: NDArray[np.float32], seed: int
 ) -> NDArray[np.float32]:
-    """Compute the squared distances of all points from one of them. They are exactly 0 for its duplicates."""
+    """Compute the squared distance of every point from one of them. It is exactly 0 for duplicates."""
     distances = points @ points[seed]
     distances *= -2
     distances += norms
@@ -98,7 +98,7 @@ def _squared_distances(
 def lloyd(
     points: NDArray[np.float32], labels: NDArray[np.uint16], n_clusters: int, max_iter: int
 ) -> NDArray[np.uint16]:
-    """Iterate k-means from initial labels so that every cluster keeps at least one point."""
+    """Run k-means iterations from initial labels, keeping at least one point in every cluster."""
     sums = _sums(points, labels, n_clusters)
     for _ in range(max_iter):
         counts = np.bincount(labels, minlength=n_clusters)
@@ -131,13 +131,13 @@ def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArra
     for block in _blocks(points):
         scores = centers32 @ points[block].T
         scores -= half_norms
-        # This gives the same result as scores.argmax(axis=0), but is twice as fast.
+        # Equivalent to scores.argmax(axis=0), but twice as fast.
         labels[block] = (scores == scores.max(axis=0)).argmax(axis=0)
     return labels
 
 
 def _sums(points: NDArray[np.float32], labels: NDArray[np.integer], n_clusters: int) -> NDArray[np.float64]:
-    """Sum the points of each label, in float32 within a block and in float64 across blocks."""
+    """Sum the points with each label, in float32 within a block and in float64 across blocks."""
     numbers = np.arange(n_clusters, dtype=labels.dtype)[:, None]
     sums = np.zeros((n_clusters, points.shape[1]))
     for block in _blocks(points):
@@ -151,7 +151,7 @@ def _mean(points: NDArray[np.float32]) -> NDArray[np.float64]:
 
 
 def fill_empty(points: NDArray[np.float32], labels: NDArray[np.uint16], centers: NDArray[np.float64]) -> None:
-    """Move the point farthest from its cluster's centre to each empty cluster, without emptying others."""
+    """Move the point farthest from its cluster's centre to each empty cluster, without emptying another."""
     counts = np.bincount(labels, minlength=len(centers))
     empty = np.flatnonzero(counts == 0)
     if len(empty) == 0:

@@ -1,4 +1,4 @@
-"""The thesis's modified K-nearest neighbours, based on class frequencies of clusters (section 3.3.1.1)."""
+"""The modified K-nearest neighbours of thesis 3.3.1.1, based on the class frequencies of clusters."""
 
 from typing import Annotated, Any, Self
 
@@ -29,7 +29,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
 
     where j runs over the K centres nearest to x_k. For K = 1 this is equation (2). f(l, c) is the number of
     training points of class l in cluster c, and f(l) is the number of all training points of class l. A
-    centre at distance 0 receives all the weight. The computation uses logarithms.
+    centre at distance 0 receives all the weight. The computation is done in log space.
 
     Parameters
     ----------
@@ -38,11 +38,11 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     n_neighbors : int
         K, the number of nearest centres.
     smoothing : float
-        Number that is added to every f(l, c). It is therefore added n_clusters times to f(l). The thesis does
-        not specify this. If it is 0, a cluster rules out every class that it does not contain. If all classes
-        are ruled out, the result is uniform.
+        Number added to every f(l, c), which adds n_clusters times as much to f(l). The thesis does not
+        specify this number. If it is 0, a cluster rules out every class that it does not contain. If all
+        classes are ruled out, the result is uniform.
     class_weighting : {"once", "per_region"}
-        "once" divides by f(l) once, like equations (2) and (4) and the text of the thesis. "per_region"
+        "once" divides by f(l) once, as in equations (2) and (4) and the thesis text. "per_region"
         divides by f(l)^n, which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). The two agree
         for single points and for balanced classes. Otherwise, "once" favours frequent classes. The more
         regions a frame has, the stronger this effect is.
@@ -72,7 +72,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     [0, 1]
     """
 
-    #: Attributes that prediction does not need, so stored systems omit them.
+    #: Attributes that stored systems omit, because prediction does not need them.
     TRAINING_ONLY = ("codebook", "_pair_distances")
     codebook: Any = None
     _pair_distances: NDArray[np.float64] | None = None
@@ -142,7 +142,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self._normalize(logs.sum(axis=1), numbers)
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the (n,) most probable classes, one for each descriptor."""
+        """Return the most probable class of each descriptor, (n,)."""
         best = self.predict_proba(X).argmax(axis=1)
         return self.classes_[best]
 
@@ -155,14 +155,14 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         new cluster. The number of clusters and the codebook do not change. Only the distances to centres that
         moved are recomputed.
 
-        Raises PlacecatError if the class is unknown or D differs from the training data.
+        Raises PlacecatError if the class is unknown or D differs from that of the training data.
         """
         check_is_fitted(self)
         point = self._read_points(np.asarray(x)[None])[0].astype(np.float64)
         matches = np.flatnonzero(self.classes_ == label)
         if len(matches) != 1:
             raise PlacecatError(
-                f"class {label!r} is not a trained class: use one of {', '.join(map(str, self.classes_))}"
+                f"class {label!r} is unknown: use one of {', '.join(map(str, self.classes_))}"
             )
         if self._pair_distances is None:
             self._pair_distances = np.empty((len(self.centers_), len(self.centers_)))
@@ -179,7 +179,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
             return self
         kept, freed = (int(cluster) for cluster in closest)
         sizes = self.frequencies_[[kept, freed]].sum(axis=1)
-        # Two empty clusters have equal weight.
+        # Two empty clusters are weighted equally.
         weights = sizes if sizes.any() else np.ones(2)
         self.centers_[kept] = np.average(self.centers_[[kept, freed]], axis=0, weights=weights)
         self.frequencies_[kept] += self.frequencies_[freed]
@@ -191,7 +191,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self
 
     def _measure(self, cluster: int) -> None:
-        """Update the distances from one centre to all others. Its distance to itself is infinite."""
+        """Update the distances from one centre to all others. Its distance to itself is set to infinity."""
         assert self._pair_distances is not None
         distances = np.linalg.norm(self.centers_ - self.centers_[cluster], axis=1)
         distances[cluster] = np.inf
@@ -209,7 +209,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         neighbors = nearest_centers(points, self.centers_, self.n_neighbors)
         with np.errstate(divide="ignore"):
             if self.n_neighbors == 1:
-                # A single weight is the same for all classes, so it can be left out.
+                # With one neighbour, the weight is the same for all classes, so it can be left out.
                 return np.log(frequencies)[neighbors[:, 0]]
             interpolated = np.empty((len(points), len(self.classes_)))
             rows = max(1, _BLOCK // (self.n_neighbors * self.n_features_in_))

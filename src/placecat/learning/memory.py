@@ -11,16 +11,16 @@ from numpy.typing import NDArray
 
 _Result = TypeVar("_Result")
 _by_value = (str, bytes, int, float, type(None))
-# Maps each kind of result to its keys, and each key to the result and the objects in the key. This keeps
-# these objects alive.
+# Maps each kind of result to its keys, and each key to the result and the objects in the key, which keeps
+# those objects alive.
 _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("memory", default=None)
 
 
 @contextmanager
 def remembering() -> Iterator[None]:
-    """Keep the results of :func:`remembered` until the end of the block. Other threads do not see them.
+    """Keep the results of :func:`remembered` until the end of the block, in this thread only.
 
-    This only saves time. It does not change the results.
+    This saves time without changing the results.
     """
     token = _memory.set({})
     try:
@@ -32,12 +32,12 @@ def remembering() -> Iterator[None]:
 def remembered(
     name: str, key: tuple[Any, ...], compute: Callable[[], _Result], *, latest: bool = False
 ) -> _Result:
-    """Return a result from the cache, or compute and store it. Outside `remembering`, compute it every time.
+    """Return a cached result, or compute and cache it. Outside `remembering`, compute it every time.
 
     Parameters
     ----------
     name
-        Name of this kind of result.
+        Name for this kind of result.
     key
         Everything that the result depends on. Strings, bytes and numbers are compared by value. Other
         objects, such as arrays, are compared by identity. Do not change these objects or the result in place.
@@ -74,7 +74,7 @@ def bytes_of(array: NDArray[Any] | None) -> bytes | None:
 
 
 def content(array: NDArray[Any]) -> bytes:
-    """Return a checksum to use as the key of an array that is created repeatedly.
+    """Return a checksum to use as the key for an array that is rebuilt every time.
 
     Outside `remembering`, return b"".
     """

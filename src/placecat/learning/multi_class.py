@@ -1,4 +1,4 @@
-"""Base class of the multi-class schemes, which have a two-class classifier p(o_k|x) per class."""
+"""Base class of the multi-class schemes, which combine one two-class classifier p(o_k|x) per class."""
 
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
@@ -21,7 +21,7 @@ from placecat.schema.signatures import check_parameters
 class MultiClass:
     """The K classifiers of a scheme, fitted and calibrated together.
 
-    All schemes have the parameters and attributes annotated below. `OneAgainstAll` describes them.
+    All schemes have the parameters and attributes annotated below, which `OneAgainstAll` describes.
     """
 
     base: Any
@@ -35,7 +35,7 @@ class MultiClass:
     machine_class_: NDArray[np.intp]
     cv_outputs_: NDArray[np.float64]
 
-    #: Attributes that prediction does not need, so stored systems omit them.
+    #: Attributes that stored systems omit, because prediction does not need them.
     TRAINING_ONLY = ("cv_outputs_",)
 
     def fit(
@@ -61,8 +61,8 @@ class MultiClass:
         Raises
         ------
         PlacecatError
-            If there are fewer than 2 classes, if a class has only 1 sample, if a setting is invalid, or if nu
-            leaves no margin. With the policy ``refuse``, it is also raised if nu is infeasible.
+            If there are fewer than 2 classes, if a class has only 1 sample, if a setting is invalid, if nu
+            leaves no margin, or if nu is infeasible and its policy is ``refuse``.
         """
         check_parameters(self)
         base = as_two_class(NuSVM() if self.base is None else self.base)
@@ -121,7 +121,7 @@ class MultiClass:
     def _uses_own_sigmoid(self, base: TwoClass) -> bool:
         if self.sigmoid == "own" and base.own_sigmoid is None:
             raise PlacecatError(
-                "sigmoid 'own' needs a base classifier with probabilities, which a nu-SVM lacks: use 'platt'"
+                "sigmoid 'own' needs a base classifier with its own sigmoid, unlike a nu-SVM: use 'platt'"
             )
         if self.sigmoid == "auto":
             return base.own_sigmoid is not None and base.prefers_own_sigmoid
@@ -144,7 +144,7 @@ class MultiClass:
 def encode_classes(
     X: ArrayLike, y: ArrayLike, class_names: Sequence[str] | None
 ) -> tuple[NDArray[np.float32], NDArray[Any], NDArray[np.intp], list[str]]:
-    """Check training data, and return float32 samples, classes, class indices, and names for messages."""
+    """Check training data, and return float32 samples, classes, class indices, and names to show."""
     samples = check_samples(X)
     classes, index = np.unique(check_labels(y, len(samples)), return_inverse=True)
     names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]

@@ -1,4 +1,4 @@
-"""Exact search for the nearest centres of points, by matrix products in blocks."""
+"""Exact search for the centres nearest to each point, using blocked matrix products."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray

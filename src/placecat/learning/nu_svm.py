@@ -32,7 +32,7 @@ def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
 
 
 def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
-    """Return `nu`, limited to just below the largest feasible nu.
+    """Return `nu`, capped just below the largest feasible nu.
 
     At the limit, the weight of every sample of the smaller class is at its bound. To compute the margin,
     libsvm needs a sample whose weight is not at its bound. Otherwise it would divide by zero or infinity.
@@ -43,8 +43,8 @@ def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
 class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary nu-SVM (thesis 3.3.1.2, [66]) with the kernel exp(-gamma ||x - y||^2).
 
-    The solver is libsvm, called through scikit-learn's NuSVC. `fit` takes samples. With `prepare` and
-    `fit_rows`, many fits can share one Gram matrix.
+    The solver is libsvm, called through scikit-learn's NuSVC. `fit` takes samples, whereas `prepare` and
+    `fit_rows` let many fits share one Gram matrix.
 
     Parameters
     ----------
@@ -58,12 +58,13 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     tol
         libsvm's stopping tolerance. The thesis does not specify this.
     cache_mb
-        Size of libsvm's cache per fit, in MB. It affects only the speed.
+        Size of libsvm's cache per fit, in MB. It affects only speed.
 
     Attributes
     ----------
     nu_
-        The nu in use. It is the smaller of `nu` and the largest feasible nu, doubled until there is a margin.
+        The nu actually used: the smaller of `nu` and the largest feasible nu, doubled until there is a
+        margin.
     classes_, support_, support_vectors_, dual_coef_, intercept_
         See `KernelMachine`.
 
@@ -143,15 +144,15 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                     machine.fit(shared, positive, sample_weight=weights)
                 break
             except ValueError as error:
-                # If samples of both classes coincide, a small nu leaves a margin of 0, and libsvm divides by
-                # it.
+                # If both classes have identical samples, a small nu leaves a margin of 0, and libsvm divides
+                # by it.
                 if "not finite" not in str(error):
                     raise
                 if self.nu_policy == "refuse" or nu >= largest:
                     raise PlacecatError(
-                        f"nu = {nu:.6g} leaves no margin for {context} ({counts}), since descriptors of "
-                        f"both classes coincide: use a nu closer to {largest:.6g}, or another descriptor or "
-                        "scaling"
+                        f"nu = {nu:.6g} leaves no margin for {context} ({counts}), because both classes "
+                        f"have identical descriptors: use a nu closer to {largest:.6g}, or another "
+                        "descriptor or scaling"
                     ) from None
                 logger.info("nu raised from %g for %s: no margin", nu, context)
                 nu = min(2 * nu, largest)

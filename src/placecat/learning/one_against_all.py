@@ -28,7 +28,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     ----------
     base
         Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any scikit-learn classifier.
-        Fits of scikit-learn classifiers cannot share preparatory work.
+        scikit-learn classifiers cannot share preparatory work between fits.
     calibration
         Which samples are held out for the sigmoids and reliabilities: ``samples`` (the default),
         ``consecutive``, ``homes_centred`` or ``homes_averaged``. See
@@ -52,7 +52,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         is the share of samples with p(o_k|x) >= 0.5 or, with `exclusive`, the share for which p(o_k|x) is the
         largest. The thesis says only "statistics from cross-validating".
     reliability_smoothing
-        Number that is added to each count. If it is 0 and classifier k never answers yes, p(l_i|o_k) is
+        Number added to each count. If it is 0 and classifier k never answers yes, p(l_i|o_k) is
         uniform. The thesis does not specify this.
     prior
         How to choose p(l_i). ``training`` uses the class frequencies in training, as in the thesis.
@@ -60,7 +60,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         measure, which is a mean over places.
     uncertainty
         gamma in equation (9). A total of beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the
-        classes before normalisation. The value 0 turns this off.
+        classes before normalisation. A value of 0 turns this off.
     folds
         Number of parts for cross-validation. The thesis does not specify this.
     n_jobs
@@ -86,9 +86,9 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     cv_outputs_
         (n, K) held-out p(o_k|x) of the training samples.
     nu_
-        (K,) smallest nu in use for each class, or NaN if the base classifier has no nu.
+        (K,) smallest nu used for each class, or NaN if the base classifier has no nu.
     fold_nu_
-        K arrays with the nu in use for each held-out part.
+        K arrays with the nu used for each held-out part.
     scorer_
         One object that evaluates all M decision functions.
     n_features_in_

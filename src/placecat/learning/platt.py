@@ -6,8 +6,8 @@ from scipy.special import expit
 
 from placecat.errors import PlacecatError
 
-# Newton's method stops after this many steps, or once the gradient per sample is at most this large. The
-# decision values are standardised first.
+# Newton's method takes at most this many steps, and stops once the gradient per sample is below this
+# tolerance. The decision values are standardised first.
 _STEPS, _TOLERANCE = 100, 1e-10
 
 
@@ -24,13 +24,13 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
     Parameters
     ----------
     decisions
-        (n,) decision values, preferably of samples held out by cross-validation. Raises PlacecatError if n is
-        0 or a value is not finite.
+        (n,) decision values, preferably for samples held out by cross-validation. Raises PlacecatError if n
+        is 0 or a value is not finite.
     positive
         (n,) bool, true for positive samples.
     balanced
-        Whether positives and negatives have a total weight of n / 2 each. If so, p applies to equally
-        frequent classes.
+        Whether positives and negatives have a total weight of n / 2 each. If so, p assumes equally frequent
+        classes.
 
     Returns
     -------
@@ -63,7 +63,7 @@ def fit_sigmoid(decisions: ArrayLike, positive: ArrayLike, balanced: bool = Fals
     if balanced and n_positive and n_negative:
         weights = np.where(is_positive, 0.5 * len(d) / n_positive, 0.5 * len(d) / n_negative)
 
-    # Standardising the decision values makes the Hessian well conditioned, whatever their unit.
+    # Standardising the decision values makes the Hessian well conditioned, whatever their scale.
     shift, scale = float(d.mean()), float(d.std())
     rate = float(np.average(target, weights=weights))
     flat = 0.0, float(np.log((1.0 - rate) / rate))

@@ -1,11 +1,11 @@
-"""Matrix products in which each row of the result depends only on the matching input row.
+"""Matrix products in which each row of the result depends only on the corresponding input row.
 
-This must be true even of the last bits, which BLAS does not guarantee. BLAS multiplies in tiles, sums in a
-different order at a matrix's edges, and uses different routines for one row and for many rows. The last bits
+This must hold down to the last bit, which BLAS does not guarantee. BLAS multiplies in tiles, sums in a
+different order at the edges of a matrix, and uses different routines for one row than for many. The last bits
 of a frame's result would therefore depend on the other frames. Here, every product has one of a few fixed row
-counts, and the last product is padded with zeros. Zero margins surround the columns. Whether this works
-depends on the BLAS kernels for the processor, so each shape is tested once. If the test fails, rows are
-multiplied one by one.
+counts, and the last product is padded with zeros. The columns have margins of zeros on both sides. Whether
+this works depends on the BLAS kernels that the processor uses, so each shape is tested once. If the test
+fails, rows are multiplied one by one.
 """
 
 from collections.abc import Iterator
@@ -21,17 +21,17 @@ from placecat.learning.single_thread import single_blas_thread
 # OpenBLAS's AVX2 float32 kernels.
 _COLUMNS = 304
 # Number of zero columns on each side, equal to the tile size of these kernels. The total number of columns is
-# padded to a multiple of the second number.
+# padded to a multiple of `_TILE`.
 _MARGIN, _TILE = 8, 16
 # Numbers of rows per product, in order of preference. They are multiples of 12, the tile height of these
 # kernels.
 _ROWS = (48, 240, 12)
-# Minimum number of random columns in the test of a shape.
+# Minimum number of random columns used to test a shape.
 _TRIED = 256
 
 
 class RowProducts:
-    """Compute left @ right.T for a fixed `right`, so that rows do not affect each other's last bits.
+    """Compute left @ right.T for a fixed `right` so that no row affects the last bits of another.
 
     `right` is an (m, k) float32 or float64 matrix, where m may be 0. It is copied.
 
@@ -76,7 +76,7 @@ def row_products(left: ArrayLike, right: ArrayLike) -> NDArray[Any]:
 def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the (n, m) products of (n, k) and (m, k) float64 rows, as :func:`row_products` does.
 
-    This is meant for small k, at least 1. It adds term by term without BLAS.
+    This is meant for small k, at least 1. It adds the terms one by one, without BLAS.
     """
     result = left[:, :1] * right[:, 0]
     for term in range(1, right.shape[1]):
@@ -85,7 +85,7 @@ def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArr
 
 
 def squared_lengths(X: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Return the (n,) sums of squares of (n, k) rows. Rows do not affect each other."""
+    """Return the (n,) sums of squares of (n, k) rows. Each sum depends only on its own row."""
     result = np.empty(len(X))
     for start in range(0, len(X), _ROWS[0]):
         # Convert first, because einsum's conversion buffers may end in the middle of a row.
@@ -106,7 +106,7 @@ def _padded(columns: int) -> int:
 def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
     """Return the row counts whose products agree in every row, in descending order; empty if none do.
 
-    The test repeats one row of random numbers. All rows of the product must then be exactly equal.
+    The test repeats one row of random numbers. All rows of the product must then be identical.
     """
     rng = np.random.default_rng(0)
     agreeing = list(_ROWS)

@@ -16,7 +16,7 @@ from placecat.ranges import Count, Positive
 
 logger = logging.getLogger(__name__)
 
-# Number of Gram matrix rows that are squared at once. This takes 4 MiB for 8000 samples.
+# Number of Gram matrix rows squared at a time. For 8000 samples, this takes 4 MiB.
 SQUARE_ROWS = 128
 # Number of functions whose sparsity factors are updated in each round.
 SHORTLIST = 1024
@@ -29,14 +29,14 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     prior N(0, diag(1/alpha)). Fitting maximises the evidence over alpha by adding, re-estimating or deleting
     one basis function at a time (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the
     problem Gaussian. After each approximation, the statistics that rank all functions are updated. Many
-    additions, re-estimates and deletions follow, limited to the functions in the model and the most promising
+    additions, re-estimates and deletions follow, but only of functions in the model and the most promising
     ones outside it.
 
     Parameters
     ----------
     gamma
-        Inverse squared kernel width, > 0. The thesis specifies no value for the RVM. The default, 2.0, is
-        that of the nu-SVM.
+        Inverse squared kernel width, > 0. The thesis specifies no value for the RVM. The default of 2.0
+        matches that of the nu-SVM.
     tol
         Fitting stops when further rounds raise the log evidence by less than this, in nats per sample.
     max_iter
@@ -139,15 +139,14 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
                 if risen > 0:
                     active, basis, best = new_active, new_basis, mode
                     steps = min(2 * steps, most)
-            # One small rise may be due to a small number of steps, so convergence requires several small
-            # rises.
+            # A single small rise may be due to taking too few steps, so convergence requires several.
             small_rises = small_rises + 1 if risen < tol else 0
             if statistics.current and (expected < tol or small_rises > 2):
                 break
             promising = statistics.promising(basis, best, self.candidates, renew=small_rises > 0)
             surrogate = _Surrogate(gram, basis, best, active, promising)
         else:
-            logger.warning("RVM of %s stopped after %d rounds before it converged", context, self.max_iter)
+            logger.warning("RVM of %s stopped after %d rounds without converging", context, self.max_iter)
         self.evidence_ = best.evidence
         return active, best.weights, best.alpha
 
@@ -197,7 +196,7 @@ def _laplace_mode(
     value, f = penalised(weights)
     for _ in range(50):
         p = expit(f)
-        # The direction may be approximate, but the gradient and the value may not.
+        # The direction may be approximate, but the gradient and the value must be accurate.
         rough = narrow * np.sqrt(p * (1.0 - p)).astype(np.float32)
         hessian = (rough @ rough.T).astype(np.float64)
         hessian[diagonal] += alpha
@@ -234,7 +233,7 @@ def _laplace_mode(
 def _factor(
     basis: NDArray[np.float64], curvature: NDArray[np.float64], alpha: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], bool] | None:
-    """Return `cho_factor` of basis B basis' + diag(alpha), or None if rounding prevents it."""
+    """Return `cho_factor` of basis B basis' + diag(alpha), or None if rounding errors prevent it."""
     scaled = basis * np.sqrt(curvature)
     hessian = scaled @ scaled.T
     hessian[np.diag_indices(len(alpha))] += alpha
@@ -246,9 +245,9 @@ def _factor(
 
 
 class _Statistics:
-    """Sparsity and quality factors of the n kernels and the bias. They show which functions are promising.
+    """Sparsity and quality factors of the n kernels and the bias, which show which functions are promising.
 
-    The quality factors are always current. The sparsity factors require a product of Gram matrix rows with
+    The quality factors are always up to date. The sparsity factors require a product of Gram matrix rows with
     all functions in the model. In most rounds, they are therefore updated only for the most promising
     functions. Before convergence is declared, they are updated for all functions.
     """
@@ -259,7 +258,7 @@ class _Statistics:
         self.current = False
 
     def promising(self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool) -> NDArray[np.intp]:
-        """Return up to `count` functions whose addition raises the evidence most, in ascending order."""
+        """Return up to `count` functions, in ascending order, that would increase the evidence the most."""
         gram, n = self.gram, len(self.gram)
         squared_quality = np.empty(n + 1)
         squared_quality[:n] = gram @ mode.error.astype(np.float32)
@@ -286,7 +285,7 @@ class _Statistics:
 
 
 class _Surrogate:
-    """Gaussian problem at a Laplace mode, for the functions in the model and other promising ones.
+    """The Gaussian problem at a Laplace mode, for the functions in the model and other promising ones.
 
     Let C = B^-1 + sum_a phi_a phi_a' / alpha_a. Changing 1/alpha_i by d causes a rank-one change of
     R = Phi' C^-1 Phi and Q = Phi' C^-1 z for the pool's functions Phi:
@@ -294,7 +293,7 @@ class _Surrogate:
     (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting a function differ
     only in d.
 
-    The pool lists the functions in the model first.
+    In the pool, the functions in the model come first.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""Scaling of descriptors for the kernel. The effect of a given gamma depends on it."""
+"""Scaling of descriptors for the kernel, which determines the effect of a given gamma."""
 
 from typing import Annotated, Self
 
@@ -16,11 +16,11 @@ KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 
 
 class KernelScaling(TransformerMixin, BaseEstimator):
-    """Scale descriptors so that the same gamma suits descriptors of any unit and length.
+    """Scale descriptors so that the same gamma suits descriptors of any scale and length.
 
-    The thesis specifies gamma = 2, but not the scale of the descriptors. In the following list of kinds, m is
-    the resulting mean of ||x - y||^2 over pairs of different training samples, and D is the number of
-    dimensions that vary:
+    The thesis specifies gamma = 2, but not the scale of the descriptors. In the list of kinds below, m is the
+    resulting mean of ||x - y||^2 over pairs of distinct training samples, and D is the number of dimensions
+    that vary:
 
     - ``none``: leave x unchanged.
     - ``minmax``: scale each dimension to [0, 1] on the training data; m depends on the data.
@@ -111,6 +111,6 @@ class KernelScaling(TransformerMixin, BaseEstimator):
 
 
 def _inverse(spread: NDArray[np.float64], size: NDArray[np.float64]) -> NDArray[np.float64]:
-    # A spread that is as small as float32 rounding errors counts as 0.
+    # Treat a spread as 0 if it is no larger than the rounding errors of float32.
     varies = spread > 1e-6 * size
     return np.divide(1.0, spread, out=np.zeros_like(spread), where=varies)

@@ -23,7 +23,7 @@ OUTPUTS = ("product", "decision")
 class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     """Decision list over two-class classifiers, the baseline in thesis 4.8.
 
-    Each node of the list is the classifier of one class, and the strongest comes first. If a node rejects a
+    Each node of the list is the classifier for one class, and the strongest comes first. If a node rejects a
     sample, the next node decides. If all nodes reject the sample, it is assigned to the last class. The
     probability-like output for the class at position k is p(o_k|x) prod_{j before k} (1 - p(o_j|x)). The last
     class receives the remainder.
@@ -35,15 +35,15 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     order
         How to measure the strength of a class's one-against-all classifier from held-out decisions.
         ``balanced_accuracy`` is the mean of its two per-class accuracies. ``error`` is the share of wrong
-        decisions (lowest first), which favours rare classes. In a tie, the order of `classes_` is kept. The
+        decisions (lowest first), which favours rare classes. Ties keep the order of `classes_`. The
         thesis says only "strongest".
     training
-        Training samples of a node. With ``all``, this scheme uses the same classifiers as `OneAgainstAll`,
-        since thesis 4.8 compares ways of combining their outputs. ``remaining`` leaves out the classes of
+        Training samples of each node. With ``all``, this scheme uses the same classifiers as `OneAgainstAll`,
+        because thesis 4.8 compares ways of combining their outputs. ``remaining`` leaves out the classes of
         earlier nodes. The thesis does not specify this.
     decision
         How `predict` decides. ``sign`` and ``probability`` choose the first class whose node accepts the
-        sample, or the last class if there is none. With ``sign``, a node accepts a sample whose decision
+        sample, or the last class if none does. With ``sign``, a node accepts a sample whose decision
         value is positive. With ``probability``, p(o_k|x) must be above 0.5. ``product`` chooses the class
         with the largest probability-like output. The thesis mentions negative decisions, which implies
         ``sign``.
@@ -142,7 +142,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return float((right[positive].mean() + right[~positive].mean()) / 2.0)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Combine (n, K) outputs p(o_k|x) into (n, K) distributions, as set by `output`."""
+        """Combine (n, K) outputs p(o_k|x) into (n, K) distributions, as specified by `output`."""
         if self.output == "decision":
             return np.eye(len(self.order_))[self.decide(outputs)]
         return self._product(outputs)
@@ -157,7 +157,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return proba
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Return (n,) indices into `classes_`, chosen from (n, K) outputs p(o_k|x) as set by `decision`."""
+        """Return (n,) indices into `classes_` for (n, K) outputs p(o_k|x), according to `decision`."""
         if self.decision == "product":
             return self._product(outputs).argmax(axis=1)
         of_class = [self.sigmoid_[self.machine_class_ == k] for k in range(len(self.order_))]

@@ -18,7 +18,7 @@ _limit: Any = None
 
 @cache
 def _libraries() -> ThreadpoolController:
-    # Listing the libraries takes 30 times as long as setting their number of threads.
+    # Listing the libraries takes 30 times as long as setting their thread counts.
     return ThreadpoolController()
 
 

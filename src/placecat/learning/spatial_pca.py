@@ -1,4 +1,4 @@
-"""A separate PCA for each image cell. With only one cell, this is plain PCA."""
+"""A separate PCA for each image cell, or plain PCA if there is only one cell."""
 
 from typing import Self
 
@@ -24,7 +24,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     Parameters
     ----------
     cells
-        Number of equal, consecutive parts into which the D dimensions are divided.
+        Number of equal, consecutive parts that the D dimensions are divided into.
     components
         Number of dimensions to keep per cell. The thesis keeps 64 of 256.
     factor
@@ -96,7 +96,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         kept = self._kept(width)
         if n <= kept:
             raise NotComputable(
-                f"PCA to {kept} components needs more than {kept} training samples, but n_samples = {n}"
+                f"PCA with {kept} components needs more than {kept} training samples, but n_samples = {n}"
             )
         self.n_features_in_ = total
         self.mean_ = np.empty((self.cells, width))

@@ -18,21 +18,21 @@ class BinnedFeatures:
     """Binned features, with sparse matrices that sum samples by bin."""
 
     #: (D, n) uint8 or uint16, the bin of each sample in each feature. The bin is the number of thresholds
-    #: below the value of the sample.
+    #: below the sample's value.
     bins: NDArray[Any]
     #: D ascending arrays of at most max_bins - 1 values, where x > thresholds[d][b] means that the bin is
     #: above b.
     thresholds: list[NDArray[np.float32]]
     #: scipy CSR matrices of ones, one for every `BLOCK_FEATURES` features. A matrix for B features has the
-    #: shape (width * B, n), and its first B rows are the first bins of the features. Its product with weights
-    #: (n, m) contains all weighted histograms of these features.
+    #: shape (width * B, n), and its first B rows are the first bins of the features. Multiplying it by (n, m)
+    #: weights yields all weighted histograms of these features.
     blocks: list[Any]
     #: Number of bins per feature in `blocks`.
     width: int
 
 
 class Stump(NamedTuple):
-    """A function of one feature. Its value is `low` up to the bin `cut` and `high` above it."""
+    """A function of one feature, whose value is `low` up to bin `cut` and `high` above it."""
 
     feature: int
     cut: int
@@ -41,9 +41,9 @@ class Stump(NamedTuple):
 
 
 def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
-    """Cut each feature at the midpoints between its distinct values, or at quantiles if there are too many.
+    """Bin each feature at the midpoints between its distinct values, or at quantiles if there are too many.
 
-    `X` is (n, D), and `max_bins` is the maximum number of bins per feature, 2 to 65536.
+    `X` is (n, D), and `max_bins` is the maximum number of bins per feature, from 2 to 65536.
     """
     n, n_features = X.shape
     bins = np.empty((n_features, n), dtype=np.uint8 if max_bins <= 256 else np.uint16)
@@ -55,13 +55,13 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
         if len(distinct) <= max_bins:
             cuts = _midpoints(distinct[:-1], distinct[1:])
         else:
-            # Use midpoints next to each quantile, so that thresholds lie between training values.
+            # Use the midpoint next to each quantile, so that thresholds lie between training values.
             first = (np.arange(1, max_bins) * n) // max_bins
             place = np.unique(np.searchsorted(distinct, values[first]))
             place = place[place > 0]
             cuts = _midpoints(distinct[place - 1], distinct[place])
         thresholds.append(cuts)
-        # Finding the few thresholds among the values is faster than finding each value among the thresholds.
+        # Searching the values for the few thresholds is faster than searching the thresholds for each value.
         ends = np.searchsorted(values, cuts, side="right")
         sizes = np.diff(ends, prepend=0, append=n)
         bins[feature, order] = np.repeat(np.arange(len(sizes), dtype=bins.dtype), sizes)
@@ -98,9 +98,9 @@ def best_stumps(
 ) -> list[Stump | None]:
     """Find the stump with the smallest weighted squared error for each of G weightings of the samples.
 
-    `weight` and `signed` are C-contiguous (n, G) arrays. The values in `weight` are not negative.
-    `signed` is `weight` times the labels, which are -1 or 1. Returns the best stump for each weighting (the
-    first in a tie), or None if no feature can be cut.
+    `weight` and `signed` are C-contiguous (n, G) arrays. `weight` is non-negative, and `signed` is `weight`
+    times the labels, which are -1 or 1. Returns the best stump for each weighting (the first in a tie), or
+    None if no feature can be split.
     """
     machines = range(weight.shape[1])
     highest = np.full(len(machines), -np.inf)
@@ -136,9 +136,9 @@ def best_stumps(
 def _histograms(
     sums: Any, weight: NDArray[np.float64], signed: NDArray[np.float64]
 ) -> Iterable[NDArray[np.float64]]:
-    """Multiply a matrix of `BinnedFeatures` by two (n, G) arrays, and return both products."""
+    """Multiply one of the `blocks` of `BinnedFeatures` by two (n, G) arrays, and return both products."""
     if weight.shape[1] == 1:
-        # SciPy multiplies by one column more than twice as fast as by two columns.
+        # In SciPy, multiplying by a single column is more than twice as fast as multiplying by two.
         return sums @ weight, sums @ signed
     # A single product reads the matrix only once.
     return np.hsplit(sums @ np.hstack([weight, signed]), 2)
@@ -162,7 +162,7 @@ def _gain(
     total_signed: NDArray[np.float64],
     dust: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Return how much each cut reduces the squared error, plus a constant; -inf if a side is empty."""
+    """Return how much each cut reduces the squared error, plus a constant, or -inf if one side is empty."""
     above = total - below
     impossible = np.minimum(below, above) <= dust
     above_signed = total_signed - below_signed

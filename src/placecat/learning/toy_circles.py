@@ -7,14 +7,14 @@ from numpy.typing import NDArray
 
 # Class names, in the order of the labels.
 NAMES = ("circle_1", "circle_2", "circle_3", "circle_4", "around")
-# The centres of the circles in the order of the classes. The unit is half the side length of the square.
+# The centres of the circles, in class order. The unit is half the side length of the square.
 _MIDDLES = ((-0.5, -0.5), (-0.5, 0.5), (0.5, -0.5), (0.5, 0.5))
 
 
 def toy_circles(
     n: int, seed: int, radius: float = 1.0, inside: float = 0.5
 ) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
-    """Draw points uniformly from a square that has a circle in the middle of each quarter.
+    """Draw points uniformly from a square that has a circle in the middle of each quadrant.
 
     The thesis does not specify the centres, radii, area or counts. conf/toy explains our choices.
 

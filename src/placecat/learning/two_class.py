@@ -78,7 +78,7 @@ class TwoClass:
         rows
             Ascending indices of the training samples. By default, all samples are used.
         context
-            The problem's name in messages.
+            Name of the problem to show in messages.
         """
 
     @abstractmethod
@@ -92,23 +92,23 @@ class TwoClass:
 
     @abstractmethod
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return (n,) decision values of (n, D) samples, positive for ``classes_[1]``. Call `fit` first."""
+        """Return (n,) decision values for (n, D) samples, positive for ``classes_[1]``. Call `fit` first."""
 
     @available_if(lambda self: self.own_sigmoid is not None)
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return (n, 2) class probabilities of (n, D) samples, using `own_sigmoid`. Call `fit` first."""
+        """Return (n, 2) class probabilities for (n, D) samples, using `own_sigmoid`. Call `fit` first."""
         assert self.own_sigmoid is not None
         positive = apply_sigmoid(self.decision_function(X), *self.own_sigmoid)
         return np.stack([1.0 - positive, positive], axis=1)
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the (n,) predicted labels of (n, D) samples. Call `fit` first."""
+        """Return the predicted labels, (n,), for (n, D) samples. Call `fit` first."""
         positive = self.decision_function(X) > 0
         return self.classes_[positive.astype(int)]
 
 
 class _GenericBase(TwoClass):
-    """Adapter for any two-class classifier of scikit-learn. Its fits share no preparatory work."""
+    """Adapter for any scikit-learn two-class classifier, whose fits share no preparatory work."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
