@@ -84,7 +84,7 @@ def make_system(tracked=False):
             "note": "It hums.",
             "version": "v",
             "homes": ["a"],
-            "left_out": [],
+            "left_out": ["c", "d"],
             "frames": {"cues": 1, "integration": 1},
         },
         classes=CLASSES,

@@ -63,7 +63,7 @@ def test_the_card_has_the_facts_for_a_reader(file):
     for part in (
         "bedroom, kitchen, bathroom",
         "320x180",
-        "noise",
+        "noise (version v), homes a, without c, d.",
         "It hums.",
         "`unknown` if its confidence is below 0.400. Above this confidence, at most 10% of",
         "| 10 % | 0.400 | 62.5 % | 12.5 % | 25.0 % |",
