@@ -1,7 +1,7 @@
 """Sphinx settings for `make docs`, which builds a site from README.md and docs/.
 
 We use Sphinx with MyST and Furo because they are maintained and read the same Markdown as GitHub. The
-pages that they build load nothing from the network.
+pages they build load nothing from the network.
 """
 
 import shutil

@@ -1,11 +1,11 @@
-"""A script that updates the numbers in README.md and docs/ from result files: ``python docs/fill.py``.
+"""Update the numbers in README.md and docs/ from the result files: ``python docs/fill.py``.
 
 An HTML comment, invisible to readers, states where a number or a table comes from:
 
-- ``12.3<!-- = EXPRESSION -->`` is a number. Its number of decimals stays the same.
+- ``12.3<!-- = EXPRESSION -->`` is a number. It keeps its number of decimals.
 - ``<!-- block: EXPRESSION -->`` and ``<!-- end -->`` enclose a table.
 
-An expression calls the functions below. All paths are relative to the project's folder.
+Expressions call the functions below. All paths are relative to the project's folder.
 """
 
 import re
@@ -65,7 +65,7 @@ def main() -> None:
 
 
 def _value(expression: str) -> object:
-    # The pages are as trusted as the code.
+    # The pages are trusted just like the code.
     return eval(expression, dict(globals()))
 
 
@@ -80,7 +80,7 @@ def _markdown(head: Sequence[str], rows: Iterable[Sequence[str]], texts: int = 1
 
 
 def table(name: str, group: str, row: str, column: str = "Average", folder: str = "reports/tables") -> float:
-    """Look up the measured value of a table cell."""
+    """Look up the measured value in a table cell."""
     cells = _read(f"{folder}/{name}.csv")
     chosen = cells[(cells["group"] == group) & (cells["row"] == row) & (cells["column"] == column)]
     return float(chosen["measured"].item())
@@ -120,7 +120,7 @@ def table_26(folder: str) -> str:
 
 
 def findings() -> str:
-    """Tabulate the number of findings with each verdict, and list them if there are fewer than ten."""
+    """Tabulate the number of findings per verdict, and list the findings if there are fewer than ten."""
     data = [_read(f"{folder}/findings.csv") for folder in ("reports", MORE, REAL)]
 
     def cell(ledger: pd.DataFrame, verdict: str) -> str:
@@ -168,7 +168,7 @@ def replicated() -> str:
 
 
 def _homes_needed(number: int) -> float:
-    """Return the number of homes for a power of 0.8 if the measured difference is true; NaN if unknown."""
+    """Return the homes needed for a power of 0.8 if the measured difference is true; NaN if unknown."""
     of_findings = _read(f"{MORE}/power.csv").set_index("number")["needed_measured"]
     return float(of_findings.get(number, np.nan))
 
@@ -182,13 +182,13 @@ def too_small() -> int:
 
 
 def marked() -> int:
-    """Count the verdicts on 24 homes in which the homes of a group share more variance than allowed."""
+    """Count the verdicts on 24 homes for which homes of the same group share more variance than allowed."""
     more = _read(f"{MORE}/findings.csv")
     return int(((more["verdict"] != "undecided") & (more["shared"] > _options().shared)).sum())
 
 
 def averages(name: str) -> str:
-    """Tabulate the averages over homes from the CSV file of a table, group by group."""
+    """Tabulate the averages over homes from a table's CSV file, group by group."""
     cells = _read(name)
     cells = cells[cells["column"] == "Average"]
     rows = ([line.group, line.row, f"{line.measured:.2f}"] for line in cells.itertuples(index=False))
@@ -196,7 +196,7 @@ def averages(name: str) -> str:
 
 
 def embedding() -> str:
-    """Tabulate the embedding cue and its integrations on six real homes, as means over homes."""
+    """Tabulate the results of the embedding cue and its integrations, averaged over six real homes."""
     lines = _read(f"{REAL}/embedding.csv")
     means = lines.groupby("system", sort=False).mean(numeric_only=True)
     digits = {"frames": 1, "stays": 1, "log_loss": 2, "covered": 1, "wrong": 0}
@@ -220,7 +220,7 @@ def embedding_by_home() -> str:
 
 
 def tried(candidate: str, column: str, networks: str = "Lite1") -> float:
-    """Look up the result of a candidate in docs/embedding.md on six real homes."""
+    """Look up a result, on six real homes, of a candidate from docs/embedding.md."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     chosen = lines[(lines["candidate"] == candidate) & (lines["networks"] == networks)]
     return float(chosen[column].item())
@@ -234,7 +234,7 @@ def several(column: str, largest: bool) -> float:
 
 
 def rendered_model() -> str:
-    """Tabulate the accuracies of the supplied model in real homes."""
+    """Tabulate the accuracies of the supplied model on real homes."""
     lines = _read(f"{REAL}/rendered_model.csv").set_index("home").T
     lines["average"] = lines.mean(axis=1)
     titles = {"accuracy": "Smoothed", "frame_alone": "Each frame alone", "named": "Named, not unknown"}
@@ -250,7 +250,7 @@ def bench(piece: str, input_part: str, quantity_part: str) -> float:
 
 
 def benchmarks() -> str:
-    """Tabulate the speed compared with alternatives, with missed targets in bold."""
+    """Tabulate the speeds relative to the alternatives, with missed targets in bold."""
     rows = []
     for line in _read("reports/benchmarks.csv").itertuples(index=False):
         if "second" not in line.quantity and "frames/s" not in line.quantity:
@@ -293,7 +293,7 @@ def growth(column: str) -> float:
 
 
 def full_run_hours() -> float:
-    """Look up the estimated hours of a complete run on VPC-2009."""
+    """Look up the estimated duration, in hours, of a complete run on VPC-2009."""
     return pd.read_json(ROOT / "reports/scale.json", typ="series")["full_run"]["hours"]
 
 
@@ -309,7 +309,7 @@ def sweep() -> str:
 
 
 def _judged(kind: str, name: str, candidate: str) -> dict[str, str]:
-    """Format the means of a candidate over the real homes and over the rendered homes."""
+    """Format a candidate's means over the real homes and over the rendered homes."""
     lines = _read("reports/cross_validation.csv")
     lines = lines[(lines["kind"] == kind) & (lines["name"] == name) & (lines["candidate"] == candidate)]
     means = lines.groupby("data").mean(numeric_only=True).loc[["own homes", "rendered homes"]]

@@ -26,7 +26,7 @@ class PlaceNode(Node):
         self.create_subscription(Image, "image", self.see, newest)
 
     def see(self, message: Image) -> None:
-        """Categorize a frame unless it is late; reset if the clock goes back by more than 1 s."""
+        """Categorize a frame unless it is late; reset if the clock jumps back by more than 1 s."""
         now = message.header.stamp.sec + message.header.stamp.nanosec / 1e9
         if self.last - 1 <= now <= self.last:
             return
