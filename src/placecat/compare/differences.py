@@ -41,7 +41,7 @@ class TableDifference:
 
 @dataclass(frozen=True)
 class Turned:
-    """A finding whose verdict has changed; `NONE` stands for the verdict in a run without the finding."""
+    """A finding whose verdict has changed; the verdict is `NONE` if a run does not contain the finding."""
 
     finding: str
     kept: str
@@ -149,7 +149,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
     spreads = cells["spread_now"], cells["spread_kept"]
     # A missing number is NaN, which differs from itself.
     differs = [(one != other) & (one.notna() | other.notna()) for one, other in ((new, old), spreads)]
-    # Both numbers have two decimals, but their floating-point difference has more.
+    # Both numbers have two decimals, but their floating-point difference may have more.
     distance = (new - old).abs().round(2).dropna()
     largest = float(distance.max()) if len(distance) else 0.0
     where = ", ".join(filter(None, distance.index[int(distance.argmax())])) if largest else ""
@@ -165,7 +165,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
 
 
 def turned(now: pd.DataFrame | None, kept: pd.DataFrame | None) -> tuple[Turned, ...]:
-    """List the findings whose verdict differs between two tables; None stands for an empty table."""
+    """List the findings whose verdicts differ between two tables; None is treated as an empty table."""
     new, old = (
         {} if table is None else {str(row["number"]): row for row in table.to_dict("records")}
         for table in (now, kept)

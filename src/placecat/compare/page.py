@@ -21,7 +21,7 @@ _NOT_SHOWN = ("compute", "reproducibility")
 
 
 def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
-    """Write the page to an HTML file; return lines with its path and the reasons why figures are missing.
+    """Write the page to an HTML file; return lines that give its path and say why figures are missing.
 
     `old` and `new` are the sides (see :func:`placecat.compare.kept_in_git.read`). `lines` come from
     :func:`placecat.compare.kept_in_git.compare`.
@@ -118,7 +118,7 @@ def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]
 
 
 def _cells(table: pd.DataFrame | None) -> dict[tuple[str, str, str], str]:
-    """Map the three labels of each cell to its number, as text.
+    """Map each cell's three labels to its number, as a string.
 
     The labels are group, row and column or, for a number in the text, name, quantity and home.
     """
@@ -141,7 +141,7 @@ def _cell(old: str, new: str) -> dict[str, Any]:
 
 
 def _figures(old: Figures, new: Figures) -> list[dict[str, Any]]:
-    """List all figures; `pictures` of those that differ has the old and the new one (None if missing)."""
+    """List all figures; for those that differ, include the old and new `pictures` (None if missing)."""
     found = []
     for name in sorted(old.pictures | new.pictures):
         pair = [one.pictures.get(name) for one in (old, new)]

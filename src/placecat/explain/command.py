@@ -23,8 +23,8 @@ _INDENT = 24
 def explain_command(words: Sequence[str], *, again: bool = False) -> int:
     """Explain the cells that match the words (see :func:`placecat.explain.find.find`).
 
-    With `again`, also recompute each cell. Returns the exit status, which is 1 if any recomputed number is
-    not identical.
+    With `again`, also recompute each cell. Returns the exit status, which is 1 if any recomputed number
+    differs from the stored one.
     """
     content = read()
     numbers = find(words, content)

@@ -19,9 +19,9 @@ def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
     """Find the numbers of the cells that match the words.
 
     The words are either a cell's number, such as ``table_26.9.3``, or a table's name followed by labels of
-    groups, rows or columns in any order, such as ``table_26 HMM home_3``. A word that equals no label may
-    match part of one. `content` comes from :func:`placecat.provenance.text.explanations`. Raises
-    PlacecatError if no cells match, or more than `MOST`; the message suggests what to use instead.
+    groups, rows or columns in any order, such as ``table_26 HMM home_3``. A word that is not a complete label
+    may match part of one. `content` comes from :func:`placecat.provenance.text.explanations`. Raises
+    PlacecatError if no cells or more than `MOST` cells match; the message suggests what to use instead.
     """
     name, *labels = words
     cells = content["cells"]

@@ -20,7 +20,7 @@ _BOUND = 1.25
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
-    """Select the rows that have a ratio from the benchmarks that :func:`placecat_bench.run.run` returns.
+    """From the table that :func:`placecat_bench.run.run` returns, select the benchmarks that have a ratio.
 
     ``met`` becomes a bool and ``target`` a number. Missing numbers become NaN. The new column ``is_faster``
     is True if the target is a minimum speed-up, and False if it is a maximum share of the peer's time.

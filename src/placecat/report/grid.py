@@ -136,7 +136,7 @@ def number_text(value: float | None) -> str:
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """Return a sentence that says which home each label such as "Home 1" stands for, or "" if obvious."""
+    """Return a sentence saying which home each label such as "Home 1" stands for; "" if this is obvious."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]

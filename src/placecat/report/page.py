@@ -135,7 +135,7 @@ def anchor(settings: Mapping[str, Any]) -> str:
 
 
 def duration(seconds: float) -> str:
-    """Format a duration in seconds like this: "2 h 5 min", "4 min 3 s" or "0.8 s"."""
+    """Format a duration given in seconds, e.g. "2 h 5 min", "4 min 3 s" or "0.8 s"."""
     if seconds < 9.95:
         return f"{seconds:.1f} s"
     minutes, rest = divmod(round(seconds), 60)
@@ -205,7 +205,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """Make the cell for a number in the text; any number but a percentage may have more than two decimals."""
+    """Make the cell for a number in the text; a number that is not a percentage may have more decimals."""
     cell, values = make_cell(record), (record["measured"], record["published"])
     if all(pd.isna(value) or value == round(value, 2) for value in values):
         return cell

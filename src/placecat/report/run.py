@@ -62,7 +62,7 @@ class Run:
     def threshold(self, name: str) -> float:
         """Return an information filter's threshold.
 
-        Raises SettingError if the filter is set by a share of frames instead.
+        Raises SettingError if the filter is defined by a share of frames instead.
         """
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
@@ -123,7 +123,7 @@ class Run:
     def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
         """Decode some of a home's frames in one pass.
 
-        `home` is in the main data set, or in another one if written like ``university/north_2_cloudy_2``.
+        `home` is a home in the main data set or in another one, e.g. ``university/north_2_cloudy_2``.
         `indices` start at 0 and may be in any order. Yields each index once, in ascending order, with its
         frame, (H, W, 3) uint8 BGR.
         """
@@ -168,7 +168,7 @@ class Run:
     def descriptors(
         self, home: str, name: str, rows: Sequence[int] | NDArray[np.int64] | None = None
     ) -> Descriptors:
-        """Return a home's descriptors for a codebook such as ``hog_y``, at frames `rows` (None for all)."""
+        """Return a home's descriptors for a codebook such as ``hog_y``, for the frames `rows` (None: all)."""
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
@@ -199,8 +199,8 @@ class Run:
     def example(self) -> tuple[str, int]:
         """The home and frame shown in Figures 2 to 7, from ``figures.example``.
 
-        The default frame is the labelled one with the largest information measure in the home from the
-        settings or, if they name none, in any home.
+        By default, the frame is the labelled one with the largest information measure, either in the home
+        named in the settings or, if none is named, in any home.
         """
         asked = self.options("example")
         homes = self.homes if asked.get("home") is None else (home_of(self, asked["home"]),)
@@ -223,5 +223,5 @@ class Run:
 
 
 def home_of(run: Run, number: int) -> str:
-    """Return the home with a number (from 1, as in the thesis), or the last home if there are fewer."""
+    """Return the n-th home (from 1, as in the thesis), or the last home if there are fewer."""
     return run.homes[min(number, len(run.homes)) - 1]

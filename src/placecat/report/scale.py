@@ -1,4 +1,4 @@
-"""Format and chart the measurements at the scale of the real home database, for the report."""
+"""The report's measurements at the scale of the real home database, as text and as a chart."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -1,4 +1,4 @@
-"""The order of the report, which follows the thesis's sections, with their tables and figures."""
+"""The order of the report: the thesis's sections, each with its tables and figures."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""The measurements of a run: counts of decisions by true place, and the quality of distributions."""
+"""A run's measurements: decision counts by true place, and the quality of the distributions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from placecat.paths import NO_SEED
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
 DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
-# The names in tables of the measures that are means. The other measures are counts.
+# The measures that are means, and how tables label them. The other measures are counts.
 MEASURES = {
     "log_loss": "Log loss",
     "calibration_error": "Calibration error",
@@ -87,7 +87,7 @@ class Quality:
         return self.seeds != (NO_SEED,)
 
     def over_homes(self, measure: str) -> NDArray[np.float64]:
-        """Average a measure over homes: (seeds,), or (0,) if no home has labelled frames.
+        """Return a measure's (seeds,) averages over homes, or (0,) if no home has labelled frames.
 
         `measure` is one of `MEASURES`.
         """
@@ -96,7 +96,7 @@ class Quality:
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """Return, for each seed, the percentage of all homes' stays that are named correctly.
+        """Return each seed's percentage of correctly named stays, over all homes together.
 
         The shape is (seeds,), or (0,) if there are no stays.
         """
@@ -141,7 +141,7 @@ class Results:
 
     @property
     def numbers(self) -> range:
-        """The numbers of the homes, which start at 1 as in the thesis."""
+        """The homes' numbers, starting at 1 as in the thesis."""
         return range(1, len(self.homes) + 1)
 
     def of(self, name: str) -> Measured:

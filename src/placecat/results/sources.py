@@ -44,7 +44,7 @@ class Source:
 
 
 def sources(params: Mapping[str, Any]) -> dict[str, Source]:
-    """Map the name of each result for which the settings request distributions to its files.
+    """Return the files of all results that have distributions under the given settings, by result name.
 
     Examples of names are ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
     ``smoothing/...`` (before and after the delay), ``filtered/informative/gist`` and

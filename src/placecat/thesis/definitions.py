@@ -21,7 +21,7 @@ _OF_TRIALS = ("trial", "homes", "axes")
 
 
 def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Read the tables that show the pipeline's results, in order and by name, e.g. ``table_26``.
+    """Read the tables that show the pipeline's results; return them in order, by name, e.g. ``table_26``.
 
     Each table has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and the layout's
     settings. A table that names a setting in `needs` is included only if `params`, the run's settings,
@@ -49,7 +49,7 @@ def optional(root: Path = Path()) -> list[str]:
 
 
 def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, dict[str, Any]]]:
-    """Read the tables whose cells are trials from one folder per study; see also :func:`tables`.
+    """Like :func:`tables`, but read the tables whose cells are trials, from one folder per study.
 
     Returns a dict that maps each study to its tables, by name. Each table also has ``trial``, ``homes`` and
     ``axes`` (see :func:`placecat.evaluation.trials.expand`).

@@ -78,7 +78,7 @@ def in_text(
     dataset, splits
         ``title`` and ``thesis_data`` of the main data set, and of each split's data set.
     records
-        The stages' records: tables, by name.
+        The tables from :func:`~placecat.thesis.records.read_records`, by name.
     """
     sections = dict(zip(published["name"], published["section"], strict=True))
     if more := [name for name in entries if name not in sections]:

@@ -231,7 +231,7 @@ def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> ND
 
 
 def _gains(paired: Paired | Pooled) -> NDArray[np.float64]:
-    """Return left minus right for each pair of results, (results, homes, seeds).
+    """Return the (results, homes, seeds) differences, left minus right, between the paired results.
 
     The array is empty if the sides cannot be paired.
     """

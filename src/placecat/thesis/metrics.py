@@ -20,7 +20,7 @@ _NAMELESS = "-"
 def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
     """Nest the ``measured`` numbers of filled tables for `dvc metrics`.
 
-    Returns nested dicts whose keys are name, group, row and column. A level is omitted from a table if all
+    Returns nested dicts with the levels name, group, row and column. A level is omitted from a table if all
     its labels are empty. For example, Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, and
     Table 5 is ``{"SVM": {"Home 1": 31.2}}``. Cells and tables without numbers (NaN) are also omitted.
     """

@@ -31,8 +31,8 @@ class Published:
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
         """Look up one number, which is NaN where the thesis says "n/a" or uses only words.
 
-        `reference` takes one of three forms. ``{table, group, row, column}`` contains the published labels;
-        axes that the table lacks are left out. ``{text, quantity, home}`` names a number in the text;
+        `reference` takes one of three forms. ``{table, group, row, column}`` contains the published labels,
+        without the axes that the table lacks. ``{text, quantity, home}`` names a number in the text;
         quantity and home are needed only if there are several numbers of that name. For ``{result}``, see
         :meth:`of_trial`, which also explains `home`. Raises PlacecatError if the thesis has no such number,
         or more than one.

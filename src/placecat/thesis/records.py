@@ -16,7 +16,7 @@ from placecat.thesis.comparison import Line
 from placecat.thesis.number import Number, Origin, nothing
 from placecat.training import fold_file, protocol
 
-# An origin names a record with this prefix.
+# The prefix that marks a record's name in an origin.
 RECORD = "record/"
 PICKS = {"lowest": np.min, "highest": np.max}
 _VALUE = ["quantity", "column", "where", "pick", "digits"]

@@ -39,7 +39,7 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
 def folder_of(table: Mapping[str, Any]) -> Path:
     """Return a table's folder.
 
-    Tables with `needs` have a folder of their own, so that runs that do not make them leave them unchanged.
+    Tables with `needs` are kept in a separate folder, so that other runs leave them unchanged.
     """
     return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
 
@@ -71,7 +71,7 @@ def in_percent(table: Mapping[str, Any]) -> bool:
 
 
 def read(params: Mapping[str, Any]) -> Iterator[tuple[dict[str, Any], pd.DataFrame, dict[str, Any]]]:
-    """Yield each table's definition, its cells and notes (written by the `tables` stage), and its data set."""
+    """Yield each table's definition, its cells and notes (from the `tables` stage), and its data set."""
     noted = files.read_table(paths.NOTES, COLUMNS_OF_NOTES)
     for name, table in tables_of(params).items():
         cells = files.read_table(folder_of(table) / f"{name}.csv", [*AXES, "note"])

@@ -94,7 +94,7 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
     bars = []
     for (section, label), part in named.groupby(["section", "label"], sort=False):
         whole = part if axis is None else part[part[axis] == AVERAGE]
-        # A table of a single home has no average.
+        # A table with a single home has no average.
         whole = part if whole.empty else whole
         if len(whole) != 1 or not np.isfinite(whole["measured"].iloc[0]):
             continue

@@ -1,6 +1,6 @@
-"""Pictures of confusion matrices, either for one table row, with numbers, or for a table, in colours only.
+"""Draw confusion matrices as pictures: one table row with numbers, or a whole table in colours only.
 
-They are drawn with NumPy, because Matplotlib takes ten times as long.
+The pictures are made with NumPy, because Matplotlib takes ten times as long.
 """
 
 from collections.abc import Mapping
@@ -106,7 +106,7 @@ def _blocks(of_row: Mapping[str, Measured]) -> dict[str, NDArray[np.float64]]:
 
 
 def _paper(height: int, width: int, title: str, caption: str) -> NDArray[np.uint8]:
-    # White takes a single fill value; filling with a colour, which takes three, is 90 times as slow.
+    # White is a single fill value; filling with a colour, which has three, takes 90 times as long.
     picture = np.full((height, width, 3), _PAPER[0], np.uint8)
     write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
     write(picture, caption, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)
@@ -142,7 +142,7 @@ def _width(text: str, size: int = _TEXT, *, bold: bool = False) -> int:
 
 
 def _slanted(text: str) -> NDArray[np.float32]:
-    """Return the coverage of each pixel by a line of text that slants upwards at 45 degrees."""
+    """Draw a line of text at 45 degrees, and return how much of each pixel it covers."""
     cover = mask(text, _TEXT)
     height, width = cover.shape
     size = int(np.ceil((height + width) / np.sqrt(2)))

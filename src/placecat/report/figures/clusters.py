@@ -41,7 +41,7 @@ class Cluster:
     patches: NDArray[np.uint8]
 
     def contrast(self) -> NDArray[np.float64]:
-        """Return the standard deviation of each patch's grey levels, (n,)."""
+        """Return the (n,) standard deviations of the patches' grey levels."""
         return np.array([cv2.cvtColor(patch, cv2.COLOR_BGR2GRAY).std() for patch in self.patches])
 
 
@@ -82,8 +82,8 @@ def spread(
 ) -> list[int]:
     """Take the first `count` regions in order, but skip any from the same moment as one already taken.
 
-    `order` contains indices into `home` and `frame`. Two frames of a home belong to the same moment if they
-    are less than `apart` frames apart.
+    `order` contains indices into `home` and `frame`. Two frames of a home are from the same moment if they
+    are fewer than `apart` frames apart.
     """
     taken: list[int] = []
     for one in order.tolist():

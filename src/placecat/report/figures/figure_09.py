@@ -114,8 +114,8 @@ def _query(
 
     Such a frame must have a label and enough regions. There are four preferences, each of which outweighs all
     later ones. First, the regions fall into different clusters. Second, the decision is correct. Third, the
-    frame's information is at least the median. Fourth, the clusters are also the nearest ones in the plane.
-    Ties are broken in favour of the frame with the largest probability.
+    frame's information measure is at least the median. Fourth, the clusters are also the nearest ones in the
+    plane. Ties are broken in favour of the frame with the largest probability.
     """
     found = run.descriptors(home, codebook)
     assert found.counts is not None

@@ -76,12 +76,11 @@ def failures(run: Run, results: list[str], least: float) -> list[Failure]:
 
 
 def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Return the certainty of each frame, (frames,).
+    """Return the (frames,) certainties, averaged over cues.
 
-    A cue's certainty about a frame is the share of `labelled` frames about which it is no more certain. The
-    result is the mean over all cues. `largest` contains the (cues, frames) probabilities of the decisions.
-    These are not comparable across cues, because the distributions of some cues are always nearly uniform,
-    and those of others never are.
+    A cue's certainty about a frame is the share of `labelled` frames about which it is no more certain.
+    `largest` contains the (cues, frames) probabilities of the decisions. These are not comparable across
+    cues, because the distributions of some cues are always nearly uniform, and those of others never are.
     """
     shares = [
         np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()

@@ -98,7 +98,7 @@ def draw(
     cuts: Sequence[int],
     span: tuple[float, float],
 ) -> AxesImage:
-    """Draw one strip: a row per place, a blue line for the true place, and the accuracy (thesis 4.2) on top.
+    """Draw one strip: a row per place, a blue line for the true place, and the accuracy (thesis 4.2) above.
 
     Where frames are unlabelled, the line runs through an additional row. `proba` is (frames, len(classes)).
     `truth` contains the (frames,) class indices, with -1 for unlabelled frames. `cuts` lists the first frame
