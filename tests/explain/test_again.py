@@ -49,7 +49,7 @@ def test_a_different_bit_is_reported(reproduced, tmp_path, monkeypatch):
     files.write_json(paths.ORIGINS, origins)
     same, said = compute("table_26.9.1")
     assert not same
-    assert "do NOT agree" in said
+    assert "do NOT match" in said
 
 
 def test_a_missing_run_is_an_error(tmp_path, monkeypatch):

@@ -474,7 +474,7 @@ def test_the_scale_table_has_every_stage_and_the_time_of_a_full_run(page):
         "all 21.5 61.5 201.5 63.0 4.00 1.70 1.80",
     ]
     assert "would take about 12.3 hours" in text_of(html)
-    assert "1 min 3 s and at most 4.0 GiB (trials@gist), with 2 workers on 2 cores" in text_of(html)
+    assert "1 min 3 s and used at most 4.0 GiB (trials@gist), with 2 workers on 2 cores" in text_of(html)
 
 
 def test_without_a_scale_run_the_page_says_how_to_measure():
@@ -553,7 +553,7 @@ def test_verdicts_on_more_homes_follow_each_finding():
         "findings": more,
     }
     shown = text_of(page_html(replace(report, replication=replication)))
-    assert "On 24 homes (24 homes &lt;drawn&gt;) 34 hold, 0 do not, and 0 are undecided." in shown
+    assert "On 24 homes (24 homes &lt;drawn&gt;), 34 hold, 0 do not, and 0 are undecided." in shown
     difference, low, high = (f"{more[name][0]:.2f}" for name in ("difference", "low", "high"))
     assert f"On 24 homes: holds {difference} ({low} to {high}, 24 homes)" in shown
     assert shown.count("On 24 homes: holds") == 33

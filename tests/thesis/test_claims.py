@@ -60,12 +60,12 @@ def test_without_a_right_side_the_left_is_compared_with_a_number():
         (finding(comparison(compare="product")), "use difference or ratio"),
         (
             finding({"left": LEFT, "range": {"above": 9}, "compare": "ratio"}),
-            "a ratio of .* needs a right side",
+            "a ratio in .* needs a right side",
         ),
         (finding({"left": LEFT, "range": "better"}), "a right side or the range 'above', but not both"),
         (finding(comparison(range={"above": 9})), "a right side or the range 'above', but not both"),
         (finding({"left": LEFT}), "missing a required argument: 'range'"),
-        (finding(), "makes no comparison"),
+        (finding(), "contains no comparisons"),
         (finding(comparison(), title="x"), "no setting 'title'"),
     ],
 )

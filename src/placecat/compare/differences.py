@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import pandas as pd
 
 NONE = "none"
-# Columns with the content of a row or the number of the table. The remaining columns identify the cell.
+# Columns that hold a cell's content or its table's number. The other columns identify the cell.
 _CONTENT = ("table", "published", "measured", "spread", "seeds", "note", "data")
-# Maximum numbers of tables, verdicts and settings that the report lists.
+# The report lists at most this many tables, verdicts and settings.
 _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 
 
@@ -17,9 +17,9 @@ _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 class TableDifference:
     """The differences in one table, such as ``table_26``.
 
-    `cells` is the number of compared cells, which are those with an old or a new number. `differing` counts
-    the cells whose number or spread over seeds has changed. `largest` is the largest difference in points,
-    and `where` has the labels of the cell with this difference. If no two numbers differ, `largest` is 0 and
+    `cells` counts the compared cells: those with an old number, a new number, or both. `differing` counts the
+    cells whose number or spread over seeds has changed. `largest` is the largest difference in points, and
+    `where` contains the labels of the cell with this difference. If no two numbers differ, `largest` is 0 and
     `where` is "". `appeared` counts the cells that have only a new number, and `disappeared` those that have
     only an old one.
     """
@@ -34,14 +34,14 @@ class TableDifference:
 
     @property
     def label(self) -> str:
-        """The displayed name of the table, e.g. "Table 26"."""
+        """The table's display name, e.g. "Table 26"."""
         number = re.fullmatch(r"table_0*(\d+)", self.name)
         return f"Table {number[1]}" if number else self.name.replace("_", " ")
 
 
 @dataclass(frozen=True)
 class Turned:
-    """A finding whose verdict has changed; the verdict is `NONE` in a run that lacks the finding."""
+    """A finding whose verdict has changed; the verdict is `NONE` if a run does not contain the finding."""
 
     finding: str
     kept: str
@@ -53,9 +53,9 @@ class Turned:
 class Comparison:
     """The differences in all tables, sorted by name, and in all verdicts.
 
-    If some cells come from different data sets, `data` has the titles of the old and the new data set. These
-    cells are not compared. `findings` is the number of findings, and `turned` lists those with a changed
-    verdict.
+    If some cells come from different data sets, they are not compared, and `data` contains the titles of the
+    old and new data sets. `findings` is the number of findings, and `turned` lists those whose verdict has
+    changed.
     """
 
     tables: tuple[TableDifference, ...]
@@ -80,9 +80,9 @@ class Comparison:
         return worst if worst is not None and worst.largest else None
 
     def exceeds(self, tolerance: float) -> bool:
-        """Whether a number has appeared, has disappeared, or differs by more than a tolerance in points.
+        """Whether a number has appeared, disappeared, or changed by more than a tolerance in points.
 
-        Verdicts are left out, because a small change in a number may change a verdict.
+        Verdicts are ignored, because even a small change in a number can change a verdict.
         """
         return any(one.appeared or one.disappeared or one.largest > tolerance for one in self.tables)
 
@@ -96,11 +96,11 @@ def compare(
     """Compare new tables with old ones.
 
     Cells whose two numbers come from different data sets are not compared. If there are any, verdicts are not
-    compared either. `now` and `kept` map the names of the new and the old tables to the tables. Numbers in
-    the tables may be text, which is empty if a number is missing. The columns are measured (percent), spread
-    (points, optional), data (the data set, "" if unknown), and those that identify the cell of a row, such as
-    group, row and column. A table of findings has one row per finding, with the columns number and verdict.
-    It is None if missing.
+    compared either. `now` and `kept` map names to the new and old tables. Numbers in the tables may be
+    strings; a missing number is an empty string. Each row describes one cell. Its columns are measured
+    (percent), spread (points, optional), data (the data set, "" if unknown), and those that identify the
+    cell, such as group, row and column. A findings table has one row per finding, with the columns number and
+    verdict. It is None if missing.
     """
     pairs = {
         name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))
@@ -122,7 +122,7 @@ def compare(
 
 
 def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
-    """Return the number, the spread and the data set of each cell, indexed by the labels of the cell.
+    """Return each cell's number, spread and data set, indexed by the cell's labels.
 
     A missing spread is NaN. The data set is "" if the number is missing.
     """
@@ -136,7 +136,7 @@ def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
 
 
 def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
-    """Join a new and an old table by cell; cells that only the old table has come last."""
+    """Join a new and an old table by cell; cells found only in the old table come last."""
     labels = now.index.append(kept.index.difference(now.index, sort=False))
     sides = (now.reindex(labels).add_suffix("_now"), kept.reindex(labels).add_suffix("_kept"))
     both = pd.concat(sides, axis=1)
@@ -149,7 +149,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
     spreads = cells["spread_now"], cells["spread_kept"]
     # A missing number is NaN, which differs from itself.
     differs = [(one != other) & (one.notna() | other.notna()) for one, other in ((new, old), spreads)]
-    # Both numbers have two decimals, but their floating-point difference has more.
+    # Both numbers have two decimals, but their floating-point difference may have more.
     distance = (new - old).abs().round(2).dropna()
     largest = float(distance.max()) if len(distance) else 0.0
     where = ", ".join(filter(None, distance.index[int(distance.argmax())])) if largest else ""
@@ -165,7 +165,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
 
 
 def turned(now: pd.DataFrame | None, kept: pd.DataFrame | None) -> tuple[Turned, ...]:
-    """List the findings whose verdict differs between two tables; None stands for an empty table."""
+    """List the findings whose verdicts differ between two tables; None is treated as an empty table."""
     new, old = (
         {} if table is None else {str(row["number"]): row for row in table.to_dict("records")}
         for table in (now, kept)
@@ -180,10 +180,10 @@ def turned(now: pd.DataFrame | None, kept: pd.DataFrame | None) -> tuple[Turned,
 
 
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str]) -> list[str]:
-    """Return lines of text that describe how a run differs from an old one.
+    """Describe how a run differs from an old one, as a list of lines.
 
-    `tolerance` is in points. `kept` describes where the old tables are, e.g. "git HEAD". `settings` are the
-    names of changed settings.
+    `tolerance` is in points. `kept` says where the old tables are, e.g. "git HEAD". `settings` lists the
+    names of the changed settings.
     """
     lines = []
     if comparison.data:

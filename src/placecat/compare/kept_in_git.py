@@ -26,9 +26,9 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 class Kept:
     """The parts of a run that are compared.
 
-    `tables` maps names such as ``table_26`` to filled tables, in which every value is text; ``in_text`` has
-    the numbers in the thesis's text. `findings` has the columns number and verdict, among others, and
-    `settings` is the content of params.yaml; both are None if missing.
+    `tables` maps names such as ``table_26`` to filled tables, in which every value is a string; ``in_text``
+    contains the numbers in the thesis's text. The columns of `findings` include number and verdict.
+    `settings` is the content of params.yaml. `findings` and `settings` are None if missing.
     """
 
     tables: dict[str, pd.DataFrame]
@@ -49,13 +49,13 @@ def compare(old: str, new: str = "") -> tuple[list[str], bool]:
     """Compare the tables of two sides (see :func:`read`).
 
     Returns the lines of a report, and whether the two sides agree. They disagree if the settings are the same
-    but a number has appeared, has disappeared or differs by more than ``reproducibility.tolerance``. Numbers
-    from different data sets are not compared. Raises PlacecatError if a side has no tables, git is not
-    installed, the folder is not in a repository, or the revision does not exist.
+    but a number has appeared, disappeared or changed by more than ``reproducibility.tolerance``. Numbers from
+    different data sets are not compared. Raises PlacecatError if a side has no tables, git is not installed,
+    the folder is not in a repository, or the revision does not exist.
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read(new), read(old)
-    # Optional tables that the new run did not make are left over from an earlier run.
+    # An optional table that the new run did not make is a leftover from an earlier run.
     others = set(definitions.optional()) - definitions.tables(now.settings or {}).keys()
     tables_now, tables_kept = (
         {name: table for name, table in _with_data(one, now.settings).items() if name not in others}
@@ -68,9 +68,9 @@ def compare(old: str, new: str = "") -> tuple[list[str], bool]:
 
 
 def _with_data(one: Kept, params: dict[str, Any] | None) -> dict[str, pd.DataFrame]:
-    """Add a column `data` to each table: the title of the data set behind each number; "" if unknown.
+    """Add a column `data` to each table, with the title of each number's data set, or "" if unknown.
 
-    `params` are the settings to which the table definitions refer.
+    `params` contains the settings that the table definitions refer to.
     """
     defined = {} if params is None else tables_of(params)
     found = {}
@@ -130,7 +130,7 @@ def read_revision(revision: str) -> Kept:
 
 
 def commit_of(revision: str) -> str:
-    """Return the hash of a revision's commit.
+    """Return the commit hash of a revision.
 
     Raises PlacecatError if git, the repository or the revision is missing.
     """
@@ -146,7 +146,7 @@ def about(revision: str) -> str:
 
 
 def _git(*arguments: str, message: str = "git failed") -> str:
-    """Return a git command's output; if it fails, raise PlacecatError with `message` and git's message."""
+    """Return the output of a git command; if it fails, raise PlacecatError with `message` and git's error."""
     try:
         done = subprocess.run(["git", *arguments], capture_output=True, check=False)
     except FileNotFoundError:
@@ -158,11 +158,11 @@ def _git(*arguments: str, message: str = "git failed") -> str:
 
 
 def read_figures(side: str) -> Figures:
-    """Read one side's figures (see :func:`read`). DVC provides those of a git revision."""
+    """Read one side's figures (see :func:`read`). Those of a git revision come from DVC."""
     if is_folder(side):
         remedy = f"{Path(side) / paths.FIGURES} has no figures: run `dvc repro figures` in that project"
         return _read_figures(lambda name: (Path(side) / name).read_bytes(), remedy, (OSError,))
-    # Imported only here, because the import takes a second.
+    # Imported here because the import takes a second.
     from dvc.api import DVCFileSystem
     from dvc.exceptions import DvcException
 

@@ -1,4 +1,4 @@
-"""Show two runs on one page: the tables, verdicts, figures and settings that differ."""
+"""Write a page that compares two runs: the tables, verdicts, figures and settings that differ."""
 
 import re
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ _NOT_SHOWN = ("compute", "reproducibility")
 
 
 def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
-    """Write the page to an HTML file; return lines that name the file and explain missing figures.
+    """Write the page to an HTML file; return lines that give its path and say why figures are missing.
 
     `old` and `new` are the sides (see :func:`placecat.compare.kept_in_git.read`). `lines` come from
     :func:`placecat.compare.kept_in_git.compare`.
@@ -47,9 +47,10 @@ def page_html(
 ) -> str:
     """Render the page.
 
-    `names`, `kept` and `drawn` each have two entries, for the old and the new side. An entry of `names` has
-    the side's ``name`` and ``about``, which is a line about its commit or "". `kept` has the results of both
-    sides, and `drawn` their figures. `lines` are shown in the summary at the top of the page.
+    `names`, `kept` and `drawn` each have two entries: first the old side, then the new one. An entry of
+    `names` contains the side's ``name`` and ``about``, a line about its commit, or "" if it has none. `kept`
+    contains the results of both sides, and `drawn` their figures. `lines` are shown in the summary at the top
+    of the page.
     """
     loaders = [PackageLoader("placecat.compare"), PackageLoader("placecat.report")]
     templates = page_templates().overlay(loader=ChoiceLoader(loaders))
@@ -102,7 +103,7 @@ def _data(one: Kept) -> str:
 
 
 def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]:
-    """Return the columns, the grouped rows with both numbers of each cell, and the count of changed cells."""
+    """Return the columns, the rows by group with each cell's two numbers, and the number of changed cells."""
     before, now = _cells(old), _cells(new)
     keys = dict.fromkeys([*now, *before])
     columns = list(dict.fromkeys(column for *_, column in keys))
@@ -117,7 +118,7 @@ def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]
 
 
 def _cells(table: pd.DataFrame | None) -> dict[tuple[str, str, str], str]:
-    """Map the three labels of each cell to its number, as text.
+    """Map each cell's three labels to its number, as a string.
 
     The labels are group, row and column or, for a number in the text, name, quantity and home.
     """
@@ -134,13 +135,13 @@ def _cell(old: str, new: str) -> dict[str, Any]:
     difference = None if before is None or now is None else round(now - before, 2)
     shown = ["" if number is None else f"{number:.2f}" for number in numbers]
     if difference == 0 and before != now:
-        # Numbers other than percentages may differ by less than two decimals can show.
+        # Numbers other than percentages may differ by too little to show with two decimals.
         shown = [old, new]
     return {"old": shown[0], "new": shown[1], "changed": before != now, "difference": difference}
 
 
 def _figures(old: Figures, new: Figures) -> list[dict[str, Any]]:
-    """List all figures; those that differ have `pictures`, an old and a new one, which may be None."""
+    """List all figures; for those that differ, include the old and new `pictures` (None if missing)."""
     found = []
     for name in sorted(old.pictures | new.pictures):
         pair = [one.pictures.get(name) for one in (old, new)]

@@ -1,1 +1,1 @@
-"""``placecat explain``: find a number, print where it comes from, and compute it again."""
+"""``placecat explain``: find a number, print where it comes from, and recompute it."""

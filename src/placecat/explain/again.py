@@ -1,4 +1,4 @@
-"""Recompute a cell by repeating its last steps, starting from the files of earlier stages."""
+"""Recompute a cell by repeating the last steps, starting from the files of earlier stages."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -49,9 +49,9 @@ def compute(number: str) -> tuple[bool, str]:
     """Recompute a cell by its number, such as ``table_26.9.3``, and compare it with the stored cell.
 
     Smoothed, filtered and integrated results are recomputed from the files of the previous step. Cues are
-    trained again, but with their stored features and codebook; trials and splits reuse only the features.
-    Returns whether all bits agree, and a description of the comparison. Raises PlacecatError if an earlier
-    stage has not run.
+    retrained on their stored features and codebook; trials and splits reuse only the features. Returns
+    whether all bits match, and a description of the comparison. Raises PlacecatError if an earlier stage has
+    not run.
     """
     params = settings.load()
     table = number.partition(".")[0]
@@ -68,13 +68,13 @@ def compute(number: str) -> tuple[bool, str]:
     values = measurement(_numbers(table, params, results)[number][1], results).values
     done = "; ".join(dict.fromkeys(steps)) or "read again"
     if values == kept[key].values:
-        return True, f"{done}: all bits agree"
+        return True, f"{done}: all bits match"
     texts = [", ".join(map(repr, of)) or "no number" for of in (values, kept[key].values)]
-    return False, f"{done}: the bits do NOT agree: {texts[0]} instead of {texts[1]}"
+    return False, f"{done}: the bits do NOT match: {texts[0]} instead of {texts[1]}"
 
 
 def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[str, tuple[Key, Number]]:
-    """Map the number of each cell in a table to the cell's labels and value, computed from the results."""
+    """Compute a table from the results, and map each cell's number to its labels and value."""
     if table == in_text.NAME:
         filled, key = in_text.fill(results, params), in_text.KEY
     else:
@@ -85,12 +85,12 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
 
 
 def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
-    """Recompute the result of an origin in the homes of that origin, and return all results."""
+    """Recompute an origin's result for its homes, and return all results."""
     name = origin.result
     if name not in results.measured:
         return results
     if name.startswith(("trials/", "toy/")):
-        steps.append("trained and tested again")
+        steps.append("retrained and retested")
         counts = _trial if name.startswith("trials/") else _toy
         return _with_counts(results, name, counts(name, origin.homes, results.measured[name], params))
     source = sources(params)[name]
@@ -123,10 +123,10 @@ def _with_counts(results: Results, name: str, counts: Counts) -> Results:
 def _distributions(
     name: str, source: Source, params: Mapping[str, Any], steps: list[str]
 ) -> Iterator[tuple[tuple[str, str], Array]]:
-    """Yield recomputed distributions, each with its (home, seed)."""
+    """Yield each (home, seed) with its recomputed distributions."""
     kind, _, rest = name.partition("/")
     if kind == "splits":
-        steps.append("the complete split trained again from its features")
+        steps.append("the complete split retrained from its features")
         yield from _of_split(rest, source, params)
         return
     step, function = _STEPS[kind]
@@ -175,8 +175,8 @@ def _smoothed(rest: str, source: Source, home: str, seed: str, params: Mapping[s
 
 
 _STEPS = {
-    "cues": ("the cue trained again from its features and codebook", _cue),
-    "tempered": ("the cue trained again from its features and codebook", _cue),
+    "cues": ("the cue retrained from its features and codebook", _cue),
+    "tempered": ("the cue retrained from its features and codebook", _cue),
     "integration": ("integrated again from the distributions of its cues", _integration),
     "filtered": ("filtered again", _filtered),
     "hmm": ("smoothed again", _smoothed),

@@ -21,9 +21,10 @@ _INDENT = 24
 
 
 def explain_command(words: Sequence[str], *, again: bool = False) -> int:
-    """Print the explanations of the cells that match the words (:func:`placecat.explain.find.find`).
+    """Explain the cells that match the words (see :func:`placecat.explain.find.find`).
 
-    With `again`, recompute each cell. Returns the exit status, which is 1 if any bit of a number differs.
+    With `again`, also recompute each cell. Returns the exit status, which is 1 if any recomputed number
+    differs from the stored one.
     """
     content = read()
     numbers = find(words, content)
@@ -43,7 +44,7 @@ def explain_command(words: Sequence[str], *, again: bool = False) -> int:
 
 
 def read() -> dict[str, Any]:
-    """Read the explanations of all cells; raises PlacecatError if their file is missing."""
+    """Read the explanations of all cells; raise PlacecatError if their file is missing."""
     if not paths.EXPLANATIONS.is_file():
         raise PlacecatError(
             f"{paths.EXPLANATIONS} is missing: run `dvc repro` to make it, or restore it from git"
@@ -81,7 +82,7 @@ def _shown(line: Line) -> str:
 
 
 def _code() -> str:
-    """Describe the current commit, and whether code or settings have changed since."""
+    """Describe the current commit and any changes to code or settings since then."""
     commit = git_commit()
     if not commit:
         return "outside a git repository"

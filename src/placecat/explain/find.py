@@ -1,4 +1,4 @@
-"""Look up cells by their numbers, or by table and labels."""
+"""Look up cells by number, or by table and labels."""
 
 import difflib
 import re
@@ -9,7 +9,7 @@ from placecat import paths
 from placecat.errors import PlacecatError
 from placecat.provenance.lines import lines_of
 
-# Maximum number of cells to explain; if more match, the error message lists some of them.
+# Maximum number of cells to explain. If more cells match, the error message lists a few of them.
 MOST = 4
 _NAMED = 8
 _LABELS = ("group", "row", "column")
@@ -19,9 +19,9 @@ def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
     """Find the numbers of the cells that match the words.
 
     The words are either a cell's number, such as ``table_26.9.3``, or a table's name followed by labels of
-    groups, rows or columns in any order, such as ``table_26 HMM home_3``. A word that matches no complete
-    label may match part of one. `content` comes from :func:`placecat.provenance.text.explanations`. Raises
-    PlacecatError if no cell or more than `MOST` cells match; the message suggests what to use instead.
+    groups, rows or columns in any order, such as ``table_26 HMM home_3``. A word that is not a complete label
+    may match part of one. `content` comes from :func:`placecat.provenance.text.explanations`. Raises
+    PlacecatError if no cells or more than `MOST` cells match; the message suggests what to use instead.
     """
     name, *labels = words
     cells = content["cells"]

@@ -1,1 +1,1 @@
-"""Reports for readers: figures, charts, the HTML page, and tables in LaTeX and Markdown."""
+"""Reports: figures, charts, the HTML page, and tables in LaTeX and Markdown."""

@@ -1,4 +1,4 @@
-"""Benchmarks in the report, as text and as a chart of the ratios with their targets."""
+"""The report's benchmarks, as text and as a chart of the ratios with their targets."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,16 +14,16 @@ _SECONDS = "seconds"
 _NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 MET, MISSED, TARGET = "#0072b2", "#d55e00", "#222222"
-# Width, line height, and total space above and below the lines of a panel, in inches.
+# Width, line height, and total space above and below a panel's lines, in inches.
 _WIDTH, _LINE, _ROUND = 6.5, 0.24, 0.55
 _BOUND = 1.25
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
-    """Select the benchmarks from :func:`placecat_bench.run.run` that have a ratio.
+    """From the table that :func:`placecat_bench.run.run` returns, select the benchmarks that have a ratio.
 
-    ``met`` becomes a bool and ``target`` a number. Missing numbers are NaN. The new column ``is_faster`` is
-    True if the target is a minimum speed-up, and False if it is a maximum share of the peer's time.
+    ``met`` becomes a bool and ``target`` a number. Missing numbers become NaN. The new column ``is_faster``
+    is True if the target is a minimum speed-up, and False if it is a maximum share of the peer's time.
     """
     rows = benchmarks[benchmarks["ratio"].notna()]
     return rows.assign(
@@ -36,9 +36,10 @@ def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
 def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str, Any]:
     """Format the benchmarks from :func:`placecat_bench.run.run` for a page.
 
-    Empty text cells of `benchmarks` must be "". Returns ``facts``, which has ``processor``, ``python`` and
-    ``packages``, and ``rows``, each with the keys piece, input, ours, peer, theirs, ratio, target, met and
-    spent. If a row measures something other than seconds, its ``piece`` also names that quantity.
+    Empty text cells in `benchmarks` must be "". Returns a dict: ``facts`` contains ``processor``, ``python``
+    and ``packages``, and ``rows`` is a list of dicts with the keys piece, input, ours, peer, theirs, ratio,
+    target, met and spent. If a row measures something other than seconds, its ``piece`` also names that
+    quantity.
     """
     return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
 
@@ -60,12 +61,12 @@ def _shown_row(row: Mapping[Any, Any]) -> dict[str, Any]:
 
 
 def times(ratio: float) -> str:
-    """Format a ratio with three significant digits, or as a whole number if it is at least 1000."""
+    """Format a ratio to three significant digits, or as a whole number if it is at least 1000."""
     return f"{ratio:,.0f}" if ratio >= 1000 else f"{ratio:.3g}"
 
 
 def _amount(value: float, quantity: str) -> str:
-    """Format a number. Times are in seconds, or in milliseconds below one second."""
+    """Format a number. Times are in seconds or, if shorter than a second, in milliseconds."""
     if pd.isna(value):
         return ""
     if quantity != _SECONDS:
@@ -76,8 +77,8 @@ def _amount(value: float, quantity: str) -> str:
 def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
     """For each comparison, draw the median ratio, the range over pairs, and the target.
 
-    There are up to two panels: one for speed-ups (more is better), and one for shares of the peer's time
-    (less is better). Returns None if there are no comparisons.
+    There are up to two panels: one for speed-ups (higher is better), and one for shares of the peer's time
+    (lower is better). Returns None if there are no comparisons.
     """
     ratios = ratios_of(benchmarks)
     panels = [

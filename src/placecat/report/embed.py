@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-# Our choice: figures look the same as PNGs, at a tenth of the size.
+# Our choice: figures look the same as the PNGs, at a tenth of the size.
 QUALITY = 90
 
 

@@ -1,4 +1,4 @@
-"""Filled tables as Markdown and LaTeX, with the published numbers below the measured ones."""
+"""Write filled tables as Markdown and LaTeX, with the published numbers below the measured ones."""
 
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -10,7 +10,7 @@ from jinja2 import Environment
 from placecat.report.grid import shown_table
 from placecat.templates import environment
 
-# Characters that would end a cell or start markup.
+# Characters that would otherwise end a cell or start markup.
 _MARKDOWN = str.maketrans({"\n": " ", **{character: f"\\{character}" for character in "\\|*`<[]$&"}})
 _LATEX = str.maketrans(
     {
@@ -19,7 +19,7 @@ _LATEX = str.maketrans(
         **{character: f"\\{character}" for character in "&%$#_{}"},
         "~": r"\textasciitilde{}",
         "^": r"\textasciicircum{}",
-        # After the end of a row, a bracket would start an optional argument.
+        # A bracket that follows the end of a row would start an optional argument.
         "[": "{[}",
         "<": r"\textless{}",
         ">": r"\textgreater{}",
@@ -45,7 +45,7 @@ def latex(text: str) -> str:
 
 
 def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
-    """Write one filled table as Markdown.
+    """Format one filled table as Markdown.
 
     For the parameters, see :func:`placecat.report.grid.shown_table`.
     """
@@ -53,16 +53,16 @@ def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Ma
 
 
 def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
-    """Write one filled table as a LaTeX ``table`` environment, which needs ``\\usepackage{booktabs}``.
+    """Format one filled table as a LaTeX ``table`` environment, which needs ``\\usepackage{booktabs}``.
 
-    Published numbers are in italics below each row of measured numbers, like standard errors under
+    Published numbers appear in italics below each row of measured numbers, as standard errors do below
     coefficients. Footnotes explain why cells are empty. For the parameters, see
     :func:`placecat.report.grid.shown_table`.
     """
     return _in_latex().get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
 
 
-# Cached because an environment compiles each template on first use.
+# Cached because each new environment would compile its templates again.
 @cache
 def _in_markdown() -> Environment:
     return environment("placecat.report").overlay(finalize=_only_text(markdown))

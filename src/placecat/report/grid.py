@@ -1,4 +1,4 @@
-"""Filled tables as grids for display, with numbers as text and notes as footnotes."""
+"""Arrange filled tables as grids for display, with formatted numbers and with notes as footnotes."""
 
 import itertools
 from collections.abc import Hashable, Mapping, Sequence
@@ -13,8 +13,8 @@ from placecat.thesis.notes import Kind, Notes
 from placecat.thesis.number import home_label
 from placecat.thesis.tables import comparable, in_percent
 
-# The shade gets darker at each of these differences, in points. Our choice: smaller differences may be due to
-# the seed.
+# Differences, in points, at which the shade becomes darker. Our choice: differences below the first step may
+# be due to the seed.
 STEPS = (2.0, 5.0, 10.0, 20.0)
 NUMBERS = ("measured", "published", "spread", "seeds")
 
@@ -23,11 +23,11 @@ NUMBERS = ("measured", "published", "spread", "seeds")
 class Cell:
     """One cell of a table.
 
-    `measured` and `published` are percentages with two decimals, or "" if missing; `published` is "n/a" if
-    the thesis says so. `difference` is measured minus published in points, or None unless both exist.
-    `spread` is the largest minus the smallest value over the seeds, in points, and `seeds` is the number of
-    seeds. If nothing is random, they are None and 0. `mark` and `published_mark` are the letters of the
-    footnotes on the two numbers.
+    `measured` and `published` are percentages with two decimals, or "" if missing; `published` is "n/a" where
+    the thesis says so. `difference` is measured minus published in points, or None if either is missing.
+    `spread` is the difference between the largest and smallest values over the seeds, in points, and `seeds`
+    is the number of seeds. If nothing is random, `spread` is None and `seeds` is 0. `mark` and
+    `published_mark` are the letters of the two numbers' footnotes.
     """
 
     measured: str = ""
@@ -64,8 +64,8 @@ class Group:
 class Grid:
     """A table arranged for display.
 
-    The last of the `columns` is the average. The `groups` of rows are in the order of the table. `footnotes`
-    maps letters, in order, to notes on single cells and to the reasons why cells are empty.
+    The last entry of `columns` is the average. The `groups` of rows are in table order. `footnotes` maps
+    letters, in order, to notes about single cells, including the reasons why cells are empty.
     """
 
     columns: tuple[str, ...]
@@ -97,11 +97,11 @@ def make_grid(table: pd.DataFrame) -> Grid:
 def shown_table(
     settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Prepare one filled table for a template, with its grid, its title, and sentences about its numbers.
+    """Prepare one filled table for a template: its grid, its title, and sentences about its numbers.
 
-    `settings` define the table: ``name``, ``number`` (None if it is not in the thesis), ``title``,
-    ``thesis_data``, and ``caption`` if the numbers are not percentages. `table` is from
-    :func:`placecat.thesis.tables.fill_table`; `dataset` has ``title``, ``homes`` and ``thesis_data``.
+    `settings` defines the table: ``name``, ``number`` (None if it is not in the thesis), ``title``,
+    ``thesis_data``, and ``caption`` if the numbers are not percentages. `table` comes from
+    :func:`placecat.thesis.tables.fill_table`; `dataset` contains ``title``, ``homes`` and ``thesis_data``.
     """
     return {
         **{key: settings[key] for key in ("name", "number", "title", "thesis_data")},
@@ -117,7 +117,7 @@ def shown_table(
 def make_cell(row: Mapping[Any, Any]) -> Cell:
     """Make a cell from the numbers in a row, which are NaN if missing.
 
-    These are the measured and the published percentage, the spread in points, and the number of seeds.
+    They are the measured and published percentages, the spread in points, and the number of seeds.
     """
     measured, published, spread, seeds = (row[name] for name in NUMBERS)
     difference = round(float(measured - published), 2) + 0.0
@@ -136,7 +136,7 @@ def number_text(value: float | None) -> str:
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """State which home each label such as "Home 1" stands for, or "" if this is obvious."""
+    """Return a sentence saying which home each label such as "Home 1" stands for; "" if this is obvious."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]
@@ -147,7 +147,7 @@ def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
 
 
 def seeds_sentence(table: pd.DataFrame) -> str:
-    """State how many seeds the numbers average over and how much seeds differ, or "" if nothing is random.
+    """Say how many seeds the numbers are averaged over, and how much they vary; "" if nothing is random.
 
     The table has the columns measured, spread (in points) and seeds. If it also has group, row or column, the
     sentence says where the spread is largest.
@@ -192,11 +192,11 @@ def _cell(record: Mapping[Hashable, Any], footnotes: list[str]) -> Cell:
 
 
 def shade(difference: float | None) -> str:
-    """Return the name of a cell's shade, which depends on how much the measured and published numbers differ.
+    """Return the name of a cell's shade, given the difference between its measured and published numbers.
 
-    The difference is measured minus published in points, or None if there is no comparison. The name is
-    "above-1" to "above-4" or "below-1" to "below-4", with higher numbers for larger differences. It is "" if
-    the difference is small or missing.
+    The difference is measured minus published in points, or None if there is nothing to compare. The name
+    ranges from "above-1" to "above-4" or from "below-1" to "below-4", with higher numbers for larger
+    differences. It is "" if the difference is small or missing.
     """
     if difference is None:
         return ""
@@ -205,7 +205,7 @@ def shade(difference: float | None) -> str:
 
 
 def legend() -> list[tuple[str, str]]:
-    """List every shade with its meaning, from far below to far above."""
+    """List all shades and their meanings, from far below to far above."""
     bounds = [f"{low:g} to {high:g}" for low, high in itertools.pairwise(STEPS)]
     bounds.append(f"{STEPS[-1]:g} or more")
     below = [(f"below-{level}", f"{text} below") for level, text in enumerate(bounds, start=1)]

@@ -18,19 +18,19 @@ from placecat.report.summary import WU, best_system, count_verdicts, headlines, 
 from placecat.templates import environment
 from placecat.thesis.notes import joined
 
-# CSS pixels per figure pixel. Figures with 200 pixels per inch then appear at 125 %.
+# CSS pixels per figure pixel. Figures of 200 pixels per inch then appear at 125 %.
 _FIGURE_SCALE = 0.6
-# Parts of a report that the template receives unchanged.
+# Attributes of a report that are passed to the template unchanged.
 _UNCHANGED = ("dataset", "frames", "data_version", "replication", "times", "speed", "scale")
 
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure of the page.
+    """One figure on the page.
 
     `number` is its number in the thesis, or None for an additional figure. `title` is its caption, and `name`
     its name, e.g. "figure_02". A missing figure has a `reason` instead of a `png`. `pdf` is the path of the
-    PDF relative to the page, or "". `settings` are the settings of the figure, e.g. "frames=300, home=2".
+    PDF relative to the page, or "". `settings` lists the figure's settings, e.g. "frames=300, home=2".
     """
 
     number: int | None
@@ -46,22 +46,22 @@ class Figure:
 class Report:
     """The content of the page, with tables and figures in any order.
 
-    `dataset` has the run's ``title``, ``homes``, ``classes`` and ``thesis_data``. `frames` maps each home to
-    the number of its frames in each place and the number of ``unlabelled`` frames. `data_version` is the
-    checksum of the data, and `settings` is the content of params.yaml. `in_text` has the numbers that appear
-    only in the thesis's text, with the columns name, section, quantity, home, published, measured, spread,
-    seeds and notes. `findings` and `comparisons` are from :func:`placecat.thesis.findings.ledger`, which
-    explains their columns. The other attributes are optional:
+    `dataset` contains the run's ``title``, ``homes``, ``classes`` and ``thesis_data``. `frames` maps each
+    home to its number of frames in each place and its number of ``unlabelled`` frames. `data_version` is the
+    checksum of the data, and `settings` is the content of params.yaml. `in_text` contains the numbers that
+    appear only in the thesis's text, with the columns name, section, quantity, home, published, measured,
+    spread, seeds and notes. `findings` and `comparisons` come from :func:`placecat.thesis.findings.ledger`,
+    which explains their columns. The other attributes are optional:
 
     replication
         The findings on many homes: the ``title`` of their data set, the numbers of ``homes`` and ``groups``,
-        the ``level`` of the intervals, and ``verdicts`` (how many findings have each verdict). ``findings``
-        is a table with the columns number, difference, low, high, units, verdict, and ``replicated``, which
-        is False for findings on data other than homes.
+        the ``level`` of the intervals, and ``verdicts`` (the number of findings with each verdict).
+        ``findings`` is a table with the columns number, difference, low, high, units, verdict, and
+        ``replicated``, which is False for findings on data other than homes.
     times
         A stored record of a run's times. ``stages`` is a table with the columns stage, runs and seconds; a
         stage may run several times, for example once per home. ``data`` is the title of the data set,
-        ``cores`` the number of cores of the machine, and ``total`` the duration of the complete run in
+        ``cores`` is the machine's number of cores, and ``total`` is the duration of the complete run in
         seconds.
     speed, scale
         Stored records from :func:`placecat.report.benchmarks.shown_speed` and
@@ -88,7 +88,7 @@ class Report:
 
 
 def page_html(report: Report) -> str:
-    """Render the page. Equal reports produce identical text."""
+    """Render the page. Identical reports produce identical HTML."""
     tables = {one.settings["number"]: _shown_table(one) for one in report.tables if one.settings["number"]}
     additions = [_shown_table(one) for one in report.tables if not one.settings["number"]]
     figures = {one.number: _shown_figure(one) for one in report.figures if one.number}
@@ -129,13 +129,13 @@ def page_html(report: Report) -> str:
 
 
 def anchor(settings: Mapping[str, Any]) -> str:
-    """Return a table's anchor on the page, e.g. ``table-26``, or ``addition-some-name`` without a number."""
+    """Return a table's anchor, e.g. ``table-26``, or ``addition-some-name`` if it has no number."""
     number = settings["number"]
     return f"addition-{settings['name']}".replace("_", "-") if number is None else f"table-{number}"
 
 
 def duration(seconds: float) -> str:
-    """Format seconds, e.g. as "2 h 5 min", "4 min 3 s" or "0.8 s"."""
+    """Format a duration given in seconds, e.g. "2 h 5 min", "4 min 3 s" or "0.8 s"."""
     if seconds < 9.95:
         return f"{seconds:.1f} s"
     minutes, rest = divmod(round(seconds), 60)
@@ -144,10 +144,10 @@ def duration(seconds: float) -> str:
     return " ".join(parts + [f"{rest} s"] * (not hours and bool(rest or not minutes)))
 
 
-# Cached because an environment compiles each template on first use.
+# Cached because each new environment would compile its templates again.
 @cache
 def page_templates() -> Environment:
-    """Return the environment of the page templates, with their filters."""
+    """Return the Jinja environment of the page templates, with their filters."""
     templates = environment("placecat.report").overlay()
     templates.filters = templates.filters | {
         "at": _at,
@@ -180,7 +180,7 @@ def _shown_figure(figure: Figure) -> dict[str, Any]:
 
 
 def shown_picture(png: bytes) -> dict[str, Any]:
-    """Return a picture's data URI (``source``) and its displayed ``width`` and ``height`` in CSS pixels."""
+    """Return a picture's data URI (``source``) and its display ``width`` and ``height`` in CSS pixels."""
     picture = embed(png)
     width, height = (round(pixels * _FIGURE_SCALE) for pixels in (picture.width, picture.height))
     return {"source": picture.source, "width": width, "height": height}
@@ -205,7 +205,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """Make the cell for a number in the text; numbers other than percentages may have more decimals."""
+    """Make the cell for a number in the text; a number that is not a percentage may have more decimals."""
     cell, values = make_cell(record), (record["measured"], record["published"])
     if all(pd.isna(value) or value == round(value, 2) for value in values):
         return cell
@@ -219,7 +219,7 @@ def _records(table: pd.DataFrame) -> list[dict[Hashable, Any]]:
 
 
 def _plain(table: pd.DataFrame) -> dict[str, Any]:
-    """Return a table's columns, each marked as numeric or not, and its cells as text."""
+    """Return a table's columns, each with a flag that says whether it is numeric, and its cells as text."""
     numeric = {name: pd.api.types.is_numeric_dtype(table[name]) for name in table.columns}
     columns = [{"name": str(name).replace("_", " "), "numeric": numeric[name]} for name in table.columns]
     rows = [[_number(value) for value in row] for row in table.itertuples(index=False)]
@@ -227,7 +227,7 @@ def _plain(table: pd.DataFrame) -> dict[str, Any]:
 
 
 def _number(value: Any) -> str:
-    """Format integers without decimals, floats with two decimals, and None and NaN as ""; keep text."""
+    """Format floats with two decimals, integers with none, and None and NaN as ""; leave text unchanged."""
     if value is None or isinstance(value, float):
         return number_text(value)
     return str(value)
@@ -239,26 +239,26 @@ def _breakable(text: str) -> Markup:
 
 
 def _signed(value: float) -> str:
-    """Format points with a sign and a true minus, e.g. "−1.20"."""
+    """Format points with a sign, using a true minus, e.g. "−1.20"."""
     return f"{value:+.2f}".replace("-", "−")
 
 
 def _at(points: float, limit: float) -> str:
     """Return a value's position on a 100-pixel axis from -limit to limit.
 
-    Values outside the axis are moved to its ends.
+    Values beyond the limits are drawn at the ends of the axis.
     """
     return f"{50 + 46 * max(-limit, min(limit, points)) / limit:.1f}"
 
 
 def _interval_limit(findings: pd.DataFrame) -> float:
-    """Choose the limit of the axis for the ledger's intervals: a multiple of 5 points, at most 25."""
+    """Choose the axis limit for the ledger's intervals: a multiple of 5 points, at most 25."""
     bounds = findings[["difference", "low", "high"]].apply(pd.to_numeric, errors="coerce").abs().max().max()
     return 5.0 if pd.isna(bounds) else float(min(25.0, 5.0 * max(1.0, -(-bounds // 5))))
 
 
 def _json(content: Mapping[str, Any] | None) -> Markup | None:
-    """Format content as compact JSON that is safe in a script element."""
+    """Format content as compact JSON that is safe inside a script element."""
     if content is None:
         return None
     text = json.dumps(content, ensure_ascii=False, separators=(",", ":"))

@@ -1,4 +1,4 @@
-"""Data for figures from a finished run: frames, maps, features, codebooks and distributions."""
+"""Read what the figures need from a finished run: frames, maps, features, codebooks and distributions."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -30,11 +30,11 @@ KEPT_FRAMES = 8
 
 @dataclass(frozen=True)
 class TrainingRegions:
-    """Salient regions of training frames.
+    """Salient regions in training frames.
 
-    `x` are (n, D) float32 descriptors, and `labels` are the (n,) classes of their frames. `home`, `frame` and
-    `number` are (n,) integers: the index of a region's home in `homes`, the index of its frame in that home,
-    and its rank in that frame, where 0 is the most salient.
+    `x` contains the (n, D) float32 descriptors, and `labels` the (n,) classes of their frames. `home`,
+    `frame` and `number` contain (n,) integers: the index of a region's home in `homes`, the index of its
+    frame in that home, and its rank in that frame, where 0 is the most salient region.
     """
 
     x: NDArray[np.float32]
@@ -46,11 +46,11 @@ class TrainingRegions:
 
 
 class Run:
-    """A finished run, read from the project's folder.
+    """A finished run, read from the project folder.
 
-    Only this class opens files for figures. `params` are the composed settings. `homes` and `classes` are the
-    homes and places of the main data set, in order. Methods raise PlacecatError if data are missing, such as
-    a result that was not computed.
+    Figures open files only through this class. `params` contains the composed settings. `homes` and `classes`
+    are the homes and places of the main data set, in order. Methods raise PlacecatError if data are missing,
+    for example because a result was not computed.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -62,40 +62,40 @@ class Run:
     def threshold(self, name: str) -> float:
         """Return an information filter's threshold.
 
-        Raises SettingError if the filter has a share of frames instead.
+        Raises SettingError if the filter is defined by a share of frames instead.
         """
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
             raise SettingError(
-                f"the filter {name} has no threshold, but figures need one: use another filter"
+                f"the filter {name} has no threshold, which the figures need: use another filter"
             )
         return float(value)
 
     def options(self, figure: str) -> Mapping[str, Any]:
-        """Return one figure's settings, ``figures.<figure>``, or an empty mapping."""
+        """Return one figure's settings, ``figures.<figure>``; empty if there are none."""
         return settings.get(self.params, "figures").get(figure) or {}
 
     @cached_property
     def results(self) -> Results:
-        """All results that were measured."""
+        """All measured results."""
         return read_results(self.params)
 
     @cached_property
     def sources(self) -> dict[str, Source]:
-        """The files that store the distributions of each result, by result name."""
+        """The files that contain each result's distributions, by result name."""
         return sources(self.params)
 
     def source(self, result: str) -> Source:
-        """Return the files with the distributions of one result."""
+        """Return the files that contain one result's distributions."""
         if result not in self.sources:
             known = ", ".join(sorted(self.sources)) or "none"
             raise PlacecatError(f"this run has no distributions of {result!r}, only of {known}")
         return self.sources[result]
 
     def proba(self, result: str, home: str, seed: str | None = None) -> NDArray[np.float64]:
-        """Return a result's (frames, classes) distributions on a home.
+        """Return a result's (frames, classes) distributions for one home.
 
-        `seed` is the name of a seed, e.g. "seed-0"; None stands for the first one.
+        `seed` is the name of a seed, e.g. "seed-0"; None means the first one.
         """
         source = self.source(result)
         if home not in source.homes:
@@ -113,7 +113,7 @@ class Run:
         return listing.read_labels(home)
 
     def sequence_slices(self, home: str) -> list[slice]:
-        """Return the stretches between the cuts in a home's frames."""
+        """Return the stretches of a home's frames between cuts."""
         return listing.sequence_slices(home)
 
     def home_facts(self, home: str) -> Mapping[str, Any]:
@@ -121,9 +121,9 @@ class Run:
         return files.read_json(paths.sequences(home) / "home.json")
 
     def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
-        """Decode some frames of a home in one pass.
+        """Decode some of a home's frames in one pass.
 
-        `home` belongs to the main data set or to another one, such as ``university/north_2_cloudy_2``.
+        `home` is a home in the main data set or in another one, e.g. ``university/north_2_cloudy_2``.
         `indices` start at 0 and may be in any order. Yields each index once, in ascending order, with its
         frame, (H, W, 3) uint8 BGR.
         """
@@ -139,7 +139,7 @@ class Run:
         yield from zip(rows, decoded, strict=True)
 
     def frame(self, home: str, index: int) -> Frame:
-        """Return one frame of a home, (H, W, 3) uint8 BGR; it is cached, so do not write to it."""
+        """Return one frame of a home, (H, W, 3) uint8 BGR; do not modify it, because it is cached."""
         key = (home, int(index))
         if key not in self._frames:
             if len(self._frames) >= KEPT_FRAMES:
@@ -152,33 +152,33 @@ class Run:
         return compute_maps(self.frame(home, index), **settings.get(self.params, "attention"))
 
     def saliency(self, home: str, index: int) -> Saliency:
-        """Return one frame's saliency map and the map's parts."""
+        """Return one frame's saliency map and its components."""
         known, options = settings_of(saliency), settings.get(self.params, "regions")
         return saliency(self.maps(home, index), **{name: options[name] for name in options if name in known})
 
     def regions(self, home: str, index: int) -> NDArray[np.float32]:
-        """Return one frame's (n, 4) salient regions: x, y (pixels), scale, saliency; most salient first."""
+        """Return one frame's (n, 4) salient regions, most salient first: x, y (pixels), scale, saliency."""
         count = int(self._feature(home, "count")[index])
         return np.array(self._feature(home, "regions")[index, :count])
 
     def information(self, home: str) -> NDArray[np.float32]:
-        """Return the (frames,) information measure of a home (thesis 4.6)."""
+        """Return the (frames,) information measures of a home (thesis 4.6)."""
         return np.array(self._feature(home, "information"))
 
     def descriptors(
         self, home: str, name: str, rows: Sequence[int] | NDArray[np.int64] | None = None
     ) -> Descriptors:
-        """Return the descriptors of a codebook such as ``hog_y`` for a home's `rows` (None for all)."""
+        """Return a home's descriptors for a codebook such as ``hog_y``, for the frames `rows` (None: all)."""
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
     def codebook(self, name: str, test_home: str) -> Codebook:
-        """Return a codebook of seed 0 from a test home's 5-5-1 fold."""
+        """Return the codebook with seed 0 from a test home's 5-5-1 fold."""
         path = paths.codebook(name, protocol.training_set([test_home]), 0)
         return Codebook.from_arrays(files.read_arrays(files.existing(path)))
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
-        """Return the indices of a home's frames on which cues and codebooks are trained (thesis 4.2)."""
+        """Return the indices of the frames of a home on which cues and codebooks are trained (thesis 4.2)."""
         return protocol.select_frames(self.labels(home), **settings.get(self.params, "protocol.cue_frames"))
 
     def training_regions(self, codebook: str, test_home: str) -> TrainingRegions:
@@ -197,10 +197,10 @@ class Run:
 
     @cached_property
     def example(self) -> tuple[str, int]:
-        """The home and the frame that Figures 2 to 7 show, from ``figures.example``.
+        """The home and frame shown in Figures 2 to 7, from ``figures.example``.
 
-        By default, this is the labelled frame with the largest information measure. It is from the home in
-        the settings or, if they do not name one, from any home.
+        By default, the frame is the labelled one with the largest information measure, either in the home
+        named in the settings or, if none is named, in any home.
         """
         asked = self.options("example")
         homes = self.homes if asked.get("home") is None else (home_of(self, asked["home"]),)
@@ -215,7 +215,7 @@ class Run:
             best[home] = float(shown.max()), int(shown.argmax())
         home = max(best, key=lambda name: best[name][0])
         if best[home][0] < 0:
-            raise PlacecatError("no frame has a label, so none can be the example: set figures.example.frame")
+            raise PlacecatError("no frame has a label to serve as the example: set figures.example.frame")
         return home, best[home][1]
 
     def _feature(self, home: str, name: str) -> NDArray[Any]:
@@ -223,5 +223,5 @@ class Run:
 
 
 def home_of(run: Run, number: int) -> str:
-    """Return a home by its number (from 1, as in the thesis), or the last home if there are fewer."""
+    """Return the n-th home (from 1, as in the thesis), or the last home if there are fewer."""
     return run.homes[min(number, len(run.homes)) - 1]

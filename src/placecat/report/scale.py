@@ -1,4 +1,4 @@
-"""Measurements at the scale of the real home database, as text and as a chart for the report."""
+"""The report's measurements at the scale of the real home database, as text and as a chart."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -10,15 +10,15 @@ from matplotlib.ticker import NullLocator
 # Text columns in reports/scale.csv and scale_growth.csv.
 TEXT = ("stage", "item")
 ALL = "all"
-# Stages with fewer CPU seconds are left out, because imports take most of their time.
+# Stages that take fewer CPU seconds are left out, because they spend most of that time on imports.
 _LEAST = 10.0
 
 
 def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
-    """Sum the CPU seconds of each stage's items in reports/scale.csv.
+    """Sum the CPU seconds in reports/scale.csv over each stage's items.
 
-    The index lists the stages in the order in which they ran, and then ``all``. There is one column per
-    number of frames.
+    The index lists the stages in the order in which they ran, followed by ``all``. There is one column for
+    each number of frames.
     """
     table = measured.pivot_table("cpu_seconds", "stage", "frames", aggfunc="sum", sort=False)
     table = table.reindex(columns=sorted(table.columns))
@@ -29,8 +29,8 @@ def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
 def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str, Any]) -> dict[str, Any]:
     """Format reports/scale.csv, scale_growth.csv and scale.json for a page.
 
-    ``sizes`` are numbers of frames. Each of the ``rows`` has a stage, its CPU seconds for each size, its
-    elapsed seconds and peak memory at the largest size, and the exponents of its growth. The other entries
+    ``sizes`` lists the numbers of frames. Each entry of ``rows`` contains a stage, its CPU seconds at each
+    size, its elapsed seconds and peak memory at the largest size, and its growth exponents. The other entries
     describe the machine, the largest size and a full run.
     """
     by_size = seconds_by_size(measured)
@@ -59,7 +59,7 @@ def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str
 def growth_chart(measured: pd.DataFrame) -> Figure | None:
     """Plot each stage's CPU seconds against the number of frames, on logarithmic axes.
 
-    Returns None for fewer than two sizes. `measured` is as for :func:`seconds_by_size`.
+    Returns None if there are fewer than two sizes. For `measured`, see :func:`seconds_by_size`.
     """
     by_size = seconds_by_size(measured)
     if by_size.shape[1] < 2:
@@ -72,7 +72,7 @@ def growth_chart(measured: pd.DataFrame) -> Figure | None:
     axes.plot(frames, by_size.loc[ALL], "o-", color="#222222", label="all stages")
     for stage in shown:
         axes.plot(frames, by_size.loc[stage], "o-", label=stage)
-    # A reference line: growth in proportion to the number of frames.
+    # A reference line that shows growth in proportion to the number of frames.
     start = by_size.loc[ALL].to_numpy(float)[0]
     line = [start * size / frames[0] for size in frames]
     axes.plot(frames, line, "--", color="#8a8a8a", linewidth=0.8, label="linear growth")

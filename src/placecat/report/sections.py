@@ -1,4 +1,4 @@
-"""The order of the report: the thesis's sections, with their tables and figures."""
+"""The order of the report: the thesis's sections, each with its tables and figures."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 @dataclass(frozen=True)
 class Section:
-    """A section of the thesis, with the numbers of its tables and of the figures before and after them."""
+    """A section of the thesis; `before` and `after` are the figures that come before and after its tables."""
 
     number: str
     title: str
@@ -15,7 +15,7 @@ class Section:
     after: tuple[int, ...] = ()
 
 
-# Figures of chapter 3, which explain the method, appear next to the related measurements.
+# Chapter 3's figures, which explain the method, appear next to the related measurements.
 THESIS = (
     Section("4.2", "Gist", tables=tuple(range(1, 8))),
     Section("4.3", "Holistic Centrist", tables=tuple(range(8, 11))),
@@ -30,11 +30,9 @@ THESIS = (
 
 
 def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Section], Section]:
-    """Assign tables and figures to the sections.
+    """Assign the existing tables and figures, given by their numbers, to sections.
 
-    `tables` and `figures` are the numbers of those that exist.
-
-    Returns the non-empty sections of `THESIS`, and an untitled section with all remaining numbers.
+    Returns the non-empty sections of `THESIS`, and an untitled section for all remaining tables and figures.
     """
     sections = []
     for one in THESIS:

@@ -1,4 +1,4 @@
-"""The report's headlines: the best cues, integration, smoothing and counts of verdicts."""
+"""The report's headlines: the best cues, integration, smoothing, and the number of findings by verdict."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -22,7 +22,8 @@ WU = {"frames": 41.87, "filtered": 46.78, "sift": 39.8}
 class Headline:
     """One group of Table 26, averaged over homes: the best cue, integration, and smoothed integration.
 
-    `best` names the best single cue here, and `best_published` the best one in the thesis; both may be "".
+    `best` names the best single cue in this run, and `best_published` the best one in the thesis. Either may
+    be "".
     """
 
     group: str
@@ -34,7 +35,7 @@ class Headline:
 
 
 def best_system(table: pd.DataFrame) -> dict[str, Any] | None:
-    """Return the group, row and cell of the best average in Table 26, or None if nothing was measured."""
+    """Return the group, row and cell of Table 26's best average, or None if nothing was measured."""
     averages = table[(table["column"] == AVERAGE) & table["measured"].notna()]
     if averages.empty:
         return None
@@ -63,18 +64,18 @@ def _headline(group: str, part: pd.DataFrame) -> Headline:
 
 
 def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
-    """Return the first row, or a row without numbers if `rows` is empty."""
+    """Return the first of the `rows`, or a row without numbers if there are none."""
     return next(iter(rows.to_dict("records")), {"row": "", **dict.fromkeys(NUMBERS, np.nan)})
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:
-    """Map each column that has verdicts for another reading of the thesis to the name of that reading."""
+    """Map each column with verdicts under another reading of the thesis to the name of that reading."""
     prefix = "verdict_"
     return {name: name.removeprefix(prefix) for name in findings.columns if name.startswith(prefix)}
 
 
 def count_verdicts(findings: pd.DataFrame) -> dict[str, int]:
-    """Count the findings with each verdict; the three usual verdicts come first."""
+    """Count the findings by verdict; the three usual verdicts come first."""
     counts = findings["verdict"].value_counts()
     names = [*VERDICTS, *sorted(set(counts.index) - set(VERDICTS))]
     return {str(name): int(counts.get(name, 0)) for name in names}

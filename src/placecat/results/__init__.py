@@ -10,21 +10,22 @@ if TYPE_CHECKING:
 def load(project: Path | str = ".") -> "pd.DataFrame":
     """Load all numbers in the tables and in the text as one table with one row per cell.
 
-    `project` is the project's folder. Raises PlacecatError if the `report` stage has not run there.
+    `project` is the project folder. Raises PlacecatError if the `report` stage has not run there.
 
-    The column ``cell`` has the cell's number (for ``placecat explain``), and ``table``, ``title``, ``group``,
-    ``row`` and ``column`` locate the cell. ``home`` is the test home if there is only one, else "all".
-    ``quantity`` is the measured quantity. ``measured``, ``published`` and their ``difference`` are in
-    ``unit``, and NaN if missing. ``spread`` is the largest minus the smallest number over the ``seeds``,
-    while ``seed_names`` and ``by_seed`` list the seeds and their numbers. ``note`` says why ``measured`` and
-    ``published`` differ or why one of them is missing. ``findings`` lists the findings that use the cell.
+    The column ``cell`` contains the cell's number (for ``placecat explain``), and ``table``, ``title``,
+    ``group``, ``row`` and ``column`` locate the cell. ``home`` is the test home if there is only one, and
+    "all" otherwise. ``quantity`` is the measured quantity. The units of ``measured``, ``published`` and their
+    ``difference`` are given in ``unit``; a missing number is NaN. ``spread`` is the difference between the
+    largest and smallest numbers over the ``seeds``; ``seed_names`` and ``by_seed`` list the seeds and their
+    numbers. ``note`` says why ``measured`` and ``published`` differ, or why one of them is missing.
+    ``findings`` lists the findings that use the cell.
 
     The other columns say where the number comes from. ``data`` and ``published_data`` are the data sets.
     ``results``, ``system``, ``cues``, ``classifiers``, ``descriptors``, ``filter`` and ``plan`` say how the
-    number was made, and ``trained_on`` lists the homes that were used for training. ``training_frames``,
+    number was produced, and ``trained_on`` lists the homes used for training. ``training_frames``,
     ``integration_frames`` and ``tested_frames`` are the numbers of frames used to train the cues, to train
-    the integration, and to test the result. ``settings`` has the settings as JSON, and ``stages`` lists the
-    DVC stages.
+    the integration, and to test the result. ``settings`` contains the settings as JSON, and ``stages`` lists
+    the DVC stages.
     """
     import pandas as pd
 

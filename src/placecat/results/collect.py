@@ -13,9 +13,9 @@ from placecat.results.quality import TEXT_COLUMNS, from_rows
 
 
 def read_results(params: Mapping[str, Any]) -> Results:
-    """Read all results of a run; raises PlacecatError if the `scores` stage has not run.
+    """Read all results of a run; raise PlacecatError if the `scores` stage has not run.
 
-    `params` has all settings, including the names of homes and places.
+    `params` contains all settings, including the names of the homes and places.
     """
     others = [split["dataset"]["classes"] for split in settings.get(params, "splits").values()]
     results = from_scores(

@@ -1,4 +1,4 @@
-"""Confusion matrices of decisions: counts in each home, counts over all homes, and percentages."""
+"""Confusion matrices: counts for each home, counts over all homes, and percentages."""
 
 import itertools
 
@@ -11,16 +11,16 @@ ALL_HOMES = "all"
 
 
 def in_home(one: Measured, home: str) -> Measured:
-    """Restrict a result to one of its homes."""
+    """Return the part of a result that concerns one of its homes."""
     number = one.homes.index(home)
     return Measured((home,), one.seeds, one.classes, one.confusion[:, number : number + 1])
 
 
 def confusion_rows(one: Measured) -> pd.DataFrame:
-    """Return the counts with the columns home, seed and truth, and one column per predicted place."""
+    """Return the counts as a table: home, seed, truth, and one column per predicted place."""
     counts = one.confusion.swapaxes(0, 1).reshape(-1, len(one.classes))
     rows = pd.DataFrame(counts, columns=list(one.classes))
-    # This is faster than turning an index of all combinations into columns.
+    # This is faster than building a MultiIndex of all combinations and resetting it.
     labels = list(itertools.product(one.homes, one.seeds, one.classes))
     for number, name in enumerate(("home", "seed", "truth")):
         rows.insert(number, name, [label[number] for label in labels])
@@ -28,7 +28,7 @@ def confusion_rows(one: Measured) -> pd.DataFrame:
 
 
 def pooled_rows(one: Measured) -> pd.DataFrame:
-    """Return the counts over all homes and seeds with the column truth and one column per predicted place."""
+    """Return the counts over all homes and seeds: the column truth, and one column per predicted place."""
     labels = pd.Index(one.classes, name="truth")
     return pd.DataFrame(pooled_counts(one), labels, list(one.classes)).reset_index()
 
@@ -42,6 +42,6 @@ def pooled_counts(one: Measured) -> np.ndarray:
 
 
 def shares(counts: np.ndarray) -> np.ndarray:
-    """Turn (classes, classes) counts into percentages of each row; NaN for a place without frames."""
+    """Convert (classes, classes) counts to percentages of the row totals; NaN for a place without frames."""
     frames = counts.sum(axis=1, keepdims=True)
     return np.divide(100.0 * counts, frames, out=np.full(counts.shape, np.nan), where=frames > 0)

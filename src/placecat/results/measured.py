@@ -1,4 +1,4 @@
-"""The measurements of a run: counts of decisions by true place, and the quality of distributions."""
+"""A run's measurements: decision counts by true place, and the quality of the distributions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from placecat.paths import NO_SEED
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
 DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
-# Measures that are means, with their names in tables. The other measures are counts.
+# The measures that are means, and how tables label them. The other measures are counts.
 MEASURES = {
     "log_loss": "Log loss",
     "calibration_error": "Calibration error",
@@ -29,7 +29,7 @@ DECIMALS = {"log_loss": 3, "calibration_error": 2, "stay_accuracy": 2}
 
 @dataclass(frozen=True)
 class Measured:
-    """One result: the decisions on the frames of some test homes, for each seed.
+    """One result: for each seed, the decisions on the frames of some test homes.
 
     Attributes
     ----------
@@ -56,23 +56,23 @@ class Measured:
         return np.array([[home_accuracy(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def by_class(self) -> NDArray[np.float64]:
-        """Return (seeds, homes, classes) accuracies in percent; NaN if a home has no frame of the class."""
+        """Return (seeds, homes, classes) accuracies in percent; NaN if a home has no frames of the class."""
         return np.array([[class_accuracies(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def plain(self) -> NDArray[np.float64]:
-        """Return (seeds, homes) percentages of correctly classified frames, regardless of their place."""
+        """Return (seeds, homes) percentages of correctly classified frames, ignoring their places."""
         right = np.diagonal(self.confusion, axis1=2, axis2=3).sum(axis=2)
         frames = self.confusion.sum(axis=(2, 3))
         return np.divide(100.0 * right, frames, out=np.full(right.shape, np.nan), where=frames > 0)
 
     def pooled(self) -> Measured:
-        """Return the result with the frames of all homes pooled into one home, "all"."""
+        """Return the result with the frames of all homes pooled into a single home named "all"."""
         return Measured(("all",), self.seeds, self.classes, self.confusion.sum(axis=1, keepdims=True))
 
 
 @dataclass(frozen=True)
 class Quality:
-    """The quality of a result's distributions in some test homes, for each seed (see :class:`Measured`).
+    """The quality of a result's distributions for some test homes and each seed (see :class:`Measured`).
 
     `values` maps each field of :class:`placecat.evaluation.quality.HomeQuality` to a (seeds, homes) array.
     """
@@ -87,7 +87,7 @@ class Quality:
         return self.seeds != (NO_SEED,)
 
     def over_homes(self, measure: str) -> NDArray[np.float64]:
-        """Return the means of a measure over homes: (seeds,), or (0,) if no home has a labelled frame.
+        """Return a measure's (seeds,) averages over homes, or (0,) if no home has labelled frames.
 
         `measure` is one of `MEASURES`.
         """
@@ -96,15 +96,15 @@ class Quality:
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """Return the percentage of correctly named stays in all homes, for each seed.
+        """Return each seed's percentage of correctly named stays, over all homes together.
 
-        The shape is (seeds,), or (0,) without stays.
+        The shape is (seeds,), or (0,) if there are no stays.
         """
         stays = self.values["stays"].sum(axis=1)
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
 
     def averages(self) -> dict[str, float]:
-        """Return the rounded mean, over homes and seeds, of each of the `MEASURES` that has a number."""
+        """Return the rounded mean over homes and seeds of each of the `MEASURES` that could be computed."""
         means = {measure: self.over_homes(measure) for measure in MEASURES}
         return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
 
@@ -120,9 +120,9 @@ class Results:
     measured
         Maps each result's name, e.g. ``cues/gist/5-5-1``, to its measurement.
     missing
-        Maps each missing (result, home) to the reason why it cannot be computed on this data.
+        Maps each missing (result, home) to the reason why it cannot be computed on this data set.
     stays
-        The results on further data sets, by stay. Each stay (a visit to a place) is treated like a home, and
+        The results on additional data sets, by stay. Each stay (a visit to a place) is treated as a home, and
         all its frames show the same place.
     dropped
         Maps each information filter's name to a table of the frames that it drops
@@ -141,11 +141,11 @@ class Results:
 
     @property
     def numbers(self) -> range:
-        """The numbers of the homes, which start at 1 as in the thesis."""
+        """The homes' numbers, starting at 1 as in the thesis."""
         return range(1, len(self.homes) + 1)
 
     def of(self, name: str) -> Measured:
-        """Look up a result; raise PlacecatError, with the most similar names, if the name is unknown."""
+        """Look up a result; if the name is unknown, raise PlacecatError, which suggests similar names."""
         if name not in self.measured:
             near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
             raise PlacecatError(f"result {name!r} does not exist: did you mean {' or '.join(near)}?")
@@ -160,7 +160,7 @@ class Results:
         return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
-        """Describe the share of frames that a result's information filter drops; "" without a filter."""
+        """Say what share of frames a result's information filter drops; "" if the result has no filter."""
         homes = next((self.dropped[part] for part in name.split("/")[1:2] if part in self.dropped), None)
         if homes is None:
             return ""
@@ -172,10 +172,10 @@ class Results:
         return f"the threshold {threshold} drops {share:.0f} % of the labelled frames"
 
     def accuracy_table(self) -> pd.DataFrame:
-        """List all accuracies, with the columns result, home, place, frames, accuracy, spread and seeds.
+        """Tabulate all accuracies, with the columns result, home, place, frames, accuracy, spread and seeds.
 
         ``accuracy`` is the mean over seeds. ``place`` is "all" for the mean over places. ``spread`` is the
-        largest minus the smallest accuracy over seeds, or NaN if nothing is random.
+        difference between the largest and smallest accuracies over seeds, or NaN if nothing is random.
         """
         rows = []
         for name, one in self.measured.items():
@@ -192,16 +192,16 @@ class Results:
 
 
 def mean_and_spread(values: NDArray[np.float64], *, random: bool) -> tuple[float, float]:
-    """Return the mean and the spread of some values, rounded to 2 decimals.
+    """Return the mean and spread of some values, rounded to two decimals.
 
-    The spread is the largest minus the smallest value, or NaN if they are not random.
+    The spread is the difference between the largest and smallest values, or NaN if they are not random.
     """
     spread = round(float(values.max() - values.min()), 2) if random else float("nan")
     return round(float(values.mean()), 2), spread
 
 
 def score_rows(name: str, one: Measured) -> list[tuple[str, str, str, str, str, int]]:
-    """List a result's rows in the score file (`SCORE_COLUMNS`), leaving out counts of 0 frames."""
+    """List a result's rows for the score file (see `SCORE_COLUMNS`), omitting counts of zero."""
     return [
         (name, one.homes[h], one.seeds[s], one.classes[i], one.classes[k], int(one.confusion[s, h, i, k]))
         for s, h, i, k in np.argwhere(one.confusion).tolist()
@@ -217,11 +217,11 @@ def from_scores(
     stays: pd.DataFrame | None = None,
     dropped: pd.DataFrame | None = None,
 ) -> Results:
-    """Build the results from the rows of `score_rows`. The rows in `stays` have stays instead of homes.
+    """Build the results from the rows of `score_rows`; the rows in `stays` have stays instead of homes.
 
-    `scores` and `missing` have the columns `SCORE_COLUMNS` and `MISSING_COLUMNS`. `classes` lists the main
+    The columns of `scores` and `missing` are `SCORE_COLUMNS` and `MISSING_COLUMNS`. `classes` lists the main
     data set's places, and `other_classes` those of each other data set. Each result uses `classes` or, if
-    these do not contain all its places, the first other list that does.
+    this does not contain all its places, the first other list that does.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))
@@ -236,7 +236,7 @@ def from_scores(
 
 
 def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[str, Measured]:
-    # Convert the columns to lists once, because calling pandas for every result would take most of the time.
+    # Convert the columns to lists once; calling pandas for each result would take most of the run time.
     columns = {name: scores[name].tolist() for name in ("home", "seed", "truth", "decision", "frames")}
     codes, names = pd.factorize(scores["result"])
     rows: list[list[int]] = [[] for _ in names]

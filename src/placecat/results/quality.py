@@ -13,7 +13,7 @@ from placecat.results.measured import DECIMALS, Quality
 QUALITY_COLUMNS = ["result", "home", "seed", *HomeQuality._fields]
 TEXT_COLUMNS = QUALITY_COLUMNS[:3]
 _COUNTS = ("stays", "stays_right")
-# Decimals in files. They are limited because the last bits of a logarithm depend on the processor.
+# Decimals in files. Numbers are rounded because the last bits of a logarithm depend on the processor.
 FILE_DECIMALS = 6
 STAY_SHARE = "stay_share"
 _SHOWN = DECIMALS | {STAY_SHARE: 2}
@@ -28,7 +28,7 @@ def gather(homes: Sequence[str], seeds: Sequence[str], measured: Sequence[Sequen
 
 
 def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
-    """List the rows of one result in the file of all results (`QUALITY_COLUMNS`)."""
+    """List one result's rows for the file of all results (see `QUALITY_COLUMNS`)."""
     rows = []
     for s, seed in enumerate(one.seeds):
         for h, home in enumerate(one.homes):
@@ -39,7 +39,7 @@ def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
 
 
 def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
-    """Rebuild the quality of each result from the rows of `quality_rows`; return it by result name."""
+    """Rebuild the quality of all results, by result name, from the rows of `quality_rows`."""
     found = {}
     for name, rows in table.groupby("result", sort=False):
         homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
@@ -53,13 +53,13 @@ def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
 
 
 def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
-    """Average the measures of each result over its homes and seeds. Each result has one row.
+    """Average each result's measures over homes and seeds; return one row per result.
 
-    The columns are result, the numbers of homes, seeds (0 if nothing is random) and stays, log_loss (nats),
-    calibration_error (percent), stay_accuracy (percent, averaged over the places in a home, then over homes),
-    and stay_share (the percentage of all stays that are named correctly). In addition, each measure has a
-    column ``..._spread``, which is the largest minus the smallest number over seeds, or NaN if nothing is
-    random.
+    The columns are result, homes, seeds and stays (their numbers; seeds is 0 if nothing is random), log_loss
+    (nats), calibration_error (percent), stay_accuracy (percent, averaged over the places in a home, then over
+    homes), and stay_share (the percentage of all stays that are named correctly). Each measure also has a
+    column ``..._spread``, which is the difference between the largest and smallest numbers over seeds, or NaN
+    if nothing is random.
     """
     rows = []
     for name, one in found.items():

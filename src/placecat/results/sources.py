@@ -1,4 +1,4 @@
-"""The files that store the distributions of each result."""
+"""The files that contain each result's distributions."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,10 +14,10 @@ from placecat.training import fold_file, protocol
 
 @dataclass(frozen=True)
 class Source:
-    """The files with the distributions of a result over `classes`.
+    """The files that contain a result's distributions over `classes`.
 
-    Each test home and seed has a file with the array `name`. Test homes are named after their folders. `site`
-    is the data set of the test homes, or "" for the main one.
+    There is one file per test home and seed, which contains the array `name`. Test homes are named after
+    their folders. `site` is the data set of the test homes, or "" for the main one.
     """
 
     folder: Path
@@ -31,20 +31,20 @@ class Source:
         return tuple(fold_file.seeds_in(self.folder, self.homes[0]))
 
     def file(self, home: str, seed: str) -> Path:
-        """Return the path of the file for a test home and seed."""
+        """Return the path of the file for one test home and seed."""
         return fold_file.path_of(self.folder, home, seed)
 
     def array(self, home: str, seed: str) -> NDArray[np.float64]:
-        """Read the (frames, classes) distributions for a test home and seed."""
+        """Read the (frames, classes) distributions for one test home and seed."""
         return fold_file.read(self.file(home, seed), self.name)
 
     def listed(self, home: str) -> str:
-        """Return the name of a test home in `placecat.sequences.listing`."""
+        """Return the name that `placecat.sequences.listing` uses for a test home."""
         return f"{self.site}/{home}" if self.site else home
 
 
 def sources(params: Mapping[str, Any]) -> dict[str, Source]:
-    """Map the name of every result that has distributions to its sources, according to the settings.
+    """Return the files of all results that have distributions under the given settings, by result name.
 
     Examples of names are ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
     ``smoothing/...`` (before and after the delay), ``filtered/informative/gist`` and

@@ -1,4 +1,4 @@
-"""The claims of the thesis, read from data/thesis/findings. Each claim is a set of comparisons of results."""
+"""The thesis's claims, read from data/thesis/findings. Each claim is a set of comparisons between results."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -9,9 +9,9 @@ from placecat.errors import PlacecatError
 
 COMBINE = ("mean", "best", "last")
 COMPARE = ("difference", "ratio")
-# Range of a claim about single homes, which are compared one by one.
+# The range of a claim about individual homes, which are compared one by one.
 BOTH_SIGNS = "both_signs"
-# Range of a claim that compares a single side with a number.
+# The range of a claim that compares a single side with a number.
 ABOVE = "above"
 
 
@@ -27,7 +27,7 @@ class Side:
         Names of the results.
     combine
         How to combine the results: ``mean``; ``best``, the result with the highest mean over all units; or
-        ``last``, the last result that can be computed on this data.
+        ``last``, the last result that can be computed on this data set.
     place
         Name of the class whose accuracy is used; None for the mean over the classes present.
     error
@@ -35,7 +35,7 @@ class Side:
     plain
         Whether to use the share of correct frames instead of the mean over classes.
     published
-        Location of each result's number in the thesis; None if it follows from the result's name.
+        Where the thesis prints each result's number; None if this follows from the result's name.
     """
 
     label: str
@@ -47,7 +47,7 @@ class Side:
     published: tuple[Mapping[str, Any], ...] | None = None
 
     def only(self, results: Sequence[str]) -> "Side":
-        """Return the side reduced to the given results and their published numbers."""
+        """Return a copy of the side with only the given results and their published numbers."""
         published = self.published
         if published is not None and len(published) == len(self.results):
             published = tuple(
@@ -56,7 +56,7 @@ class Side:
         return replace(self, results=tuple(results), published=published)
 
     def renamed(self, parts: Mapping[str, str]) -> "Side":
-        """Rename the results by replacing `parts` of their names; the published numbers stay the same."""
+        """Return a copy with `parts` of the results' names replaced; the published numbers stay the same."""
         results = tuple("/".join(parts.get(part, part) for part in name.split("/")) for name in self.results)
         published = self.published
         if published is None and self.place is None and not self.error:
@@ -71,19 +71,19 @@ class Comparison:
     Attributes
     ----------
     left, right
-        The two sides. Without `right`, the left side is compared with the number that belongs to the range
+        The two sides. If `right` is None, the left side is compared with the number given for the range
         ``above``.
     range
-        A kind of range, and a number if this kind takes one (see
+        A kind of range, and a number if that kind takes one (see
         :func:`placecat.thesis.rules.claimed_range`).
     compare
         ``difference`` or ``ratio``.
     published
-        Location of the difference in the thesis; None if it follows from the sides.
+        Where the thesis prints the difference; None if it follows from the sides.
     published_home
-        Home whose published numbers are used if a table has several homes; None for the average.
+        The home whose published numbers are used if a table has several homes; None for the average.
     pooled
-        Whether the frames of all test sequences are counted together, as in Tables 30 and 31.
+        Whether the frames of all test sequences are pooled, as in Tables 30 and 31.
     """
 
     left: Side
@@ -102,7 +102,7 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Finding:
-    """A claim of the thesis; all its comparisons must hold.
+    """A claim of the thesis, which holds only if all its comparisons do.
 
     Attributes
     ----------
@@ -112,8 +112,8 @@ class Finding:
         Other readings of the thesis, by name, e.g. ``as_printed``. Each reading maps parts of result names to
         their replacements.
     filters
-        Names of information filters. The reason for the verdict states the share of frames that each filter
-        drops.
+        Names of information filters. The reason given for the verdict says what share of the frames each
+        filter drops.
     """
 
     name: str
@@ -125,7 +125,7 @@ class Finding:
     filters: Sequence[str] = ()
 
     def read_as(self, reading: str) -> "Finding":
-        """Return the same claim under another reading of the thesis."""
+        """Return this claim under another reading of the thesis."""
         parts = self.readings[reading]
         comparisons = tuple(
             replace(one, left=one.left.renamed(parts), right=one.right and one.right.renamed(parts))
@@ -137,9 +137,9 @@ class Finding:
 def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     """Read a finding from its settings.
 
-    A comparison may have ``each``, a list of mappings. It then stands for one comparison per mapping. The
-    values of the mapping replace each ``{key}`` in the text. Raises PlacecatError if settings are unknown,
-    missing or contradictory.
+    A comparison may have a key ``each``, a list of mappings. It then stands for one comparison per mapping,
+    in whose text each ``{key}`` is replaced with the mapping's value. Raises PlacecatError if settings are
+    unknown, missing or contradictory.
     """
     where = f"{paths.FINDING_DEFINITIONS / name}.yaml"
     finding: Finding = settings.call(Finding, name, settings=config, where=where)
@@ -148,7 +148,7 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
         rest = {key: value for key, value in one.items() if key != "each"}
         comparisons += [_comparison(_substitute(rest, values), name) for values in one.get("each", [{}])]
     if not comparisons:
-        raise PlacecatError(f"{name} makes no comparison: add at least one")
+        raise PlacecatError(f"{name} contains no comparisons: add at least one")
     if len({one.range[0] == BOTH_SIGNS for one in comparisons}) > 1:
         raise PlacecatError(f"{name} mixes {BOTH_SIGNS} with other ranges: use it everywhere or nowhere")
     parts_compared = {
@@ -161,7 +161,7 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     for reading, parts in finding.readings.items():
         if unknown := [part for part in parts if part not in parts_compared]:
             raise PlacecatError(
-                f"{name} replaces {unknown[0]!r} in the reading {reading}, but compares no such result"
+                f"the reading {reading} of {name} replaces {unknown[0]!r}, which no compared result contains"
             )
     return replace(finding, section=str(finding.section), comparisons=tuple(comparisons))
 
@@ -170,7 +170,7 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
     read: Comparison = settings.call(Comparison, settings=config, where=where)
     kinds = config["range"] if isinstance(config["range"], Mapping) else {config["range"]: None}
     if len(kinds) != 1:
-        raise PlacecatError(f"a range of {where} has {len(kinds)} kinds instead of one")
+        raise PlacecatError(f"a range in {where} has {len(kinds)} kinds instead of one")
     ((kind, number),) = kinds.items()
     comparison = replace(
         read,
@@ -180,30 +180,30 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
     )
     left, right = comparison.left, comparison.right
     if comparison.compare not in COMPARE:
-        raise PlacecatError(f"{where} has compare: {comparison.compare!r}; use {' or '.join(COMPARE)}")
+        raise PlacecatError(f"{where} sets compare to {comparison.compare!r}: use {' or '.join(COMPARE)}")
     if (kind == ABOVE) != (right is None):
-        raise PlacecatError(f"{where} needs a right side or the range {ABOVE!r}, but not both")
+        raise PlacecatError(f"{where} needs either a right side or the range {ABOVE!r}, but not both")
     if right is None and comparison.compare == "ratio":
-        raise PlacecatError(f"a ratio of {where} needs a right side")
+        raise PlacecatError(f"a ratio in {where} needs a right side")
     if wrong := [side.label for side in comparison.sides if side.plain and (side.place or side.error)]:
-        raise PlacecatError(f"{wrong[0]!r} of {where} is plain, so it can have neither place nor error")
+        raise PlacecatError(f"{wrong[0]!r} in {where} is plain, so it can have neither place nor error")
     if kind == BOTH_SIGNS and right and len(left.results) != len(right.results):
-        raise PlacecatError(f"{BOTH_SIGNS} of {where} needs as many results on the right as on the left")
+        raise PlacecatError(f"{BOTH_SIGNS} in {where} needs as many results on the right as on the left")
     return comparison
 
 
 def _side(config: Mapping[str, Any], where: str) -> Side:
     if ("result" in config) == ("results" in config):
-        raise PlacecatError(f"a side of {where} needs either result or results, not both")
+        raise PlacecatError(f"a side in {where} needs either result or results, but not both")
     results = tuple([config["result"]] if "result" in config else config["results"])
     published = config.get("published")
     if published is not None:
         published = tuple(published) if isinstance(published, Sequence) else (published,)
     rest = {key: value for key, value in config.items() if key != "result"}
     options = {**rest, "results": results, "published": published}
-    side: Side = settings.call(Side, settings=options, where=f"a side of {where}")
+    side: Side = settings.call(Side, settings=options, where=f"a side in {where}")
     if side.combine not in COMBINE:
-        raise PlacecatError(f"{where} has combine: {side.combine!r}; use one of {', '.join(COMBINE)}")
+        raise PlacecatError(f"{where} sets combine to {side.combine!r}: use one of {', '.join(COMBINE)}")
     if published is not None and side.combine != "mean" and len(published) != len(results):
         raise PlacecatError(f"{where} has {len(published)} published numbers for {len(results)} results")
     return side

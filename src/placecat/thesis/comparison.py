@@ -1,4 +1,4 @@
-"""Comparisons of results: a variant, its baseline, and their difference."""
+"""Compare results: a variant, its baseline, and their difference."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -29,13 +29,13 @@ from placecat.thesis.number import (
 
 DIFFERENCE = "difference"
 SETTINGS = ["homes", "variant", "baseline", "pairs", "label", "places", "summary", "error_ratio", "plain"]
-# In the name of a trial, this stands for the best label of an axis.
+# In a trial's name, this stands for the best label on an axis.
 BEST = "*"
 _SPLIT = "splits/"
 
 
 class Line(NamedTuple):
-    """A number with its meaning and its home ("Home 6", "Average" or "")."""
+    """A number, with a description of it and its home ("Home 6", "Average" or "")."""
 
     quantity: str
     home: str
@@ -43,7 +43,7 @@ class Line(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """The names of two compared results, a note on each, and a label ("" if there is only one pair)."""
+    """The names of two results to compare, a note on each, and a label ("" if there is only one pair)."""
 
     label: str
     variant: str
@@ -53,28 +53,28 @@ class Pair(NamedTuple):
 
 
 def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
-    """Compare a variant with a baseline, for one or several pairs of results.
+    """Compare a variant with a baseline, for one or more pairs of results.
 
-    If the names of both results end in "/", each trial below the variant is compared with the same trial
-    below the baseline. Returns both sides in percent and the difference, variant minus baseline, in points.
+    If the names of both results end in "/", each trial under the variant is compared with the same trial
+    under the baseline. Returns both sides in percent, and the difference, variant minus baseline, in points.
     The average is over the homes in which both were measured. For a split, the frames of all sequences are
-    counted together. Raises PlacecatError for an unknown setting or result.
+    pooled. Raises PlacecatError for an unknown setting or result.
 
     Parameters
     ----------
     entry
-        ``variant`` and ``baseline`` each have a ``quantity`` (the displayed name) and a ``result``. Instead
-        of these results, ``pairs`` can list a variant and a baseline for each label. In a trial's name, ``*``
-        stands for the axis label that is best on average. ``homes`` lists the homes (numbers from 1) to show
-        in addition to the average; it is None for results on other data sets. ``places`` lists places to
-        compare separately as well, or is "all". ``label`` names each pair of trials by the labels of the
+        ``variant`` and ``baseline`` each have a ``quantity`` (the display name) and a ``result``. Instead of
+        these results, ``pairs`` can list a variant and a baseline for each label. In a trial's name, ``*``
+        stands for the axis label that is best on average. ``homes`` lists the homes (numbered from 1) to show
+        in addition to the average; it is None for results on other data sets. ``places`` lists places that
+        are also compared separately, or is "all". ``label`` names each pair of trials by the labels on the
         axes, e.g. "{column} clusters". ``summary`` is one or more of "mean", "lowest" and "highest", computed
-        over the differences in single places or, without ``places``, over all differences. ``error_ratio``
-        has its own ``quantity``, and its ``variant`` and ``baseline`` name two further results. ``plain``
-        applies to results on other data sets and says whether to use the share of correct frames, regardless
-        of their place.
+        over the differences for individual places or, without ``places``, over all differences.
+        ``error_ratio`` has its own ``quantity``, and its ``variant`` and ``baseline`` name two other results.
+        ``plain`` applies to results on other data sets, and says whether to use the share of correct frames,
+        regardless of place.
     where
-        Name of the entry, for error messages.
+        The entry's name, for error messages.
     """
     settings.refuse_unknown(entry, SETTINGS, where)
     lines: list[Line] = []
@@ -99,7 +99,7 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
 
 
 def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
-    """Show a single result; ``quantity``, ``result`` and ``homes`` are as for :func:`compare`."""
+    """Show a single result; for ``quantity``, ``result`` and ``homes``, see :func:`compare`."""
     settings.refuse_unknown(entry, ["homes", "quantity", "result"], where)
     pair = Pair("", entry["result"], entry["result"])
     return [Line(entry["quantity"], home, number) for home, number, _ in _in_homes(pair, entry, results)]
@@ -133,13 +133,13 @@ def _known(results: Results) -> list[str]:
 
 
 def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
-    """Return the pair, with the best trial in place of every ``*``."""
+    """Return a pair of results, with each ``*`` replaced by the label of the best trial."""
     (left, left_note), (right, right_note) = (_best(one, results) for one in (variant, baseline))
     return Pair(label, left, right, left_note, right_note)
 
 
 def _best(pattern: str, results: Results) -> tuple[str, str]:
-    """Return the trial that matches a pattern and is best on average over homes, with a note."""
+    """Of the trials that match a pattern, return the one that is best on average over homes, and a note."""
     if BEST not in pattern:
         return pattern, ""
     wanted = re.compile(re.escape(pattern).replace(re.escape(BEST), "([^|]*)"))
@@ -151,7 +151,7 @@ def _best(pattern: str, results: Results) -> tuple[str, str]:
 
 
 def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tuple[str, Number, Number]]:
-    """For each home of the entry and for the average, list the label and the two numbers."""
+    """List the label and the two numbers for each of the entry's homes, and for the average."""
     names = (pair.variant, pair.baseline)
     homes: Sequence[int] | None = entry["homes"]
     if homes is None:
@@ -172,7 +172,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
 
 
 def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
-    """List the homes (numbers from 1) where all results were tried, and those where all were measured."""
+    """List the homes (numbered from 1) where all results were tried, and those where all were measured."""
     tried = [n for n in results.numbers if all(_was_tried(results, one, n) for one in names)]
     return tried, [n for n in tried if all(len(in_home(results, one, n).values) for one in names)]
 
@@ -180,7 +180,7 @@ def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[i
 def _in_places(
     pair: Pair, places: str | Sequence[str], results: Results
 ) -> Iterator[tuple[str, Number, Number]]:
-    """Yield each place's name and the two numbers, averaged over the homes that show the place."""
+    """Yield each place's name and its two numbers, averaged over the homes that show the place."""
     names = (pair.variant, pair.baseline)
     _, both = _homes_of(names, results)
     for place in results.classes if places == "all" else places:
@@ -210,7 +210,7 @@ def _was_tried(results: Results, name: str, number: int) -> bool:
 
 
 def _whole(results: Results, name: str, plain: bool) -> Number:
-    """Average a result over all homes; for a split, count all frames together, as in its table."""
+    """Average a result over all homes or, for a split, over all frames together, as in its table."""
     one = results.of(name)
     if name.startswith(_SPLIT):
         one = one.pooled()

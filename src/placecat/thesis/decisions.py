@@ -1,4 +1,4 @@
-"""Find the decisions behind each row of a table."""
+"""Find the results, with their decision counts, behind each row of a table."""
 
 import itertools
 from collections.abc import Mapping
@@ -13,9 +13,9 @@ from placecat.thesis.number import AVERAGE, home_label
 def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, Measured]]:
     """Find the results behind each row of a table (:func:`placecat.thesis.tables.tables_of`).
 
-    Returns a mapping from each (group, row) to the results in that row, by column. If a row has a single
-    result, its column is "". If a row is a home, its results are restricted to that home. Results that cannot
-    be computed on this data are left out.
+    Returns a dict that maps each (group, row) to that row's results, by column. If a row has a single result,
+    its column is "". If a row stands for a home, its results are restricted to that home. Results that cannot
+    be computed on this data set are omitted.
     """
     if "trial" in table:
         return _of_trials(table, results)
@@ -27,7 +27,7 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
 
 
 def _by_home(one: Measured, results: Results) -> dict[str, Measured]:
-    """Split a result by home. If there are several homes, the complete result is included as the average."""
+    """Split a result by home; if there are several homes, include the complete result as the average."""
     found = {
         home_label(number): in_home(one, home)
         for number, home in enumerate(results.homes, start=1)

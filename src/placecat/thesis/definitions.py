@@ -1,8 +1,7 @@
 """Read the definitions of tables, findings and numbers in the text from data/thesis.
 
-These files can contain two kinds of references. A mapping with `like: PATH` starts from the content of a file
-in conf/ or of another table; its other keys override that content. `${NAME}` refers to a setting in
-params.yaml.
+These files can contain two kinds of references. A mapping with `like: PATH` starts with the content of a file
+in conf/ or of another table, which its other keys override. `${NAME}` refers to a setting in params.yaml.
 """
 
 import re
@@ -15,20 +14,20 @@ from placecat.errors import PlacecatError
 
 LIKE = "like"
 _SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
-# Settings that any table may have; layouts and trials add more.
+# The settings that any table may have. Layouts and trials have additional ones.
 _OF_A_TABLE = ("number", "title", "thesis_data", "layout", "caption", "split", "data", "plain", "needs")
 _OF_A_LAYOUT = ("rows", "result", "gains")
 _OF_TRIALS = ("trial", "homes", "axes")
 
 
 def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Read the tables that show the pipeline's results, in order and by name, e.g. ``table_26``.
+    """Read the tables that show the pipeline's results; return them in order, by name, e.g. ``table_26``.
 
     Each table has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and the layout's
     settings. A table that names a setting in `needs` is included only if `params`, the run's settings,
-    contains that setting. `root` is the project's folder.
+    contains that setting. `root` is the project folder.
 
-    Raises PlacecatError, with the name of the file, for invalid YAML or an unknown key or setting.
+    Raises PlacecatError, which names the file, for invalid YAML or an unknown key or setting.
     """
     found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml")), params, root)
     for path, table in found.items():
@@ -41,19 +40,19 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
 
 
 def optional(root: Path = Path()) -> list[str]:
-    """List, in order, the names of the tables that need a setting.
+    """List, in order, the names of the tables that need a particular setting.
 
-    Runs without this setting leave these tables unchanged.
+    A run without this setting leaves the table unchanged.
     """
     files = sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml"))
     return [path.stem for path in files if "needs" in _yaml(path)]
 
 
 def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, dict[str, Any]]]:
-    """Read the tables whose cells are trials, as :func:`tables` does, from one folder per study.
+    """Like :func:`tables`, but read the tables whose cells are trials, from one folder per study.
 
-    Returns a mapping from each study to its tables by name. Each table also has ``trial``, ``homes`` and
-    ``axes`` (:func:`placecat.evaluation.trials.expand`).
+    Returns a dict that maps each study to its tables, by name. Each table also has ``trial``, ``homes`` and
+    ``axes`` (see :func:`placecat.evaluation.trials.expand`).
     """
     found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*/*.yaml")), params, root)
     by_study: dict[str, dict[str, dict[str, Any]]] = {}
@@ -67,7 +66,7 @@ def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[st
 
 
 def findings(root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Read the claims of the thesis, by name; :func:`placecat.thesis.claims.read_finding` checks them."""
+    """Read the thesis's claims, by name; :func:`placecat.thesis.claims.read_finding` checks them."""
     return {path.stem: _yaml(path) for path in sorted((root / paths.FINDING_DEFINITIONS).glob("*.yaml"))}
 
 
@@ -77,7 +76,7 @@ def in_text(root: Path = Path()) -> dict[str, dict[str, Any]]:
 
 
 def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path, dict[str, Any]]:
-    """Read files and resolve all references; return the contents by path in the project."""
+    """Read files and resolve all references; return the contents by path relative to the project."""
     found = {path.relative_to(root): _load(path, root, ()) for path in files}
     for path, content in found.items():
         try:
@@ -88,9 +87,9 @@ def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path
 
 
 def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, Any]) -> Any:
-    """Replace ``${NAME}`` with the setting.
+    """Replace each ``${NAME}`` with the value of that setting.
 
-    ``${..NAME}`` refers to a sibling of the mapping that contains it.
+    ``${..NAME}`` refers to a sibling of the mapping in which it appears.
     """
     if isinstance(value, dict):
         return {key: _set(one, (value, *around), params) for key, one in value.items()}
@@ -103,7 +102,7 @@ def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, An
 
 
 def _load(path: Path, root: Path, before: tuple[Path, ...]) -> dict[str, Any]:
-    """Read a file and the files it refers to; `before` lists the files whose references led to it."""
+    """Read a file and all files it refers to; `before` lists the files whose references led here."""
     if path in before:
         raise PlacecatError(f"{path} refers to itself through {', '.join(map(str, before))}")
     content = _yaml(path)

@@ -24,7 +24,7 @@ def ledger(
     """Judge every finding.
 
     `findings` maps each finding's name to its settings (see `read_finding`); invalid settings raise
-    PlacecatError. `verdict` has the settings of `Rules`.
+    PlacecatError. `verdict` contains the settings for `Rules`.
 
     Returns
     -------
@@ -37,12 +37,12 @@ def ledger(
         One row per comparison. The columns are finding, reading ("" or the name of another reading), left,
         right, compare, published_left, published_right, published, measured_left, measured_right, measured,
         low, high, corrected_low, corrected_high, range, units, verdict, reason, left_results and
-        right_results. `published` and `measured` are differences or ratios, according to `compare`. `low` and
-        `high` decide whether a comparison holds. The corrected interval allows for the number of comparisons
-        in the finding, and decides whether the finding fails. A comparison without measurements is undecided.
-        Numbers are in percent or points, with 2 decimals, and NaN if missing.
+        right_results. `published` and `measured` are differences or ratios, depending on `compare`. `low` and
+        `high` decide whether a comparison holds. The corrected interval, which allows for the number of
+        comparisons in the finding, decides whether the comparison fails. A comparison without measurements is
+        undecided. Numbers are in percent or points, rounded to two decimals, and NaN if missing.
     judged
-        The judgement behind each row of `comparisons`.
+        The full judgement for each row of `comparisons`.
     """
     rules: Rules = settings.call(Rules, settings=verdict, where="verdict")
     read = sorted((read_finding(name, one) for name, one in findings.items()), key=lambda one: one.number)
@@ -100,7 +100,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
 
 
 def _margin(judged: Judged) -> tuple[bool, float]:
-    """Return a sort key that is smallest for the deciding comparison; those without an interval come last."""
+    """Return a sort key that puts the deciding comparison first, and those without an interval last."""
     if judged.measurement is None or np.isnan(judged.measurement.interval.low):
         return True, 0.0
     return False, judged.claimed.margin(judged.measurement.interval) if judged.claimed else 0.0

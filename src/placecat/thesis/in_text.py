@@ -1,4 +1,4 @@
-"""The numbers that appear only in the text of the thesis, as measured and as published."""
+"""The numbers that appear only in the thesis's text, as measured and as published."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -24,7 +24,7 @@ _OF_THE_DATA = ("thesis_data", "data", "split")
 
 
 class _Said(NamedTuple):
-    """A quantity in the thesis: its number (NaN if there are only words), the words, and a note."""
+    """What the thesis says about a quantity: a number (NaN if only in words), the words, and a note."""
 
     value: float = np.nan
     quote: str = ""
@@ -32,9 +32,9 @@ class _Said(NamedTuple):
 
 
 def fill(results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
-    """Fill in the numbers in the thesis's text (see :func:`in_text`), using the files in data/thesis.
+    """Compute the numbers in the thesis's text (see :func:`in_text`), using the files in data/thesis.
 
-    Raises PlacecatError if one of these files is damaged, or a stage's record is missing.
+    Raises PlacecatError if one of these files is damaged, or if a stage's record is missing.
     """
     columns = ["name", "section", "quantity", "home", "quote", "note"]
     return in_text(
@@ -58,10 +58,10 @@ def in_text(
     """Compare the measured numbers with those in the thesis's text.
 
     Returns a table with the columns name, section, quantity and home ("Home 6", "Average", or "" for
-    neither), followed by those of :func:`~placecat.thesis.tables.fill_table` from ``published`` on. A
-    comparison has a row for each side, and one for their difference (variant minus baseline, in points).
-    Raises PlacecatError for an unknown setting or result, an entry without a published line, or a published
-    line without an entry.
+    neither), followed by the columns of :func:`~placecat.thesis.tables.fill_table` from ``published`` on. A
+    comparison has one row for each side, and one for the difference (variant minus baseline, in points).
+    Raises PlacecatError for an unknown setting or result, an entry without a published row, or a published
+    row without an entry.
 
     Parameters
     ----------
@@ -69,16 +69,16 @@ def in_text(
         Maps the name of each entry to its settings (see data/thesis/in_text.yaml). These are the settings of
         :func:`~placecat.thesis.comparison.alone` if they include ``result``, of
         :func:`~placecat.thesis.records.read_off` if they include ``record``, and otherwise of
-        :func:`~placecat.thesis.comparison.compare`. In addition, an entry has ``thesis_data``. If it was not
+        :func:`~placecat.thesis.comparison.compare`. Each entry also has ``thesis_data``. If it was not
         measured on the main data set, ``split`` names its data set, or ``data`` describes it in words. An
-        entry that was not measured has only a ``reference``, which states the reason.
+        entry that was not measured has only a ``reference``, which gives the reason.
     published
-        Table with the columns name, section, quantity, home, value (NaN if the thesis has only words), quote
+        Table with the columns name, section, quantity, home, value (NaN if the thesis gives no number), quote
         and note. The note lists passages in the thesis that contradict the value.
     dataset, splits
         ``title`` and ``thesis_data`` of the main data set, and of each split's data set.
     records
-        Tables by name.
+        The tables from :func:`~placecat.thesis.records.read_records`, by name.
     """
     sections = dict(zip(published["name"], published["section"], strict=True))
     if more := [name for name in entries if name not in sections]:

@@ -1,4 +1,4 @@
-"""Judge the comparisons in the thesis by the measurements of this run."""
+"""Judge the thesis's comparisons by this run's measurements."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -45,12 +45,12 @@ class Measurement:
     numbers
         Each side's number, in percent.
     results
-        The results used on each side.
+        The results used for each side.
     interval
-        Interval of the difference or ratio, rounded to 2 decimals; its ends are NaN if there is only one
+        Interval for the difference or ratio, rounded to two decimals; its ends are NaN if there is only one
         unit.
     corrected
-        The interval at a level that allows for the number of comparisons in the finding.
+        The same interval at a level that allows for the number of comparisons in the finding.
     """
 
     paired: Paired | Pooled
@@ -64,7 +64,7 @@ class Measurement:
 class Judged:
     """A comparison with its published and measured numbers and its verdict.
 
-    `claimed` is None for ``both_signs``; `measurement` is None if this run lacks a result.
+    `claimed` is None for ``both_signs``; `measurement` is None if a result is missing from this run.
     """
 
     comparison: Comparison
@@ -83,10 +83,10 @@ def judge_comparison(
     published: Published,
     comparisons: int = 1,
 ) -> Judged:
-    """Judge one comparison; it is undecided if measurements are missing.
+    """Judge one comparison, which is undecided if measurements are missing.
 
-    `finding` is the name of the finding, which determines the seed of the bootstrap. `comparisons` is the
-    number of comparisons in the finding, all of which must hold. Raises PlacecatError for invalid settings.
+    `finding` is the finding's name, from which the bootstrap's seed is derived. `comparisons` is the number
+    of comparisons in the finding, all of which must hold. Raises PlacecatError for invalid settings.
     """
     measured, missing = None, ""
     try:
@@ -117,10 +117,10 @@ def judge_comparison(
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
     """Judge whether a change hurts in some cases and helps in others; return a verdict and its reason.
 
-    A case is a pair of results in one home, or in all sequences if they are pooled. Different comparisons may
-    have different homes. A case is counted as worse or better if the difference is noticeable with every
-    seed. The shares of worse and better cases, however, are computed from means over seeds. The verdict
-    follows :func:`placecat.evaluation.verdict.judge_shares`.
+    A case is a pair of results in one home, or in all sequences if they are pooled. The homes may differ
+    between comparisons. A case counts as worse or better only if the difference is noticeable with every
+    seed. The shares of worse and better cases, however, are estimated from means over seeds. The verdict
+    comes from :func:`placecat.evaluation.verdict.judge_shares`.
     """
     cases = [_gains(one.paired) for one in measured]
     worse = sum(int((one <= -rules.noticeable).all(axis=2).sum()) for one in cases)
@@ -144,7 +144,7 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
 def look_up(comparison: Comparison, published: Published, sides: Sequence[Side]) -> Thesis:
     """Look up a comparison's published numbers.
 
-    `sides` are the sides of the comparison, possibly without some of their results.
+    `sides` contains the comparison's sides, possibly without some of their results.
     """
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
@@ -157,7 +157,7 @@ def look_up(comparison: Comparison, published: Published, sides: Sequence[Side])
 def _measure(
     finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int
 ) -> Measurement:
-    """Measure a comparison with a bootstrap over its units; raises NotComputable if a ratio divides by 0."""
+    """Measure a comparison, with a bootstrap over its units; raise NotComputable if a ratio divides by 0."""
 
     def sides_of(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
         return [_combine(side, of_side) for side, of_side in zip(paired.sides, values, strict=True)]
@@ -186,7 +186,7 @@ def _measure(
 
 
 def in_each_home(comparison: Comparison, paired: Paired) -> NDArray[np.float64]:
-    """Return the (homes,) differences or ratios of the sides, computed from their means over seeds.
+    """Return the (homes,) differences or ratios between the sides, computed from their means over seeds.
 
     Raises NotComputable if a ratio divides by 0.
     """
@@ -210,14 +210,14 @@ def percent(level: float) -> str:
 
 
 def _combine(side: Side, values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Combine the (results, n) values of a side into (n,) values."""
+    """Combine a side's (results, n) values into (n,) values."""
     return values.max(axis=0) if side.combine == "best" else values.mean(axis=0)
 
 
 def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
-    """Return the (n,) differences or ratios of two sides with (n,) values each.
+    """Return the (n,) differences or ratios between two sides of (n,) values.
 
-    A single side is compared with the number of its range.
+    A single side is compared with the number given for its range.
     """
     if len(sides) == 1:
         return sides[0] - (comparison.range[1] or 0.0)
@@ -231,7 +231,7 @@ def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> ND
 
 
 def _gains(paired: Paired | Pooled) -> NDArray[np.float64]:
-    """Return left minus right for each pair of results, (results, homes, seeds).
+    """Return the (results, homes, seeds) differences, left minus right, between the paired results.
 
     The array is empty if the sides cannot be paired.
     """

@@ -1,4 +1,4 @@
-"""Table layouts, which determine the measured number in each cell. Each table names its ``layout``."""
+"""Table layouts, which determine the number measured for each cell. Each table names its ``layout``."""
 
 import itertools
 from collections.abc import Mapping
@@ -23,7 +23,7 @@ from placecat.thesis.number import (
     over_homes,
 )
 
-# The group, row and column of a cell in the published tables, and the number of each cell.
+# A cell's group, row and column in the published tables, and a number for each cell.
 Key = tuple[str, str, str]
 Cells = dict[Key, Number]
 
@@ -34,9 +34,9 @@ def place_column(place: str) -> str:
 
 
 def by_class(table: Mapping[str, Any], results: Results) -> Cells:
-    """One row per test home, one column per place, and averages over places and homes (e.g. Table 6).
+    """One row per test home, one column per place, and averages over places and over homes (e.g. Table 6).
 
-    All cells show the result ``table["result"]``. The average for a place is over the homes that show it. The
+    All cells come from the result ``table["result"]``. A place is averaged over the homes that show it. The
     overall average is the mean of the homes' averages, as in every table.
     """
     name = table["result"]
@@ -59,8 +59,8 @@ def by_class(table: Mapping[str, Any], results: Results) -> Cells:
 def by_home(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per result, one column per test home, and the average over homes (e.g. Table 26).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result`. A filtered result has a note on the share of
-    frames that the information filter drops.
+    Each entry of ``table["rows"]`` has `group`, `row` and `result`. A filtered result has a note that says
+    what share of the frames the information filter drops.
     """
     homes = {home_label(number): home for number, home in enumerate(results.homes, start=1)} | {AVERAGE: ""}
     return {
@@ -71,11 +71,11 @@ def by_home(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
-    """Like `by_home`, with added rows for the gain of a result over the best of several others.
+    """Like `by_home`, but with additional rows that show how much a result gains over the best of several.
 
-    Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
-    `result` and `over`, a list of results. A gain is `result` minus the best result in `over`, the one with
-    the highest average over homes. The same result is subtracted in every home, and a note names it.
+    Groups follow the order of the rows, with gains last. Each entry of ``table["gains"]`` has `group`, `row`,
+    `result` and `over`, a list of results. A gain is `result` minus the result in `over` with the highest
+    average over homes. The same result is subtracted in every home, and a note names it.
     """
     names = {row["result"]: row["row"] for row in table["rows"]}
     filled = by_home(table, results)
@@ -92,11 +92,11 @@ def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def grid(table: Mapping[str, Any], results: Results) -> Cells:
-    """One trial for each combination of axis labels; the test homes can be an axis (e.g. Table 12).
+    """One trial per combination of axis labels; the test homes can be one of the axes (e.g. Table 12).
 
-    ``table["axes"]`` defines the trials, which are tested in ``table["homes"]``. If the homes are an axis,
-    its labels are "Home n" and, for two or more homes, "Average". Otherwise, each cell is the mean over the
-    homes.
+    ``table["axes"]`` defines the trials, which are tested on ``table["homes"]``. If the homes are an axis,
+    its labels are "Home n" and, if there are several homes, "Average". Otherwise, each cell is the mean over
+    the homes.
     """
     axes = [table["axes"].get(axis, {"": {}}) for axis in AXES]
     numbers = results.numbers if table["homes"] == "all" else [int(number) for number in table["homes"]]
@@ -105,7 +105,7 @@ def grid(table: Mapping[str, Any], results: Results) -> Cells:
         name = trial_name(table["name"], *labels)
         whole = [] if HOMES in axes else [("", over_homes(results, name, numbers))]
         for home, number in whole or in_homes(results, name, numbers):
-            # At this point, the label of an axis of homes is still empty.
+            # If the homes are an axis, its label is still empty here.
             pairs = zip(axes, labels, strict=True)
             group, row, column = (home if axis == HOMES else label for axis, label in pairs)
             filled[group, row, column] = number
@@ -113,10 +113,10 @@ def grid(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
-    """One row per result and one column per place, over all test sequences together (Tables 30 and 31).
+    """One row per result and one column per place, with all test sequences pooled (Tables 30 and 31).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result`. If present, ``table["plain"]`` is the name of a
-    column for the share of correct frames, regardless of their place.
+    Each entry of ``table["rows"]`` has `group`, `row` and `result`. If present, ``table["plain"]`` is the
+    name of a column for the share of correct frames, regardless of place.
     """
     filled: Cells = {}
     for row in table["rows"]:
@@ -138,10 +138,10 @@ def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
-    """One row per result, with the quality of its distributions averaged over test homes (our addition).
+    """One row per result: the quality of its distributions, averaged over test homes (our addition).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result`, a result on the main data set. The columns are
-    log-loss (in nats), calibration error and stay accuracy (both in percent); see
+    Each entry of ``table["rows"]`` has `group`, `row` and `result`, a result on the main data set. The
+    columns are log-loss (in nats), calibration error and stay accuracy (both in percent); see
     :class:`placecat.evaluation.quality.HomeQuality`.
     """
     return {
@@ -154,7 +154,7 @@ def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
 def _quality(results: Results, name: str, measure: str) -> Number:
     one, origins = results.quality.get(name), (Origin(name, part=measure),)
     if one is None:
-        # Raise an error for an unknown name.
+        # This raises an error if the name is unknown.
         results.find(name)
         return nothing(*(results.reasons(name) or ["nothing was measured"]), origins=origins)
     values = one.over_homes(measure)
@@ -164,7 +164,7 @@ def _quality(results: Results, name: str, measure: str) -> Number:
     return Number(values, one.is_random, origins=origins).noted(only_some(there, results.numbers))
 
 
-# This must be a literal, because placecat.config.tables reads the names from the source.
+# This must be a dict literal, because placecat.config.tables reads the names from the source code.
 LAYOUTS = {
     "by_class": by_class,
     "by_home": by_home,

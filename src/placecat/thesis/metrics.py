@@ -13,16 +13,16 @@ from placecat.settings import refuse_unknown
 
 CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
 ACCURACY, LOG_LOSS = "accuracy", "log_loss"
-# Stands for a row or group without a name if others in the table have names.
+# The key of a row or group that has no name, in a table where others have one.
 _NAMELESS = "-"
 
 
 def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
     """Nest the ``measured`` numbers of filled tables for `dvc metrics`.
 
-    Returns nested mappings with the keys name, group, row and column. A level is left out if all its labels
-    in a table are empty. For example, Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, and
-    Table 5 is ``{"SVM": {"Home 1": 31.2}}``. Cells and tables without a number (NaN) are left out, too.
+    Returns nested dicts with the levels name, group, row and column. A level is omitted from a table if all
+    its labels are empty. For example, Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, and
+    Table 5 is ``{"SVM": {"Home 1": 31.2}}``. Cells and tables without numbers (NaN) are also omitted.
     """
     return {name: found for name, table in tables.items() if (found := _nest(table))}
 
@@ -46,8 +46,8 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
 
     `chosen` has the keys ``accuracy`` and ``log_loss``. Each maps a column's name, e.g. ``gist``, to its
     result, e.g. ``cues/gist/5-5-1``. Returns the accuracies by column (percent, two decimals) and, under
-    ``log_loss``, the log-losses (nats, three decimals). Results that cannot be computed on this data are left
-    out. An unknown kind of number or result raises PlacecatError.
+    ``log_loss``, the log-losses (nats, three decimals). Results that cannot be computed on this data set are
+    omitted. Raises PlacecatError if a key or a result is unknown.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
     averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}
@@ -63,12 +63,12 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
 
 
 def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[str, pd.DataFrame]:
-    """Choose the data for `dvc plots`.
+    """Collect the data for `dvc plots`.
 
     `plots` has the keys ``confusion`` and ``accuracy_by_home``. Each maps a panel's name to the name of its
-    result. Returns a mapping from each file below reports/plots, e.g. ``confusion/smoothing.csv``, to its
-    rows; a result that cannot be computed on this data has no rows. An unknown kind of plot or result raises
-    PlacecatError.
+    result. Returns a dict that maps each file under reports/plots, e.g. ``confusion/smoothing.csv``, to its
+    rows; a result that cannot be computed on this data set has no rows. Raises PlacecatError if a kind of
+    plot or a result is unknown.
     """
     kinds = {CONFUSION: decisions, ACCURACY_BY_HOME: accuracies}
     refuse_unknown(plots, list(kinds), "plots")
@@ -80,7 +80,7 @@ def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[
 
 
 def _find(results: Results, name: str, where: str) -> Measured | None:
-    """Look up a result; return None if it cannot be computed on this data."""
+    """Look up a result; return None if it cannot be computed on this data set."""
     try:
         return results.find(name)
     except PlacecatError as error:
@@ -88,9 +88,9 @@ def _find(results: Results, name: str, where: str) -> Measured | None:
 
 
 def decisions(measured: Measured | None) -> pd.DataFrame:
-    """Return the columns truth and decision for the first seed, with one row per frame of all test homes.
+    """Return the first seed's decisions: the columns truth and decision, and one row per tested frame.
 
-    Rows are in the order of the places, and DVC's template `confusion` counts them.
+    Rows are sorted by place. DVC's `confusion` template counts them.
     """
     if measured is None:
         return pd.DataFrame(columns=["truth", "decision"])
@@ -101,7 +101,7 @@ def decisions(measured: Measured | None) -> pd.DataFrame:
 
 
 def accuracies(measured: Measured | None) -> pd.DataFrame:
-    """Return the columns home and accuracy with one row per test home.
+    """Return a table with the columns home and accuracy, and one row per test home.
 
     Accuracies are in percent, averaged over places and seeds.
     """

@@ -14,9 +14,9 @@ COLUMNS = ["table", "group", "row", "column", "kind", "text"]
 class Kind(StrEnum):
     """A note's subject."""
 
-    # The data set of the measured numbers; applies to the whole table.
+    # The data set behind the measured numbers; applies to the whole table.
     DATA = "data"
-    # The published numbers are from other data; applies to the whole table.
+    # The published numbers come from other data; applies to the whole table.
     NOT_COMPARABLE = "not_comparable"
     # The published cell is "n/a".
     NOT_AVAILABLE = "not_available"
@@ -47,7 +47,7 @@ Notes = tuple[Note, ...]
 
 
 def joined(notes: Iterable[Note]) -> str:
-    """Join notes into one text, without duplicates."""
+    """Join notes into one string, without duplicates."""
     return "; ".join(dict.fromkeys(note.text for note in notes))
 
 
@@ -57,7 +57,7 @@ def without_empty(notes: Iterable[Note]) -> Notes:
 
 
 def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = AXES) -> pd.DataFrame:
-    """Turn a table's column `notes` into rows with the columns `COLUMNS`, which can be stored as CSV.
+    """Convert a table's `notes` column to rows with the columns `COLUMNS`, which can be stored as CSV.
 
     The three columns in `key` identify each row's cell.
     """
@@ -70,7 +70,7 @@ def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = AXES) -> pd.Dat
 
 
 def with_notes(name: str, cells: pd.DataFrame, rows: pd.DataFrame, key: Iterable[str] = AXES) -> pd.DataFrame:
-    """Restore a table's column `notes` from the rows of :func:`to_rows`, which may cover several tables."""
+    """Restore a table's `notes` column from the rows of :func:`to_rows`, which may cover several tables."""
     by_cell: dict[tuple[str, ...], Notes] = {}
     for _, *labels, kind, text in rows[rows["table"] == name][COLUMNS].itertuples(index=False, name=None):
         by_cell[tuple(labels)] = (*by_cell.get(tuple(labels), ()), Note(Kind(kind), text))

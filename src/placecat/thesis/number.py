@@ -1,4 +1,4 @@
-"""A number in the report, with its value for each seed, or the reason why it is missing."""
+"""A number in the report: its value for each seed, or the reason why it is missing."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from placecat.evaluation.accuracy import home_accuracy
 from placecat.results.measured import Results, mean_and_spread
 
 AVERAGE = "Average"
-# The `part` of an origin that counts the frames of all places.
+# The `part` of an origin that counts frames regardless of place.
 ALL_FRAMES = "all frames"
 
 
 class Origin(NamedTuple):
-    """The source of a number: a result in some homes.
+    """The source of a number: a result, and the homes that the number covers.
 
     `part` is a place, a measure of probabilities or `ALL_FRAMES` (the share of correct frames, regardless of
-    their place); it is "" if the number is the accuracy over all places. An origin without homes covers all
+    place); it is "" if the number is the accuracy over all places. If `homes` is empty, the number covers all
     test homes or sequences.
     """
 
@@ -37,14 +37,14 @@ class Number:
     Attributes
     ----------
     values
-        (seeds,) values, usually in percent or points: (1,) if nothing is random, (0,) if the number is
-        missing.
+        (seeds,) values, usually in percent or points. The shape is (1,) if nothing is random, and (0,) if the
+        number is missing.
     is_random
         Whether the number depends on a seed.
     notes
         Remarks on the number, or the reasons why it is missing.
     digits
-        Digits after the decimal point.
+        The number of digits after the decimal point.
     origins
         The number's sources, even if it is missing.
     """
@@ -62,7 +62,7 @@ class Number:
 
     @property
     def spread(self) -> float:
-        """Largest minus smallest value over seeds, 2 decimals; NaN if missing or if nothing is random."""
+        """Largest minus smallest value over seeds, to two decimals; NaN if missing or nothing is random."""
         return mean_and_spread(self.values, random=self.is_random)[1] if len(self.values) else float("nan")
 
     @property
@@ -71,11 +71,11 @@ class Number:
         return len(self.values) if self.is_random else 0
 
     def noted(self, *notes: str) -> Number:
-        """Return the number with any non-empty `notes` added; a missing number stays unchanged."""
+        """Return the number with any non-empty `notes` added; a missing number is returned unchanged."""
         return replace(self, notes=merged([self.notes, notes])) if len(self.values) else self
 
     def minus(self, other: Number) -> Number:
-        """Subtract another number seed by seed; a number that is not random is the same for every seed."""
+        """Subtract another number seed by seed; a number that is not random has one value for all seeds."""
         origins = united((self, other))
         if not len(self.values) or not len(other.values):
             reasons = merged(one.notes for one in (self, other) if not len(one.values))
@@ -86,7 +86,7 @@ class Number:
 
 
 def nothing(*reasons: str, origins: tuple[Origin, ...] = ()) -> Number:
-    """Return a missing number, with the reasons why it is missing."""
+    """Return a missing number, along with the reasons why it is missing."""
     return Number(np.empty(0), False, reasons, origins=origins)
 
 
@@ -108,26 +108,26 @@ def merged(notes: Iterable[Iterable[str]]) -> tuple[str, ...]:
 
 
 def mean(numbers: Sequence[Number]) -> Number:
-    """Average numbers seed by seed, leaving out missing numbers."""
+    """Average numbers seed by seed, ignoring missing ones."""
     there = [one for one in numbers if len(one.values)]
     if not there:
         return nothing(*merged(one.notes for one in numbers), origins=united(numbers))
-    # The sum keeps the seeds separate, and broadcasts values that are not random.
+    # The sum keeps seeds separate, and numbers that are not random are broadcast.
     total = sum((one.values for one in there[1:]), there[0].values)
     is_random = any(one.is_random for one in there)
     return Number(total / len(there), is_random, origins=united(there))
 
 
 def home_label(number: int) -> str:
-    """Return the name of the n-th home (from 1) in the published tables."""
+    """Return the n-th home's name in the published tables, counting from 1."""
     return f"Home {number}"
 
 
 def in_home(results: Results, name: str, number: int, place: str = "") -> Number:
     """Return a result's accuracy in the n-th home (from 1) of the main data set, in percent.
 
-    With a `place`, return the percentage of that place's frames that are classified correctly. Raises the
-    same errors as `Results.find`.
+    If `place` is given, return the percentage of that place's frames that are classified correctly. Raises
+    the same errors as `Results.find`.
     """
     if number > len(results.homes):
         return nothing(f"the data set has only {len(results.homes)} homes")
@@ -147,9 +147,9 @@ def in_home(results: Results, name: str, number: int, place: str = "") -> Number
 
 
 def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
-    """Average a result's accuracy, in percent, over homes; `numbers` are those of the homes, from 1.
+    """Average a result's accuracy, in percent, over the homes with the given `numbers` (from 1).
 
-    Homes in which the result is missing are left out, with a note.
+    Homes for which the result is missing are left out, and a note says so.
     """
     parts = [in_home(results, name, number) for number in numbers]
     there = [number for number, part in zip(numbers, parts, strict=True) if len(part.values)]
@@ -157,21 +157,24 @@ def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
 
 
 def only_some(there: Sequence[int], numbers: Sequence[int]) -> str:
-    """Return a note that a mean covers only the homes `there` (numbers from 1), or "" if it covers all."""
+    """Return a note that a mean covers only some homes, or "" if it covers all.
+
+    Of the homes with the given `numbers` (from 1), it covers those in `there`.
+    """
     return "" if len(there) == len(numbers) else f"mean over only {', '.join(map(home_label, there))}"
 
 
 def best_of(results: Results, names: Sequence[str]) -> str:
     """Return the result with the highest average over homes.
 
-    In a tie, or if none was measured, this is the first result.
+    If there is a tie, or nothing was measured, this is the first result.
     """
     averages = [over_homes(results, name, results.numbers).measured for name in names]
     return names[int(np.nanargmax(averages))] if np.isfinite(averages).any() else names[0]
 
 
 def in_homes(results: Results, name: str, numbers: Sequence[int]) -> list[tuple[str, Number]]:
-    """Return the accuracy in each home and, for two or more homes, the average, with the thesis's labels."""
+    """Return the accuracy in each home and, if there are several, the average, with the thesis's labels."""
     found = [(home_label(number), in_home(results, name, number)) for number in numbers]
     if len(numbers) > 1:
         found.append((AVERAGE, over_homes(results, name, numbers)))

@@ -1,4 +1,4 @@
-"""Pair the measurements of the sides of a comparison by home."""
+"""Pair the measurements of a comparison's sides by home."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -17,20 +17,20 @@ Statistic = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Paired:
-    """The values of the sides in the homes in which all results were measured.
+    """The sides' values in the homes where all results were measured.
 
     Attributes
     ----------
     sides
-        The sides, each reduced to the results that are used.
+        The sides, each with only the results that are used.
     values
-        One (results, homes, seeds) array of percentages per side, with one seed if nothing is random.
+        One (results, homes, seeds) array of percentages per side; there is one seed if nothing is random.
     homes
         Names of the homes.
     seeds
-        Number of seeds that all random results share; 0 if nothing is random.
+        Number of seeds that all random results have in common; 0 if nothing is random.
     by_seed
-        Whether each seed of a home is a unit. Otherwise, a home is one unit, with its mean over seeds.
+        Whether each seed of a home is a unit. Otherwise, each home is a unit, with its mean over seeds.
     note
         The results and homes that were left out, with the reasons, or "".
     """
@@ -61,19 +61,19 @@ class Paired:
 
     @property
     def at_hand(self) -> bool:
-        """Whether an interval is valid only for these homes."""
+        """Whether intervals apply only to these homes."""
         return self.by_seed
 
     def too_few(self, minimum: int) -> str:
-        """Return the reason if there are too few units for a verdict, else ""."""
+        """Return a reason if there are too few units for a verdict, and "" otherwise."""
         return too_few(self.units) if self.n_units < minimum else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
-        """Return one (results, 1) array of percentages per side; all units have the same weight."""
+        """Return one (results, 1) array of percentages per side, in which all units have equal weight."""
         return tuple(values.mean(axis=1, keepdims=True) for values in self.by_unit())
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
-        """Compute the interval of a statistic, which maps one (results, n) array per side to (n,) values."""
+        """Compute a statistic's interval; `statistic` maps one (results, n) array per side to (n,) values."""
         by_unit = self.by_unit()
         return paired_bootstrap(
             lambda weights: statistic([values @ weights.T for values in by_unit]),
@@ -88,7 +88,7 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
     """Pair the sides by home.
 
     If results are random and there are at most `few_homes` homes, each seed of a home is a unit. Raises
-    NotComputable, with the reasons, if a result was not measured or if no home has every result.
+    NotComputable, which gives the reasons, if a result was not measured or no home has all results.
     """
     used = computable(results, sides)
     names = list(dict.fromkeys(name for side in used for name in side.results))
@@ -114,11 +114,11 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
 
 
 def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
-    """Drop results that cannot be computed on this data from each side that has several results.
+    """From each side that has several results, drop those that cannot be computed on this data set.
 
     ``best`` and ``last`` choose from the remaining results. For means, all sides keep only the positions
-    whose results can be computed on every side, so the results remain paired. If a side would lose all its
-    results, it keeps them (with ``last``, only the last one). The reasons are reported later. Each remaining
+    whose results can be computed on every side, so that the results remain paired. A side that would lose all
+    its results keeps them (with ``last``, only the last one). The reasons are reported later. Each remaining
     result keeps its published number.
     """
     impossible = {name for name, _ in results.missing} - set(results.measured)
@@ -142,7 +142,7 @@ def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
 
 
 def look_up(results: Results, name: str) -> Measured:
-    """Look up a result; raises NotComputable, with the reasons, if it is missing."""
+    """Look up a result; if it is missing, raise NotComputable, which gives the reasons."""
     if name not in results.measured:
         if reasons := results.reasons(name):
             raise NotComputable(f"{name}: {', '.join(sorted(reasons))}")
@@ -151,7 +151,7 @@ def look_up(results: Results, name: str) -> Measured:
 
 
 def common_seeds(measured: Iterable[Measured]) -> tuple[str, ...]:
-    """Return the names of the seeds that all random results share; there are none if nothing is random."""
+    """Return the names of the seeds that all random results have in common; empty if nothing is random."""
     random = [one for one in measured if one.is_random]
     if not random:
         return ()
@@ -174,15 +174,15 @@ def _values(one: Measured, side: Side, homes: Sequence[str], seeds: Sequence[str
 
 
 def with_seeds(one: Measured, values: NDArray[Any], seeds: Sequence[str]) -> NDArray[Any]:
-    """Select the rows of the shared seeds from a result's (seeds, n) values."""
+    """From a result's (seeds, n) values, select the rows of the common seeds."""
     if one.is_random and seeds:
         return values[[one.seeds.index(seed) for seed in seeds]]
-    # If nothing is random or the results share no seed, only the means can be paired.
+    # If nothing is random, or the results have no seeds in common, only the means can be paired.
     return np.broadcast_to(values.mean(axis=0), (max(len(seeds), 1), values.shape[1]))
 
 
 def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
-    """Describe the results that each side leaves out; for ``last``, only those after the one that is used."""
+    """Say which results each side leaves out; for ``last``, name only those after the one that is used."""
     texts = []
     for side, kept in zip(sides, used, strict=True):
         asked = side.results
@@ -205,7 +205,7 @@ def _note(results: Results, names: Sequence[str], homes: Sequence[str]) -> str:
 
 
 def counted(number: int, noun: str) -> str:
-    """Return a number with a noun, e.g. "1 home" or "2 homes"."""
+    """Return a number and a noun, singular or plural, e.g. "1 home" or "2 homes"."""
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 

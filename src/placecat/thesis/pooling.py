@@ -1,4 +1,4 @@
-"""Pool the measurements of the sides of a comparison over the frames of all test sequences."""
+"""Pool the measurements of a comparison's sides over the frames of all test sequences."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,24 +24,24 @@ from placecat.thesis.pairing import (
 
 @dataclass(frozen=True)
 class Pooled:
-    """The decisions of the sides on the stays (visits to a place) in all test sequences.
+    """The sides' decisions during the stays (visits to a place) in all test sequences.
 
-    The frames of a stay are near-duplicates, so each stay is one unit. Each place is a stratum, because its
-    number of stays is fixed.
+    The frames of a stay are near-duplicates, so each stay is one unit. Each place is a stratum, because the
+    number of stays in it is fixed.
 
     Attributes
     ----------
     sides
-        The sides, each reduced to the results that are used.
+        The sides, each with only the results that are used.
     right
-        One (results, seeds, stays) array per side with the number of correctly classified frames. There is
+        One (results, seeds, stays) array per side, with the numbers of correctly classified frames. There is
         one seed if nothing is random.
     frames
         (stays,) number of frames in each stay.
     places
         (stays,) index of each stay's place in `names`.
     names
-        Names of the places that have at least one stay.
+        Names of the places with at least one stay.
     note
         The parts that were left out, with the reasons, or "".
     """
@@ -53,17 +53,17 @@ class Pooled:
     names: tuple[str, ...]
     note: str
 
-    #: Intervals are valid for these sequences only.
+    #: Intervals apply only to these sequences.
     at_hand = True
 
     @property
     def units(self) -> str:
-        """The units as text."""
+        """The units as text, e.g. ``12 stays``."""
         return counted(len(self.frames), "stay")
 
     @property
     def n_units(self) -> int:
-        """Number of stays, or 1 if no place has two stays, because then there is no interval."""
+        """Number of stays, or 1 if no place has two stays, since there is no interval in that case."""
         return len(self.frames) if len(self.frames) > len(self.names) else 1
 
     @property
@@ -76,7 +76,7 @@ class Pooled:
         )
 
     def too_few(self, minimum: int) -> str:
-        """Return the reason if there are too few stays for a verdict, else ""."""
+        """Return a reason if there are too few stays for a verdict, and "" otherwise."""
         once = [self.names[place] for place in np.flatnonzero(np.bincount(self.places) == 1)]
         if len(self.frames) < minimum:
             return too_few(self.units)
@@ -104,8 +104,8 @@ class Pooled:
     ) -> NDArray[np.float64]:
         """Compute (results, n) accuracies in percent.
 
-        `right` has the (results, stays) numbers of correct frames, and `weights` the (n, stays) weights of
-        the stays.
+        `right` contains the (results, stays) numbers of correct frames, and `weights` the (n, stays) weights
+        of the stays.
         """
         kind = np.eye(len(self.names))[self.places]
         if side.plain:
@@ -121,8 +121,8 @@ class Pooled:
 def pool(results: Results, sides: Sequence[Side]) -> Pooled:
     """Pool the sides over the stays in all test sequences.
 
-    Raises NotComputable, with the reasons, if a result was not measured or has no stays, or if no stay shows
-    a side's place.
+    Raises NotComputable, which gives the reasons, if a result was not measured or has no stays, or if no stay
+    shows a side's place.
     """
     used = computable(results, sides)
     names = list(dict.fromkeys(name for side in used for name in side.results))
@@ -155,7 +155,7 @@ def _by_stay(results: Results, name: str) -> Measured:
 
 
 def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray[np.int64]:
-    """Count the correctly classified frames for each seed and stay, (seeds, stays)."""
+    """Return the (seeds, stays) numbers of correctly classified frames."""
     right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
     right = right[:, [one.homes.index(stay) for stay in stays]]
     return with_seeds(one, right, seeds)

@@ -1,4 +1,4 @@
-"""Look up numbers in the thesis by their location."""
+"""Look up numbers by their location in the thesis."""
 
 import re
 from collections.abc import Mapping
@@ -20,21 +20,22 @@ _TRIAL = re.compile(r"trials/table_(\d+)/(.*)\|(.*)\|(.*)")
 class Published:
     """All numbers in the thesis.
 
-    `tables` has the columns table (int), group, row, column (all text) and value, which is NaN for an n/a.
-    `text` has the numbers outside the tables, with the columns name, section, quantity, home (all text) and
-    value.
+    `tables` has the columns table (int), group, row, column (all strings) and value, which is NaN for "n/a".
+    `text` contains the numbers outside the tables. Its columns are name, section, quantity, home (all
+    strings) and value.
     """
 
     tables: pd.DataFrame
     text: pd.DataFrame
 
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
-        """Look up one number; it is NaN if the thesis has an n/a or only words.
+        """Look up one number, which is NaN where the thesis says "n/a" or uses only words.
 
-        `reference` has three forms. ``{table, group, row, column}`` has the published labels of the axes that
-        the table has. ``{text, quantity, home}`` names a number in the text; quantity and home are needed
-        only if the name has several numbers. ``{result}`` is as for :meth:`of_trial`, which also explains
-        `home`. Raises PlacecatError if the thesis has no such number, or several.
+        `reference` takes one of three forms. ``{table, group, row, column}`` contains the published labels,
+        without the axes that the table lacks. ``{text, quantity, home}`` names a number in the text;
+        quantity and home are needed only if there are several numbers of that name. For ``{result}``, see
+        :meth:`of_trial`, which also explains `home`. Raises PlacecatError if the thesis has no such number,
+        or more than one.
         """
         if "result" in reference:
             return self.of_trial(reference["result"], home)
@@ -51,10 +52,10 @@ class Published:
         return self._only(found, reference)
 
     def of_trial(self, result: str, home: str = AVERAGE) -> float:
-        """Return the published number of a result that is a cell of a table, or NaN for any other result.
+        """Return the published number of a result that is a table cell, or NaN for any other result.
 
-        An example is ``trials/table_12/HOG + y-Pos||196``, whose empty label stands for the axis of homes.
-        `home` is the published label of a home on this axis. It is ignored if the table has a single home.
+        An example is ``trials/table_12/HOG + y-Pos||196``, in which the empty label stands for the axis of
+        homes. `home` is a home's published label on this axis. It is ignored if the table has a single home.
         """
         match = _TRIAL.fullmatch(result)
         if match is None:
@@ -70,10 +71,10 @@ class Published:
             found = [(own, value) for own, value in found if home in [own[axis] for axis in empty]]
         return self._only([value for _, value in found], result)
 
-    # These are plain containers, because a search in pandas takes a hundred times as long.
+    # These are plain containers, because searching with pandas takes a hundred times as long.
     @cached_property
     def _cells(self) -> dict[int, list[tuple[tuple[str, ...], float]]]:
-        """The labels and value of each cell, by table number."""
+        """Each cell's labels and value, by table number."""
         cells: dict[int, list[tuple[tuple[str, ...], float]]] = {}
         columns = self.tables[["table", *AXES, "value"]]
         for table, *labels, value in columns.itertuples(index=False, name=None):
@@ -99,7 +100,7 @@ class Published:
 
 
 def read_published() -> Published:
-    """Read all numbers of the thesis from data/thesis; raises PlacecatError if a file is damaged."""
+    """Read all of the thesis's numbers from data/thesis; raise PlacecatError if a file is damaged."""
     return Published(
         files.read_table(paths.PUBLISHED, AXES),
         files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"]),

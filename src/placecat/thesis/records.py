@@ -1,4 +1,4 @@
-"""Read numbers from records: speeds stored in git, and facts that stages store with their results."""
+"""Read numbers from records: speeds kept in git, and facts that stages save with their results."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -16,7 +16,7 @@ from placecat.thesis.comparison import Line
 from placecat.thesis.number import Number, Origin, nothing
 from placecat.training import fold_file, protocol
 
-# Prefix of the name of a record in an origin.
+# The prefix that marks a record's name in an origin.
 RECORD = "record/"
 PICKS = {"lowest": np.min, "highest": np.max}
 _VALUE = ["quantity", "column", "where", "pick", "digits"]
@@ -25,12 +25,12 @@ _VALUE = ["quantity", "column", "where", "pick", "digits"]
 def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
     """Read an entry's numbers from a table.
 
-    `records` maps names to tables, which are empty if nothing was recorded. `entry` has ``record``, the name
-    of the table, and ``values``. Each value has ``quantity`` (its name), ``column``, and ``where``, which
-    maps columns to the values that select rows. If several rows match, ``pick`` selects the "lowest" or the
-    "highest" value. ``digits`` is the number of digits after the decimal point, 2 by default. Raises
-    PlacecatError for an unknown setting, table or column, or for several rows without ``pick``; the message
-    contains `where`, the name of the entry.
+    `records` maps names to tables, which are empty if nothing was recorded. `entry` has ``record``, the
+    table's name, and ``values``. Each value has ``quantity`` (its name), ``column``, and ``where``, which
+    maps columns to the values that select rows. If several rows match, ``pick`` says whether to use the
+    "lowest" or the "highest" value. ``digits`` is the number of digits after the decimal point (2 by
+    default). Raises PlacecatError if a setting, table or column is unknown, or if several rows match and
+    ``pick`` is missing; the message contains `where`, the entry's name.
     """
     settings.refuse_unknown(entry, ["record", "values"], where)
     if entry["record"] not in records:
@@ -67,12 +67,12 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
 
 
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
-    """Read the tables for numbers in the text that are not from results; return them by name.
+    """Read the tables behind those numbers in the text that do not come from results; return them by name.
 
-    ``benchmarks`` and ``scale`` are in git. ``nu`` has one row per nu-SVM result, test home and seed. Its
-    columns are result, home, the requested nu (asked), and the lowest and highest nu that the binary SVMs
+    ``benchmarks`` and ``scale`` are kept in git. ``nu`` has one row per nu-SVM result, test home and seed.
+    Its columns are result, home, the requested nu (asked), and the lowest and highest nu that the binary SVMs
     used. ``rejected`` has one row per labelled frame that a filter rejects, with the columns filter, home and
-    information. Missing tables have no rows.
+    information. A missing table has no rows.
     """
     kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
     found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}
@@ -82,7 +82,7 @@ def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
 
 
 def trials_of(params: Mapping[str, Any]) -> dict[str, Trial]:
-    """Return every trial of every study, by name."""
+    """Return the trials of all studies, by name."""
     homes = list(settings.get(params, "dataset.homes"))
     return {
         trial.name: trial
@@ -119,7 +119,7 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:
-    """Return the requested nu in a classifier's settings, or None if it is not a nu-SVM."""
+    """Return the nu requested in a classifier's settings, or None if the classifier is not a nu-SVM."""
     base = classifier.get("base", {})
     return float(base["nu"]) if base.get("name") == "nu_svm" else None
 

@@ -1,4 +1,4 @@
-"""Rules that turn the words of a claim, such as "better" or "about", into ranges."""
+"""Rules that translate a claim's words, such as "better" or "about", into ranges."""
 
 from dataclasses import dataclass
 
@@ -26,12 +26,12 @@ class Rules:
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
     """Return the range that a claim allows for a difference; None for ``both_signs``, which ignores the mean.
 
-    ``better`` means above 0, and ``worse`` means below 0. ``about`` means within a tolerance of the published
+    ``better`` means above 0, and ``worse`` below 0. ``about`` means within a tolerance of the published
     difference. ``little`` means closer to 0 than the margin, and ``no_better`` means below the margin.
-    ``within`` takes a number and means closer to 0 than this number. ``above`` also takes a number and means
-    that the left side minus this number is above 0. ``both_signs`` means that neither noticeably negative nor
-    noticeably positive cases are rare. Raises PlacecatError for an unknown kind, a missing or superfluous
-    number, or ``about`` without a published difference.
+    ``within`` takes a number, and means closer to 0 than that number. ``above`` also takes a number, and
+    means that the left side exceeds it; the range is that of their difference. ``both_signs`` means that
+    neither noticeable losses nor noticeable gains are rare. Raises PlacecatError if the kind is unknown, if a
+    number is missing or unexpected, or if ``about`` has no published difference.
     """
     name, number = kind
     known = {

@@ -18,16 +18,16 @@ from placecat.thesis.number import Number, nothing
 ADDITION = "Addition"
 COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
 
-# The table, group, row and column of a published cell.
+# A published cell's table, group, row and column.
 PublishedKey = tuple[int, str, str, str]
 
 
 def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Return all tables of a run by name, e.g. ``table_12``: first those of the thesis, then the additions.
+    """Return all of a run's tables by name, e.g. ``table_12``: first those of the thesis, then the additions.
 
-    Each table is its definition (:mod:`placecat.thesis.definitions`) plus ``name``. Trials without a layout
-    are not shown as tables (see :mod:`placecat.thesis.in_text`). `params` are all settings, and `root` is the
-    project's folder.
+    Each table is its definition (see :mod:`placecat.thesis.definitions`) plus its ``name``. Trials without a
+    layout are not shown as tables (see :mod:`placecat.thesis.in_text`). `params` contains all settings, and
+    `root` is the project folder.
     """
     found = definitions.tables(params, root)
     for study in definitions.studies(params, root).values():
@@ -39,13 +39,13 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
 def folder_of(table: Mapping[str, Any]) -> Path:
     """Return a table's folder.
 
-    Tables with `needs` have a separate folder, which other runs leave unchanged.
+    Tables with `needs` are kept in a separate folder, so that other runs leave them unchanged.
     """
     return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
 
 
 def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the data of a table: the main data set, the test sequences of its split, or other data."""
+    """Return a table's data set: the main one, its split's (with the test sequences as homes), or another."""
     if "data" in table:
         return settings.get(params, "dataset") | {"title": table["data"], "thesis_data": None}
     if "split" not in table:
@@ -60,7 +60,7 @@ def label(table: Mapping[str, Any]) -> str:
 
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
-    """Map cells to the `notes` on contradictions within the thesis (data/thesis/contradictions.csv)."""
+    """Map cells to `notes` about contradictions in the thesis (from data/thesis/contradictions.csv)."""
     rows = notes[["table", *AXES, "note"]].itertuples(index=False, name=None)
     return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
@@ -71,7 +71,7 @@ def in_percent(table: Mapping[str, Any]) -> bool:
 
 
 def read(params: Mapping[str, Any]) -> Iterator[tuple[dict[str, Any], pd.DataFrame, dict[str, Any]]]:
-    """Yield each table's definition, its cells and notes (as the `tables` stage wrote them), and its data."""
+    """Yield each table's definition, its cells and notes (from the `tables` stage), and its data set."""
     noted = files.read_table(paths.NOTES, COLUMNS_OF_NOTES)
     for name, table in tables_of(params).items():
         cells = files.read_table(folder_of(table) / f"{name}.csv", [*AXES, "note"])
@@ -79,7 +79,7 @@ def read(params: Mapping[str, Any]) -> Iterator[tuple[dict[str, Any], pd.DataFra
 
 
 def fill(table: Mapping[str, Any], results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
-    """Fill one table of :func:`tables_of` with :func:`fill_table`, using the files in data/thesis.
+    """Fill one of the tables from :func:`tables_of`, using :func:`fill_table` and the files in data/thesis.
 
     Raises PlacecatError if one of these files is damaged.
     """
@@ -98,17 +98,16 @@ def fill_table(
     """Fill one table.
 
     Returns a DataFrame with the columns table (its number, or "Addition"), group, row, column, published,
-    measured, spread, seeds and note. Two further columns are ``notes``, the parts of the note by kind, and
+    measured, spread, seeds and note. Two more columns are ``notes``, the parts of the note by kind, and
     ``number``, the :class:`~placecat.thesis.number.Number` behind the measured columns. The published cells
-    come first, in their order, followed by this run's additional cells. ``measured`` is in percent (see
-    :func:`in_percent`); if it is NaN, a note says why. Raises PlacecatError for a result that the run does
-    not have.
+    come first, in their original order, followed by this run's additional cells. ``measured`` is in percent
+    (see :func:`in_percent`); if it is NaN, a note says why. Raises PlacecatError if the run lacks a result.
 
-    `table` is a table of :func:`tables_of`. `published` has all published cells, with the columns table,
-    group, row, column and value; an empty value is an n/a. `dataset` is the table's data
-    (:func:`dataset_of`), with ``homes``, ``classes``, ``title`` and ``thesis_data``. The note of each
-    measured cell contains the title. If ``thesis_data`` differs from the table's, the note of each cell with
-    a published and a measured number says that they are not comparable. `contradictions` is from
+    `table` is one of the tables from :func:`tables_of`. `published` contains all published cells, with the
+    columns table, group, row, column and value, which is empty for "n/a". `dataset` is the table's data set
+    (see :func:`dataset_of`), with ``homes``, ``classes``, ``title`` and ``thesis_data``. Each measured cell
+    has a note with the title. If ``thesis_data`` differs from the table's, each cell with both a published
+    and a measured number has a note that they are not comparable. `contradictions` comes from
     :func:`contradictions_of`.
     """
     number = table["number"]
@@ -136,7 +135,7 @@ def number_columns(
     entry: Mapping[str, Any],
     dataset: Mapping[str, Any],
 ) -> tuple[Any, ...]:
-    """Return a number's columns from ``published`` on.
+    """Return a number's columns, from ``published`` onwards.
 
     `entry` defines the number, which was measured on `dataset`.
     """
@@ -158,7 +157,7 @@ def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
 
 
 def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:
-    """Return why the layout does not show a published cell, for example because the data has fewer homes."""
+    """Return why the layout omits a published cell, for example because the data set has fewer homes."""
     _, row, column = key
     homes = len(dataset["homes"])
     if any(name.startswith("Home ") and int(name.removeprefix("Home ")) > homes for name in (row, column)):

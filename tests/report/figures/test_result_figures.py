@@ -245,7 +245,7 @@ def test_reliability_diagrams_need_results_and_labels():
         figures.draw("figure_reliability", Run(figure_reliability={"panels": {"Nothing": "nothing"}}))
     run = Run()
     run.labels = lambda home: np.full(FRAMES, -1)
-    with pytest.raises(PlacecatError, match="no frame that cues/gist/5-5-1 was tested on has a label"):
+    with pytest.raises(PlacecatError, match="none of the frames on which cues/gist/5-5-1 was tested"):
         figures.draw("figure_reliability", run)
 
 

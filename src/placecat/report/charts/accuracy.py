@@ -18,12 +18,12 @@ _HOME = r"Home \d+"
 def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figure | None:
     """Draw a filled table's averages (see `bars_of`); return None if there are none.
 
-    `published` says whether to draw the published numbers, too. They must be from the same data.
+    `published` says whether to draw the published numbers as well; they must come from the same data.
     """
     bars = bars_of(cells)
     if not bars:
         return None
-    # Each bar and each section name takes up one line.
+    # Each bar takes up one line, and so does each section name.
     places: list[int] = []
     headings: dict[int, str] = {}
     section = ""
@@ -53,7 +53,7 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
     for place, heading in headings.items():
         axes.text(0.006, place, heading, fontweight="bold", bbox=clear, **text)
     axes.set_ylim(lines - 0.4, -0.6)
-    # A few tables have gains, which may be negative.
+    # A few tables contain gains, which can be negative.
     axes.set_xlim(min(0.0, np.floor(min(shown) / 10) * 10), min(100.0, np.ceil(max(shown) / 10 + 0.01) * 10))
     axes.set_xlabel("accuracy in percent, mean over places")
     axes.xaxis.grid(True)
@@ -68,7 +68,7 @@ class Bar:
     """One bar of the chart, with numbers in percent.
 
     `section` is the name of its group ("" if there is none), and `label` is its own name. `measured` is the
-    mean of `points`, the numbers in the table. `published` is NaN if it is missing.
+    mean of `points`, which are numbers from the table. `published` is NaN if missing.
     """
 
     section: str
@@ -81,9 +81,8 @@ class Bar:
 def bars_of(cells: pd.DataFrame) -> list[Bar]:
     """Turn a filled table's averages into bars.
 
-    The bars show the averages over homes or, if there are none, the averages over places. A table without
-    averages gets one bar per cell. Bars are in the order of the table. Cells that were not measured have no
-    bar.
+    The bars show averages over homes or, if there are none, averages over places. A table without averages
+    gets one bar per cell. The bars are in table order. Cells that were not measured get no bar.
     """
     axis = _averaged(cells)
     if axis is None:
@@ -95,7 +94,7 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
     bars = []
     for (section, label), part in named.groupby(["section", "label"], sort=False):
         whole = part if axis is None else part[part[axis] == AVERAGE]
-        # A single home has no average.
+        # A table with a single home has no average.
         whole = part if whole.empty else whole
         if len(whole) != 1 or not np.isfinite(whole["measured"].iloc[0]):
             continue
@@ -112,7 +111,7 @@ def point_name(cells: pd.DataFrame) -> str:
 
 
 def _averaged(cells: pd.DataFrame) -> str | None:
-    """Return the axis ("row" or "column") over which a table has averages, or None."""
+    """Return the axis ("row" or "column") over which a table is averaged, or None if it is not."""
     for axis in ("row", "column"):
         if cells[axis].str.fullmatch(_HOME).any():
             return axis

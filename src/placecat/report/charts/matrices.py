@@ -1,6 +1,6 @@
-"""Pictures of confusion matrices: one row of a table, with numbers, or a complete table, with colours only.
+"""Draw confusion matrices as pictures: one table row with numbers, or a whole table in colours only.
 
-They are painted with NumPy, because Matplotlib takes ten times as long.
+The pictures are made with NumPy, because Matplotlib takes ten times as long.
 """
 
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ from placecat.results.measured import Measured
 _MAP = "Blues"
 # Cell size, gap between matrices, margin, and text sizes, in pixels.
 _CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
-# Cell size in pixels for a complete table, where cells have no numbers.
+# Cell size in pixels in the picture of a whole table, which shows no numbers.
 _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
 # Cells above this percentage are dark, so their numbers are white.
@@ -34,10 +34,10 @@ _SHEET = (
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
-    """Write a PNG with captioned matrices of the same places side by side.
+    """Write a PNG that shows captioned matrices of the same places side by side.
 
-    Each number is the percentage of frames of the row's true place that were classified as the column's
-    place, over all homes and seeds. Equal matrices produce identical files.
+    Each number is the percentage of the frames of the row's true place that were classified as the column's
+    place, over all homes and seeds. Identical matrices produce identical files.
     """
     names = [place_title(place) for place in next(iter(matrices.values())).classes]
     side = _CELL * len(names)
@@ -64,10 +64,10 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 
 
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
-    """Write a PNG with all matrices of a table: one line per row, with a matrix for each column or home.
+    """Write a PNG with all matrices of a table: one line per row, and one matrix per column or home.
 
-    `rows` are from :func:`placecat.thesis.decisions.decisions_of`. Without rows, the function writes no
-    picture and returns False.
+    `rows` comes from :func:`placecat.thesis.decisions.decisions_of`. If there are no rows, the function
+    writes nothing and returns False.
     """
     lines = {" / ".join(filter(None, labels)): _blocks(of_row) for labels, of_row in rows.items() if of_row}
     if not lines:
@@ -106,7 +106,7 @@ def _blocks(of_row: Mapping[str, Measured]) -> dict[str, NDArray[np.float64]]:
 
 
 def _paper(height: int, width: int, title: str, caption: str) -> NDArray[np.uint8]:
-    # White needs only a single fill value. Filling the picture with a colour would take 90 times as long.
+    # White is a single fill value; filling with a colour, which has three, takes 90 times as long.
     picture = np.full((height, width, 3), _PAPER[0], np.uint8)
     write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
     write(picture, caption, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)
@@ -119,7 +119,7 @@ def _save(picture: NDArray[np.uint8], target: Path) -> None:
 
 
 def _colors(percent: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Return (n, n, 3) uint8 BGR colours. NaN, which marks a place without frames, becomes white."""
+    """Return (n, n, 3) uint8 BGR colours; NaN, which marks a place with no frames, becomes white."""
     colors = colormaps[_MAP](percent / 100.0, bytes=True)[:, :, 2::-1].copy()
     colors[np.isnan(percent)] = _PAPER
     return colors
@@ -142,7 +142,7 @@ def _width(text: str, size: int = _TEXT, *, bold: bool = False) -> int:
 
 
 def _slanted(text: str) -> NDArray[np.float32]:
-    """Return how much of each pixel is covered by a line of text that rises at 45 degrees."""
+    """Draw a line of text at 45 degrees, and return how much of each pixel it covers."""
     cover = mask(text, _TEXT)
     height, width = cover.shape
     size = int(np.ceil((height + width) / np.sqrt(2)))

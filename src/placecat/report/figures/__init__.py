@@ -1,8 +1,9 @@
-"""The figures of the thesis and additional ones, drawn from a run.
+"""The thesis's figures and additional ones, drawn from a run.
 
-Each module with figures has a mapping `FIGURES` from figure names to captions and functions. A figure of the
-thesis is named ``figure_NN``, and an additional one ``figure_NAME``. A function takes the run and the
-settings ``figures.<name>``. It returns the figure, or raises PlacecatError if the run lacks the data for it.
+Each module that draws figures has a dict `FIGURES`, which maps the name of each figure to its caption and
+function. A figure of the thesis is named ``figure_NN``, and an additional one ``figure_NAME``. The function
+takes the run and the settings ``figures.<name>``. It returns the figure, or raises PlacecatError if the run
+lacks the data for it.
 """
 
 import importlib
@@ -23,7 +24,7 @@ _WITHOUT_EFFECT = ("compute", "reproducibility")
 
 
 def names() -> list[str]:
-    """Return the names of the figures: those of the thesis in order, then the additional ones."""
+    """Return the names of all figures: first those of the thesis, in order, then the additional ones."""
     return sorted(_all())
 
 
@@ -39,7 +40,7 @@ def caption(name: str) -> str:
 
 
 def draw(name: str, run: Run) -> Figure:
-    """Draw a figure by its name (see `names`).
+    """Draw the figure with a given name (see `names`).
 
     Raises PlacecatError if there is no such figure, or if the run lacks the data for it.
     """
@@ -54,8 +55,8 @@ def draw(name: str, run: Run) -> Figure:
 def render(name: str, run: Run, target: Path) -> None:
     """Draw one figure (see `draw`) in the project's style and write it to a PNG.
 
-    Also writes a PDF with the same name, whose properties contain the settings used for the figure. If
-    drawing fails, nothing is written.
+    Also writes a PDF of the same name, with the figure's settings in its document properties. If drawing
+    fails, nothing is written.
     """
     with house_style():
         figure = draw(name, run)
@@ -64,7 +65,7 @@ def render(name: str, run: Run, target: Path) -> None:
 
 
 def _made_by(name: str, run: Run) -> str:
-    """List the settings that may affect a figure: its own, then all others except those of other figures."""
+    """List the settings that may affect a figure: its own, then all but those of other figures."""
     of_all = {key: value for key, value in run.params.items() if key not in _WITHOUT_EFFECT}
     flat = settings.flatten(of_all | {"figures": {"example": run.options("example")}})
     own = settings.flatten(run.options(name), f"figures.{name}.")

@@ -1,4 +1,4 @@
-"""Thesis 3.1.1, Figures 2 to 7: how the salient regions of the example frame are computed."""
+"""Thesis 3.1.1, Figures 2 to 7: how salient regions are found in the example frame."""
 
 from collections.abc import Sequence
 
@@ -23,7 +23,7 @@ NAMES = {
 
 
 def draw_example(run: Run) -> Figure:
-    """Draw the frame whose saliency the other figures explain step by step."""
+    """Draw the frame whose saliency map the other figures derive step by step."""
     home, index = run.example
     place = run.labels(home)[index]
     named = palette.place_title(run.classes[place]) if place >= 0 else "no label"
@@ -35,7 +35,7 @@ def draw_example(run: Run) -> Figure:
 
 
 def draw_intensity(run: Run) -> Figure:
-    """Draw the intensity channel: feature maps at every scale, their sums, and the conspicuity map."""
+    """Draw the intensity channel: the feature maps at every scale, their sums, and the conspicuity map."""
     # Inches.
     small_width, large_width, gap, margin, above, arrow = 0.87, 1.24, 0.06, 0.42, 0.34, 0.62
     home, index = run.example
@@ -75,10 +75,10 @@ def draw_intensity(run: Run) -> Figure:
 
 
 def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]) -> Figure:
-    """Draw one channel: feature maps of its four sub-channels, added across scales, and the conspicuity map.
+    """Draw one channel: the feature maps of its four sub-channels, and the conspicuity map.
 
-    The conspicuity map is the weighted sum of the feature maps, and `symbol` is its symbol, e.g. "C".
-    `subchannels` are the names of the sub-channels in order.
+    The feature maps are summed across scales. The conspicuity map is their weighted sum, and `symbol` is its
+    symbol, e.g. "C". `subchannels` lists the names of the sub-channels in order.
     """
     # Inches.
     width, gap, arrow, head = 1.55, 0.14, 0.95, 0.2
@@ -174,30 +174,30 @@ FIGURES = {
         draw_example,
     ),
     "figure_03": (
-        "The intensity channel on the example frame: the feature maps I'' of bright and of dark spots at "
-        "every scale, for both neighbourhoods of the centre; their sums I' across scales and neighbourhoods; "
-        "and the conspicuity map I, which adds these with the weights 1/√m. Dark means strong; the strongest "
-        "half percent of every map is black.",
+        "The intensity channel of the example frame: the feature maps I'' of bright and dark spots at every "
+        "scale, for both sizes of neighbourhood; their sums I' across scales and neighbourhoods; and the "
+        "conspicuity map I, which is the sum of these weighted by 1/√m. Darker means stronger; the strongest "
+        "half percent of each map is black.",
         draw_intensity,
     ),
     "figure_04": (
-        "The colour channel on the example frame: the feature maps C' of red, green, blue and yellow, added "
-        "across scales and neighbourhoods, and the conspicuity map C, which adds these with the weights 1/√m."
-        " Dark means strong; the strongest half percent of every map is black.",
+        "The colour channel of the example frame: the feature maps C' of red, green, blue and yellow, summed "
+        "across scales and neighbourhoods, and the conspicuity map C, which is the sum of these weighted by "
+        "1/√m. Darker means stronger; the strongest half percent of each map is black.",
         lambda run: draw_channel(run, "color", "C", ("red", "green", "blue", "yellow")),
     ),
     "figure_05": (
-        "The orientation channel on the example frame: the feature maps O' at 0°, 45°, 90° and 135° (the "
-        "direction of the Gabor filter's wave: 0° responds to vertical edges), added across scales, "
-        "and the conspicuity map O, which adds these with the weights 1/√m. Dark means strong; the strongest "
-        "half percent of every map is black.",
+        "The orientation channel of the example frame: the feature maps O' at 0°, 45°, 90° and 135° (the "
+        "direction of the Gabor filter's wave: 0° responds to vertical edges), summed across scales, "
+        "and the conspicuity map O, which is the sum of these weighted by 1/√m. Darker means stronger; the "
+        "strongest half percent of each map is black.",
         lambda run: draw_channel(run, "orientation", "O", [f"{angle:.0f}°" for angle in ANGLES]),
     ),
     "figure_06": (
         "The saliency map S of the example frame is the sum of the conspicuity maps of intensity, colour, "
-        "orientation and spectral residual with the weights 1/√m, where m is the number of a map's local "
-        "maxima above their median. The range of values is below each map. Dark means strong; the strongest "
-        "half percent of every map is black.",
+        "orientation and spectral residual, weighted by 1/√m, where m is the number of a map's local maxima "
+        "above their median. Each map's range of values is shown below it. Darker means stronger; the "
+        "strongest half percent of each map is black.",
         draw_saliency,
     ),
     "figure_07": (

@@ -26,10 +26,10 @@ COLUMNS, PATCH, GAP, LEFT = 10, 0.62, 0.07, 0.06
 class Cluster:
     """One cluster of salient regions.
 
-    `total` is the number of regions in all clusters, and `shares` are the (classes,) shares of the places in
-    this cluster. The other attributes have one entry per region: `labels` is the place that its frame shows,
-    `distance` is its distance from the cluster's centre, and `home` and `frame` say where it comes from.
-    `patches` are the squares around the regions, (n, PIXELS, PIXELS, 3) uint8 BGR.
+    `total` is the number of regions in all clusters, and `shares` contains the (classes,) shares of the
+    places in this cluster. The other attributes have one entry per region: `labels` is the place shown in its
+    frame, `distance` is its distance from the cluster's centre, and `home` and `frame` say where it comes
+    from. `patches` contains the squares around the regions, (n, PIXELS, PIXELS, 3) uint8 BGR.
     """
 
     total: int
@@ -41,24 +41,24 @@ class Cluster:
     patches: NDArray[np.uint8]
 
     def contrast(self) -> NDArray[np.float64]:
-        """Return the standard deviation of each patch's grey levels, (n,)."""
+        """Return the (n,) standard deviations of the patches' grey levels."""
         return np.array([cv2.cvtColor(patch, cv2.COLOR_BGR2GRAY).std() for patch in self.patches])
 
 
 def draw_cluster(
     run: Run, rank: int, by_contrast: bool, *, cue: str, home: Count, patches: Count, apart: Index
 ) -> Figure:
-    """Draw patches from the cluster with a given rank, using the settings in ``figures.clusters``.
+    """Draw patches from the cluster of a given rank, using the settings in ``figures.clusters``.
 
     Ranks run from 1 (the largest cluster) to `SHOWN`. With `by_contrast`, there are two random samples: one
-    from the third of the patches with the most contrast, and one from the third with the least. Otherwise,
-    there is one random sample from all patches.
+    from the third of the patches with the highest contrast, and one from the third with the lowest.
+    Otherwise, there is one random sample from all patches.
     """
     test = home_of(run, home)
     largest = _largest(run, cue, test)
     if len(largest) < rank:
         raise PlacecatError(
-            f"the training regions for {test} fill only {len(largest)} clusters: use another cue"
+            f"the training regions for {test} form only {len(largest)} clusters: use another cue"
         )
     cluster = largest[rank - 1]
     rng = np.random.default_rng(seeds.derive("figures", "clusters", rank))
@@ -68,8 +68,8 @@ def draw_cluster(
         rank_of = np.argsort(np.argsort(cluster.contrast(), kind="stable"))[mixed]
         third = len(mixed) / 3
         blocks += [
-            ("random sample of the third with the most contrast", mixed[rank_of >= 2 * third]),
-            ("random sample of the third with the least contrast", mixed[rank_of < third]),
+            ("random sample from the third with the highest contrast", mixed[rank_of >= 2 * third]),
+            ("random sample from the third with the lowest contrast", mixed[rank_of < third]),
         ]
     else:
         blocks += [("random sample", mixed)]
@@ -80,10 +80,10 @@ def draw_cluster(
 def spread(
     order: NDArray[np.integer], home: NDArray[np.int64], frame: NDArray[np.int64], count: int, apart: int
 ) -> list[int]:
-    """Take the first `count` regions in order, but skip any from the same moment as a region already taken.
+    """Take the first `count` regions in order, but skip any from the same moment as one already taken.
 
-    `order` has indices into `home` and `frame`. Two frames of a home belong to the same moment if they are
-    less than `apart` frames from each other.
+    `order` contains indices into `home` and `frame`. Two frames of a home are from the same moment if they
+    are fewer than `apart` frames apart.
     """
     taken: list[int] = []
     for one in order.tolist():
@@ -99,7 +99,7 @@ def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[
     """Cut the square around a salient region out of a frame.
 
     `region` is (4,): x, y, scale and saliency. `frame` is (H, W, 3) uint8 BGR, and the square is (PIXELS,
-    PIXELS, 3) uint8 BGR. Beyond the border of the frame, its outermost pixels are repeated.
+    PIXELS, 3) uint8 BGR. If it extends beyond the frame, the frame's border pixels are repeated.
     """
     x, y, scale = (float(value) for value in region[:3])
     side = max(2, round(2 * float(radius(scale, frame.shape[1]))))
@@ -108,7 +108,7 @@ def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[
     return np.asarray(cv2.resize(square, (PIXELS, PIXELS), interpolation=how), np.uint8)
 
 
-# Three figures share one pass over the videos.
+# Cached so that the three figures share a single pass over the videos.
 @lru_cache(maxsize=1)
 def _largest(run: Run, cue: str, test_home: str) -> list[Cluster]:
     chosen = settings.get(run.params, f"cues.{cue}")
@@ -175,22 +175,22 @@ def _sheet(
 FIGURES = {
     "figure_12": (
         "Salient regions in the largest cluster of the localized HOG descriptor, from the training frames of "
-        "one fold. The colour of a patch's edge shows the place of its frame. The bar shows the places of "
+        "one fold. The colour of a patch's edge shows the place in its frame. The bar shows the places of "
         "all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) and (c) "
-        "random samples of the third of the patches with the most and with the least contrast (standard "
+        "random samples from the thirds of the patches with the highest and the lowest contrast (standard "
         "deviation of the grey levels).",
         lambda run: draw_cluster(run, 1, True, **run.options("clusters")),
     ),
     "figure_13": (
         "Salient regions in the second largest cluster of the localized HOG descriptor, from the training "
-        "frames of one fold. The colour of a patch's edge shows the place of its frame. The bar shows the "
+        "frames of one fold. The colour of a patch's edge shows the place in its frame. The bar shows the "
         "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",
         lambda run: draw_cluster(run, 2, False, **run.options("clusters")),
     ),
     "figure_14": (
         "Salient regions in the third largest cluster of the localized HOG descriptor, from the training "
-        "frames of one fold. The colour of a patch's edge shows the place of its frame. The bar shows the "
+        "frames of one fold. The colour of a patch's edge shows the place in its frame. The bar shows the "
         "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",
         lambda run: draw_cluster(run, 3, False, **run.options("clusters")),

@@ -23,15 +23,15 @@ from placecat.report.run import Run, home_of
 from placecat.vision.regions import radius
 
 TITLE = (
-    "The modified nearest-neighbour classifier with K = 1. Dots are the descriptors of training regions in "
-    "the plane of the first two principal components, coloured by cluster. Each pie shows a cluster's class "
-    "frequencies. Each region of a query frame (black diamond) takes the class frequencies of the cluster "
-    "whose centre is nearest in all dimensions. The product of these frequencies is divided by the class "
-    "frequencies of all training regions, as in equation (2). Bars are in percent."
+    "The modified nearest-neighbour classifier with K = 1. The dots are the descriptors of training regions, "
+    "projected onto the first two principal components and coloured by cluster. Each pie shows a cluster's "
+    "class frequencies. Each region of a query frame (black diamond) takes the class frequencies of the "
+    "cluster whose centre is nearest in the full descriptor space. The product of these frequencies is "
+    "divided by the class frequencies of all training regions, as in equation (2). Bars are in percent."
 )
 PLANE, RIGHT, GAP, PIE, ROW = 4.1, 2.75, 0.25, 0.13, 0.27
 LABEL_GAP = 0.025
-# Text style of the numbers that label regions.
+# Text style of the region numbers.
 NUMBER: dict[str, Any] = {
     "fontsize": 8,
     "fontweight": "bold",
@@ -41,10 +41,10 @@ NUMBER: dict[str, Any] = {
 
 @dataclass(frozen=True)
 class Query:
-    """A frame of the test home, with its index in the home.
+    """A frame of the test home, and its index in the home.
 
-    `x` has the (n, D) descriptors of its regions, and `clusters` the (n,) clusters nearest to them. `proba`
-    is the (classes,) distribution computed from all of its regions.
+    `x` contains the (n, D) descriptors of its regions, and `clusters` the (n,) nearest clusters. `proba` is
+    the (classes,) distribution computed from all its regions.
     """
 
     index: int
@@ -69,7 +69,7 @@ def draw(
     test = home_of(run, home)
     train = run.training_regions(codebook, test)
     tree = run.codebook(codebook, test).trees[0]
-    # The figure in the thesis uses equation (2) as printed.
+    # The thesis's figure uses equation (2) as printed.
     model = ModifiedKNN(n_clusters=clusters, codebook=tree, class_weighting="once")
     model.fit(train.x, train.labels)
     # Use one thread, because the last bits of a sum depend on the number of threads.
@@ -92,7 +92,7 @@ def draw(
     draw_regions(view, found, picture.shape[1], ["black"] * len(found))
     middle = np.array([picture.shape[1], picture.shape[0]]) / 2
     for number, (x, y, scale, _) in enumerate(found.tolist(), 1):
-        # Put each number on the inner side of its circle, because the border cuts off some circles.
+        # Put each number on the side of its circle that faces the centre, because the border cuts off some.
         inward = (middle - (x, y)) / max(float(np.hypot(*(middle - (x, y)))), 1.0)
         apart = float(radius(scale, picture.shape[1])) + LABEL_GAP * picture.shape[1]
         at = np.array((x, y)) + inward * apart
@@ -110,12 +110,12 @@ def draw(
 def _query(
     run: Run, model: ModifiedKNN, pca: Any, codebook: str, home: str, frame: int | None, regions: int
 ) -> Query:
-    """Return the query for `frame` or, if that is None, for a frame that shows the principle well.
+    """Return the query for `frame` or, if that is None, for a frame that illustrates the principle well.
 
-    The chosen frame must have a label and enough regions. There are four preferences, and each outweighs all
-    later ones. First, the regions are in different clusters. Second, the decision is correct. Third, the
-    frame has at least the median information. Fourth, the clusters are also the nearest ones in the plane. If
-    several frames are equally good, the one with the largest probability is chosen.
+    Such a frame must have a label and enough regions. There are four preferences, each of which outweighs all
+    later ones. First, the regions fall into different clusters. Second, the decision is correct. Third, the
+    frame's information measure is at least the median. Fourth, the clusters are also the nearest ones in the
+    plane. Ties are broken in favour of the frame with the largest probability.
     """
     found = run.descriptors(home, codebook)
     assert found.counts is not None
@@ -189,7 +189,7 @@ def _draw_product(axes: Axes, model: ModifiedKNN, query: Query, classes: Sequenc
         for number, cluster in enumerate(query.clusters, 1)
     }
     rows |= {"÷ all regions": counts.sum(axis=0), "= the frame": query.proba}
-    # Places without training frames keep a share of 0.
+    # A place without training frames keeps a share of 0.
     shares = {name: np.zeros(len(classes)) for name in rows}
     for name, values in rows.items():
         shares[name][model.classes_] = values / values.sum()

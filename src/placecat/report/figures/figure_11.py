@@ -17,15 +17,16 @@ from placecat.report.run import Run, home_of
 
 TITLE = (
     "Probabilities of the places over time: after integration, and after the hidden Markov model without and "
-    "with its delay. In this window, the model removes the most changes in the decision (first seed). "
+    "with its delay. The window is the one in which the model removes the most decision changes (first "
+    "seed). "
     "The bar below each panel shows the decision; the bar at the top shows the true place."
 )
 
 # Line styles distinguish the places in black-and-white prints.
 LINES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (1, 2)), (0, (3, 3)))
-# Bottom and top of the bar that shows the decision, below the curves.
+# Bottom and top of the decision bar below the curves.
 BAR = (-0.22, -0.09)
-# A stretch shorter than this share of the window has no room for the name of its place.
+# A stretch shorter than this share of the window has no room for its place's name.
 NAMED = 0.12
 LUMINANCE = np.array([0.299, 0.587, 0.114])
 
@@ -44,11 +45,11 @@ def draw(
 def choose(
     run: Run, classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
 ) -> tuple[str, slice]:
-    """Choose the home and the frames in which smoothing removes the most changes in the decision.
+    """Choose the home and the frames in which smoothing removes the most decision changes.
 
-    `home` is the number of a home, from 1. None selects the best home (the first in a tie), or the first home
-    if `start` is set. `start` is the index of the first frame. None selects the best window, which contains
-    no cut. `frames` is the maximum length of the window, which never extends beyond the home.
+    `home` is a home's number, counted from 1. None selects the best home (the first if tied), or the first
+    home if `start` is set. `start` is the index of the first frame. None selects the best window that
+    contains no cut. `frames` is the maximum length of the window, which never extends beyond the home.
     """
     homes = run.source(classifier).homes if home is None else (home_of(run, home),)
     if start is not None:
@@ -72,18 +73,18 @@ def most_smoothed(
     *,
     frames: int,
 ) -> tuple[int, slice]:
-    """Find the first window in which smoothing removes the most changes in the decision.
+    """Find the first window in which smoothing removes the most decision changes.
 
     Returns the number of changes that smoothing removes (before minus after), and the window. A change counts
     only if both frames are labelled and there is no cut between them. `before` and `after` are (n, classes)
-    distributions on the same frames. `truth` has their (n,) class indices, -1 if unlabelled. `sequences` are
-    the stretches without a cut. A window has `frames` frames and lies within one stretch; a shorter stretch
-    is a window of its own.
+    distributions for the same frames. `truth` contains their (n,) class indices, -1 if unlabelled.
+    `sequences` lists the stretches without cuts. A window has `frames` frames and lies within one stretch; a
+    shorter stretch is a window of its own.
     """
     removed = changes(before, truth) - changes(after, truth)
     best: tuple[int, slice] | None = None
     for part in sequences:
-        # `removed[i]` belongs to the step from frame i to frame i + 1.
+        # `removed[i]` is for the step from frame i to frame i + 1.
         total = np.r_[0, np.cumsum(removed[part.start : part.stop - 1])]
         length = min(frames, part.stop - part.start)
         sums = total[length - 1 :] - total[: len(total) - length + 1]
@@ -94,7 +95,7 @@ def most_smoothed(
 
 
 def changes(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> NDArray[np.int64]:
-    """Return (n - 1,) numbers: 1 if the decision changes between two successive labelled frames, else 0."""
+    """Return an (n - 1,) array: 1 where the decision changes between two labelled frames, 0 elsewhere."""
     decision = proba.argmax(axis=1)
     labelled = truth >= 0
     return ((decision[1:] != decision[:-1]) & labelled[1:] & labelled[:-1]).astype(np.int64)
@@ -109,7 +110,7 @@ def figure(
 ) -> Figure:
     """Draw one panel per title in `outputs`, which maps titles to (frames, classes) distributions.
 
-    `truth` has the (frames,) true classes, -1 if unlabelled. `start` is the index of the first frame in its
+    `truth` contains the (frames,) true classes, -1 if unlabelled. `start` is the first frame's index in its
     home.
     """
     colors = list(palette.place_colors(classes).values())
@@ -150,7 +151,7 @@ def figure(
 def _bar(
     axes: Axes, places: NDArray[np.integer], start: int, span: tuple[float, float], colors: Sequence[str]
 ) -> None:
-    """Draw places over time as a bar in their colours; unlabelled frames stay white."""
+    """Draw the places over time as a bar in the places' colours; unlabelled frames stay white."""
     for part in stretches(places):
         if places[part.start] >= 0:
             axes.fill_between(

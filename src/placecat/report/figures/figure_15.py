@@ -1,4 +1,4 @@
-"""Thesis 4.5, Figure 15: confusions of places after integration and after smoothing."""
+"""Thesis 4.5, Figure 15: confusion matrices after integration and after smoothing."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -15,13 +15,13 @@ from placecat.ranges import Count
 from placecat.report.run import Run, home_of
 
 TITLE = (
-    "The confusion matrices of a home after integration and after smoothing, first seed. Each cell shows "
-    "the percentage of frames of the row's place that were classified as the column's place, with their "
-    "number below."
+    "A home's confusion matrices after integration and after smoothing, for the first seed. Each cell shows "
+    "the percentage of the frames of the row's place that were classified as the column's place, with the "
+    "number of frames below."
 )
 
 WIDTH = 6.5
-# Percentages of at least this value are written in white.
+# Percentages of at least this much are written in white.
 DARK = 55.0
 
 
@@ -44,7 +44,7 @@ def draw(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
 
 
 def matrix(axes: Axes, confusion: NDArray[np.int64], classes: Sequence[str]) -> None:
-    """Draw (classes, classes) counts with true places in rows; a place without frames has a row of dashes."""
+    """Draw (classes, classes) counts, one row per true place; a place without frames gets a row of dashes."""
     totals = confusion.sum(axis=1, keepdims=True)
     percent = 100.0 * confusion / np.maximum(totals, 1)
     axes.imshow(percent, cmap=palette.AMOUNT, vmin=0.0, vmax=100.0)

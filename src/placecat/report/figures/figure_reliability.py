@@ -15,21 +15,21 @@ from placecat.report.run import Run
 
 TITLE = (
     "Reliability diagrams: frames are sorted into bins by the probability of the decided place. Each point "
-    "is a bin; the more frames it has, the larger the point (bins with less than 0.5 % are not drawn). On "
-    "the dashed line, decisions are right as often as their probability says; below it they are "
-    "overconfident, above it underconfident. The bars below each diagram show each bin's share of the "
-    "frames. Places, test homes and seeds have equal weight. Log loss and calibration error (the mean gap) "
-    "are means over homes and seeds, from the additional table. The diagrams pool all homes and therefore "
-    "show a smaller error, because overconfidence in one home offsets underconfidence in another."
+    "is a bin; the more frames it contains, the larger the point (bins with less than 0.5 % of the frames "
+    "are not drawn). On the dashed line, decisions are correct as often as their probability predicts; below "
+    "it, they are overconfident, and above it, underconfident. The bars below each diagram show each bin's "
+    "share of the frames. Places, test homes and seeds have equal weight. Log loss and calibration error "
+    "(the mean gap) are means over homes and seeds, from the additional table. The diagrams pool all homes "
+    "and so show a smaller error, because overconfidence in one home offsets underconfidence in another."
 )
 
 COLUMNS = 3
 # Sizes in inches.
 WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
-# Bins with a smaller share of the frames are not drawn, because a few frames say little.
+# Bins with a smaller share of the frames are not drawn, because they contain too few frames to be meaningful.
 LEAST = 0.005
-# Marker areas in square points: the first for a bin with all frames, the second for the smallest bins.
+# Marker areas in square points: of a bin that contains all frames, and of the smallest bins.
 LARGEST, SMALLEST = 150.0, 5.0
 
 
@@ -79,12 +79,12 @@ def diagram_of(run: Run, result: str) -> Reliability:
     found = [
         reliability(run.labels(source.listed(home)), run.proba(result, home, seed), bins=bins)
         for home in source.homes
-        # Without seeds, `proba` raises the error that the result was not computed.
+        # If there are no seeds, `proba` raises an error saying that the result was not computed.
         for seed in source.seeds() or (None,)
     ]
     there = [one for one in found if one.weight.any()]
     if not there:
-        raise PlacecatError(f"no frame that {result} was tested on has a label")
+        raise PlacecatError(f"none of the frames on which {result} was tested has a label")
     return pooled(there)
 
 
@@ -95,7 +95,7 @@ def numbers(run: Run, result: str) -> str:
 
 
 def points(axes: Axes, diagram: Reliability) -> None:
-    """Draw the bins of a diagram, their gaps to the diagonal, and the diagonal."""
+    """Draw the diagonal, a diagram's bins, and their gaps from the diagonal."""
     axes.plot([0, 1], [0, 1], color=palette.MUTED, linewidth=0.8, linestyle="--")
     there = diagram.weight >= LEAST
     confidence, accuracy, weight = (part[there] for part in diagram)

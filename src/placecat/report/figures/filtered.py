@@ -14,7 +14,7 @@ from placecat.report.run import Run
 
 
 class Failure(NamedTuple):
-    """A frame (counted from 0) that all cues get wrong, with the mean certainty of the cues, from 0 to 1."""
+    """A frame (counted from 0) that all cues get wrong, and the cues' mean certainty, from 0 to 1."""
 
     home: str
     frame: int
@@ -23,7 +23,7 @@ class Failure(NamedTuple):
 
 
 def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
-    """Draw the most certain mistakes on two different places, using the settings in ``figures.figure_18``."""
+    """Draw the most certain mistakes for two places, using the settings in ``figures.figure_18``."""
     # Inches.
     width, labels, bars, decisions, foot = 2.6, 1.4, 2.25, 0.78, 0.34
     found = failures(run, list(cues.values()), run.threshold(filter))[:2]
@@ -50,10 +50,10 @@ def draw_mistakes(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
 
 
 def failures(run: Run, results: list[str], least: float) -> list[Failure]:
-    """Find, for each place, the frame that all cues get wrong with the greatest certainty.
+    """For each place, find the frame that all cues get wrong with the greatest certainty.
 
-    The most certain mistake comes first. Only frames with an information measure of at least `least` are
-    considered. `results` are the results of the cues.
+    The most certain mistake comes first. Only frames whose information measure is at least `least` are
+    considered. `results` lists the names of the cues' results.
     """
     homes = run.source(results[0]).homes
     labels = [run.labels(home) for home in homes]
@@ -76,11 +76,11 @@ def failures(run: Run, results: list[str], least: float) -> list[Failure]:
 
 
 def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Return the certainty of each frame, (frames,).
+    """Return the (frames,) certainties, averaged over cues.
 
-    For one cue, this is the share of `labelled` frames on which the cue is no more certain. The result is the
-    mean over all cues. `largest` has the (cues, frames) probabilities of the decisions. They cannot be
-    compared across cues, because some cues always have nearly even distributions and others never do.
+    A cue's certainty about a frame is the share of `labelled` frames about which it is no more certain.
+    `largest` contains the (cues, frames) probabilities of the decisions. These are not comparable across
+    cues, because the distributions of some cues are always nearly uniform, and those of others never are.
     """
     shares = [
         np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()
@@ -90,7 +90,7 @@ def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray
 
 
 def draw_rejected(run: Run, *, filter: str) -> Figure:
-    """Draw the most and the least informative rejected frame, using the settings in ``figures.figure_19``."""
+    """Draw the most and least informative rejected frames, using the settings in ``figures.figure_19``."""
     # Inches.
     width, gap = 3.2, 0.15
     threshold = run.threshold(filter)
@@ -119,8 +119,8 @@ def draw_rejected(run: Run, *, filter: str) -> Figure:
 FIGURES = {
     "figure_18": (
         "Frames of two places that all cues get wrong. Among the frames that the information filter accepts, "
-        "these are the ones on which the cues are most certain, relative to other frames. The bars are the "
-        "cues' distributions over the places in percent, with the decision on their right. First seed.",
+        "these are the ones about which the cues are most certain, compared with other frames. The bars show "
+        "the cues' distributions over the places in percent, with the decisions to their right. First seed.",
         draw_mistakes,
     ),
     "figure_19": (

@@ -1,4 +1,4 @@
-"""Parts shared by the figures: frames, maps, circles, arrows, and bars of distributions over places."""
+"""Building blocks of the figures: frames, maps, circles, arrows, and bars for distributions over places."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -17,13 +17,13 @@ from placecat.vision.regions import radius
 DARKEST = 99.5
 # Maximum width of a frame in a figure, in pixels.
 MOST_PIXELS = 960
-# Smallest share that has room for its percentage.
+# Smallest share whose bar has room for its percentage.
 LEAST_WRITTEN = 0.07
 LEGEND_COLUMNS = 5
 
 
 def show_frame(axes: Axes, frame: NDArray[np.uint8]) -> None:
-    """Show a frame, (H, W, 3) uint8 BGR, without axes; data coordinates are pixels of the frame."""
+    """Show a frame, (H, W, 3) uint8 BGR, without axes; data coordinates are the frame's pixels."""
     height, width = frame.shape[:2]
     shown = cv2.cvtColor(frame, cv2.COLOR_BGR2RGB)
     if width > MOST_PIXELS:
@@ -35,14 +35,14 @@ def show_frame(axes: Axes, frame: NDArray[np.uint8]) -> None:
 
 
 def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, int] | None = None) -> None:
-    """Show a non-negative (h, w) map in which strong responses are dark.
+    """Show a non-negative (h, w) map, with strong responses in dark shades.
 
-    All values above the percentile `DARKEST` are equally dark. Data coordinates are pixels of a frame of
-    `frame_size` (width, height), or of the map if that is None.
+    All values above the percentile `DARKEST` are equally dark. Data coordinates are the pixels of a frame of
+    size `frame_size` (width, height) or, if that is None, of the map.
     """
     width, height = frame_size or plane.shape[::-1]
     extent = (-0.5, width - 0.5, height - 0.5, -0.5)
-    # Otherwise a few high peaks would leave the rest white.
+    # Without this limit, a few high peaks would leave the rest white.
     darkest = float(np.percentile(plane, DARKEST))
     axes.imshow(plane, cmap=palette.MAP, vmin=0.0, vmax=darkest or float(plane.max()) or 1.0, extent=extent)
     frame_in(axes)
@@ -51,7 +51,7 @@ def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, 
 def draw_regions(axes: Axes, regions: NDArray[np.float32], width: int, colors: list[str]) -> None:
     """Draw a circle around each of (n, 4) salient regions (x, y, scale, saliency; thesis 3.1.1.3).
 
-    `width` is the frame's width in pixels, and `colors` has one colour per region.
+    `width` is the frame's width in pixels, and `colors` contains one colour per region.
     """
     for (x, y, scale, _), color in zip(regions.tolist(), colors, strict=True):
         size = float(radius(scale, width))
@@ -74,7 +74,7 @@ class Sheet:
         return self.figure.add_axes(box)
 
     def arrow(self, start: tuple[float, float], end: tuple[float, float], text: str = "") -> None:
-        """Draw a small arrow between two points (x, y), with text at its middle."""
+        """Draw a small arrow between two points (x, y), with optional text at its midpoint."""
         arrow = FancyArrowPatch(self._at(*start), self._at(*end), arrowstyle="-|>", shrinkA=0, shrinkB=0)
         arrow.set(transform=self.figure.transFigure, mutation_scale=8, color=palette.MUTED, linewidth=0.9)
         self.figure.add_artist(arrow)
@@ -83,7 +83,7 @@ class Sheet:
             self.text((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, text, bbox=clear)
 
     def text(self, x: float, y: float, text: str, **options: Any) -> None:
-        """Write text at a point; `options` are those of `matplotlib.figure.Figure.text`."""
+        """Write text at a point; `options` are passed to `matplotlib.figure.Figure.text`."""
         self.figure.text(*self._at(x, y), text, **{"ha": "center", "va": "center", "fontsize": 7, **options})
 
     def _at(self, x: float, y: float) -> tuple[float, float]:
@@ -119,7 +119,7 @@ def share_bar(
 def share_rows(
     axes: Axes, rows: Mapping[str, NDArray[np.floating]], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw one (classes,) distribution per row, with its name on the left; rows are at heights 0, -1, ..."""
+    """Draw one (classes,) distribution per row, with its name to the left; rows are at y = 0, -1, ..."""
     for row, shares in enumerate(rows.values()):
         share_bar(axes, -row, shares, classes, height=height)
     axes.set_yticks([-row for row in range(len(rows))], list(rows))
@@ -133,7 +133,7 @@ def share_rows(
 def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]) -> None:
     """Draw a legend of the places and their colours.
 
-    `at` is the middle of the legend's left edge, in fractions of the figure.
+    `at` is the midpoint of the legend's left edge, as fractions of the figure's size.
     """
     handles = [Patch(color=color) for color in palette.place_colors(classes).values()]
     titles = [palette.place_title(place) for place in classes]
@@ -143,7 +143,7 @@ def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]
 
 
 def stretches(places: NDArray[np.integer]) -> list[slice]:
-    """Split (n,) places into stretches in which the place stays the same."""
+    """Split (n,) places into stretches of a single place."""
     if not len(places):
         return []
     starts = np.flatnonzero(np.r_[True, places[1:] != places[:-1]]).tolist()

@@ -1,4 +1,4 @@
-"""Thesis 4.5 and 4.9, Figures 16, 17 and 20: strips of probabilities, darker for more probable places.
+"""Thesis 4.5 and 4.9, Figures 16, 17 and 20: strips of probabilities, in which darker means more probable.
 
 Frames run from left to right, and places from top to bottom.
 """
@@ -24,7 +24,7 @@ from placecat.report.run import Run, home_of
 
 # Maximum width of a strip in pixels; if there are more frames, neighbouring ones are averaged.
 MAX_COLUMNS = 1000
-# Percentiles of a strip's probabilities that are drawn white and black.
+# Percentiles of a strip's probabilities that are drawn in white and in black.
 WHITE, BLACK = 1.0, 99.0
 # Sizes in inches.
 WIDTH = 6.5
@@ -35,20 +35,20 @@ DASHES = (0, (3, 2))
 
 
 def of_home(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
-    """Draw the strips of one home, given by its number from 1; see :func:`figure`."""
+    """Draw the strips of one home (see :func:`figure`); `home` is its number, counted from 1."""
     return figure(run, [home_of(run, home)], panels)
 
 
 def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
-    """Draw the strips of all test homes of the first result; see :func:`figure`."""
+    """Draw the strips of all test homes of the first result (see :func:`figure`)."""
     return figure(run, run.source(next(iter(panels.values()))).homes, panels)
 
 
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
-    """Draw strips one below the other, each with all homes side by side.
+    """Draw one strip per panel, from top to bottom, each with all homes side by side.
 
-    `homes` must be test homes of every result. `panels` maps the title of each strip to its result, from top
-    to bottom. The first seed is drawn, and the greys of a strip span its values. Raises PlacecatError if a
+    All results must have been tested on all `homes`. `panels` maps the title of each strip to its result. The
+    figure shows the first seed. The greys of a strip span its range of values. Raises PlacecatError if a
     result is missing.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
@@ -56,7 +56,7 @@ def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
     cuts = {home: [part.start for part in run.sequence_slices(listed[home])[1:]] for home in homes}
     rows = max(len(run.source(result).classes) for result in panels.values())
     rows += any((truth < 0).any() for truth in truths.values())
-    # With several homes, titles and accuracies would overlap on one line.
+    # With several homes, titles and accuracies would overlap if they were on one line.
     lines = 1 if len(homes) == 1 else 2
     height = len(panels) * (rows * ROW + lines * TITLE_LINE + 0.1) + BELOW
     drawn = Figure(figsize=(WIDTH, height))
@@ -80,7 +80,7 @@ def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
     for axes, home in zip(grid[-1], homes, strict=True):
         axes.set_xlabel(f"frame of {palette.place_title(home)}")
     handles: list[Artist] = [
-        Patch(facecolor=palette.MUTED, label="probability, on the scale at the right"),
+        Patch(facecolor=palette.MUTED, label="probability (scale on the right)"),
         Line2D([], [], color=palette.TRUTH, label="true place"),
     ]
     if any(cuts.values()):
@@ -98,11 +98,11 @@ def draw(
     cuts: Sequence[int],
     span: tuple[float, float],
 ) -> AxesImage:
-    """Draw one strip: a row per place, a blue line for the true place, and the accuracy (thesis 4.2) on top.
+    """Draw one strip: a row per place, a blue line for the true place, and the accuracy (thesis 4.2) above.
 
-    For unlabelled frames, the line runs through an additional row. `proba` is (frames, len(classes)). `truth`
-    has the (frames,) class indices, with -1 for unlabelled frames. `cuts` lists the first frame after each
-    cut in the video. `span` has the probabilities that are drawn white and black.
+    Where frames are unlabelled, the line runs through an additional row. `proba` is (frames, len(classes)).
+    `truth` contains the (frames,) class indices, with -1 for unlabelled frames. `cuts` lists the first frame
+    after each cut in the video. `span` contains the probabilities that are drawn in white and in black.
     """
     frames, n_classes = proba.shape
     if len(truth) != frames:
@@ -143,7 +143,7 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
     parts = stretches(row)
     starts = [part.start for part in parts]
     levels = row[starts]
-    # The white rim separates the line from dark rows, even in black-and-white prints.
+    # A white rim separates the line from dark rows, even in black-and-white prints.
     rim = [patheffects.withStroke(linewidth=2.6, foreground="white")]
     axes.hlines(
         levels, starts, [part.stop for part in parts], color=palette.TRUTH, linewidth=1.4, path_effects=rim
@@ -152,10 +152,10 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
 
 
 def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
-    """Return the probabilities that are drawn white and black.
+    """Return the probabilities that are drawn in white and in black.
 
-    These are the percentiles `WHITE` and `BLACK`, or 0 and 1 if the percentiles are equal. With 0 and 1 for
-    every strip, the nearly uniform distributions of some classifiers would be invisible.
+    These are the percentiles `WHITE` and `BLACK`, or 0 and 1 if the percentiles are equal. If every strip
+    used 0 and 1, the nearly uniform distributions of some classifiers would all look the same.
     """
     low, high = (float(value) for value in np.percentile(proba, [WHITE, BLACK]))
     return (low, high) if high - low > 1e-6 else (0.0, 1.0)
@@ -171,19 +171,19 @@ def columns(proba: NDArray[np.float64], limit: int) -> NDArray[np.float64]:
 
 FIGURES = {
     "figure_16": (
-        "The probability distributions of each classifier on each frame of a home, first seed. Darker "
-        "means more probable; the scale is at the right. The blue line is the true place.",
+        "Each classifier's probability distributions for the frames of a home, first seed. Darker means "
+        "more probable; the scale is on the right. The blue line shows the true place.",
         of_home,
     ),
     "figure_17": (
-        "The probability distributions after integration and after smoothing on each frame of a home, "
-        "first seed. Darker means more probable; the scale is at the right. The blue line is the true place.",
+        "The probability distributions after integration and after smoothing for the frames of a home, first "
+        "seed. Darker means more probable; the scale is on the right. The blue line shows the true place.",
         of_home,
     ),
     "figure_20": (
-        "The probability distributions after integration and after smoothing on each frame of the "
-        "university's test sequences, first seed. Darker means more probable; the scale is at the right. The "
-        "blue line is the true place. The thesis's figure shows the COLD database.",
+        "The probability distributions after integration and after smoothing for the frames of the "
+        "university's test sequences, first seed. Darker means more probable; the scale is on the right. The "
+        "blue line shows the true place. The thesis's figure shows the COLD database.",
         of_tests,
     ),
 }
