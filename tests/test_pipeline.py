@@ -129,7 +129,7 @@ def test_a_second_repro_has_nothing_to_do(reproduced):
 
 
 def test_the_videos_are_checked_and_never_rendered(reproduced, copy):
-    """Neither a new video nor a changed renderer starts the frozen stage, which takes hours."""
+    """Neither a new video nor a changed renderer starts the frozen stage, which takes about an hour."""
     _, _, output = reproduced
     assert "Verifying outputs in frozen stage: 'render'" in output
     (copy / rendered()[0] / "other.mp4").write_bytes(b"")
