@@ -52,12 +52,12 @@ def _parser() -> argparse.ArgumentParser:
         "worker",
         _worker,
         "start worker processes of a Dask cluster (compute=dask)",
-        "Start `dask worker` with settings that produce the same bits on every machine: one thread per "
-        "process and common kernels. By default, there is one process per core. Ctrl-C ends them.",
+        "Start `dask worker` with settings that produce bit-identical results on every machine: one thread "
+        "per process and common kernels. Starts one process per core by default. Press Ctrl-C to stop them.",
     )
     address = "address of the scheduler (`dask scheduler`), e.g. tcp://10.0.0.1:8786"
     worker.add_argument("scheduler", metavar="ADDRESS", help=address)
-    further = "additional options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB"
+    further = "additional options for `dask worker`, e.g. --nworkers 4 --memory-limit 8GB"
     worker.add_argument("options", nargs=argparse.REMAINDER, metavar="OPTION", help=further)
     # Hydra parses the arguments of these two commands.
     commands.add_parser("experiment", help="train and test any descriptor and classifier, or many in a sweep")
@@ -93,7 +93,7 @@ def _add_pipeline(commands: Commands) -> None:
         "run the pipeline on many homes, group by group, and judge the findings on all of them",
         "Split the homes of a data set into groups of six, run the pipeline on each group, judge the "
         f"findings on all homes, and write the results to {paths.REPLICATION}. Needs the outputs of "
-        "`placecat repro`. Continues a killed run.",
+        "`placecat repro`. Resumes a killed run.",
     )
     replicate.add_argument("overrides", nargs="*", metavar="OVERRIDE", help=override)
     chosen = "run only these groups, e.g. 1 2; earlier results of the other groups are reused"
@@ -104,7 +104,7 @@ def _add_pipeline(commands: Commands) -> None:
         _mend,
         "clean up after a killed run",
         "Restore records that are missing from dvc.lock after a killed run, and remove temporary files. "
-        "`placecat repro` does this first. Before using `dvc repro` itself, run this command.",
+        "`placecat repro` does this by itself; run this command before a plain `dvc repro`.",
     )
 
 
@@ -115,7 +115,7 @@ def _add_results(commands: Commands) -> None:
         lambda options: _compare(options.old, options.new, options.html),
         "compare the tables with those in git",
         "Show how reports/tables, the numbers in the text of the thesis and the verdicts on its findings "
-        "differ from the versions in git. No stage is run.",
+        "differ from the versions in git. Runs no stages.",
         epilog=_STATUS,
     )
     sides = "any git revision, or a folder with params.yaml and reports/"
@@ -143,7 +143,7 @@ def _add_results(commands: Commands) -> None:
     )
     cell = "its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 HMM home_3"
     explain.add_argument("cell", nargs="+", metavar="CELL", help=cell)
-    again = "compute it again from stage outputs, and check that every bit agrees"
+    again = "recompute it from stage outputs, and check that every bit agrees"
     explain.add_argument("--again", action="store_true", help=again)
     add_command(
         commands,
@@ -151,7 +151,7 @@ def _add_results(commands: Commands) -> None:
         _demo,
         "a one-minute demo: train on a few frames of five homes, and classify a walk through the sixth",
         "Train the five-cue system on every 10th frame of five of the project's homes, and name the places "
-        "of a walk through the sixth. Writes a timeline, an annotated clip and a page with both to "
+        "along a walk through the sixth. Writes a timeline, an annotated clip and a page with both to "
         "predictions/demo. Works without a previous `placecat repro`.",
     )
 

@@ -154,7 +154,7 @@ def read_json(path: Path) -> Any:
 
 
 def write_csv(path: Path, table: "pd.DataFrame") -> None:
-    """Write a table as a CSV file without an index, with the same line ends on every system."""
+    """Write a table as a CSV file without an index, with the same line endings on every system."""
     with replacing(path) as temporary:
         table.to_csv(temporary, index=False, lineterminator="\n")
 
@@ -162,7 +162,7 @@ def write_csv(path: Path, table: "pd.DataFrame") -> None:
 def read_table(path: Path, text: Collection[str] = ()) -> "pd.DataFrame":
     """Read a CSV file of numbers and text.
 
-    Cells in the columns `text` stay as they are, for example "NA"; empty cells in other columns are NaN.
+    Cells in the columns `text` are kept as they are, for example "NA"; empty cells in other columns are NaN.
     """
     import pandas as pd
 

@@ -1,4 +1,4 @@
-"""Read and look up the settings of params.yaml, and reject unknown ones."""
+"""Read and look up the settings in params.yaml, and reject unknown ones."""
 
 import copy
 import inspect

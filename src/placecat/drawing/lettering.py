@@ -1,4 +1,4 @@
-"""Write text into pictures in the font of the figures, which OpenCV cannot do."""
+"""Write text into pictures in the font used for figures, which OpenCV cannot do."""
 
 from functools import lru_cache
 
@@ -12,7 +12,7 @@ from placecat.drawing.palette import written
 _FONT = "DejaVu Sans"
 # The depth below the baseline and the height of a line, as fractions of the font size.
 _DESCENT, _LINE = 0.28, 1.3
-# At this number of dots per inch, a point is a pixel.
+# At this many dots per inch, one point is one pixel.
 _DPI = 72
 
 

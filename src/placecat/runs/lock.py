@@ -21,7 +21,7 @@ _FOREVER = -1.0
 
 @contextmanager
 def alone() -> Iterator[None]:
-    """Prevent other runs and changes to params.yaml; raise PlacecatError if another run has the lock.
+    """Prevent other runs and changes to params.yaml; raise PlacecatError if another run holds the lock.
 
     Calls may be nested.
     """
