@@ -1,4 +1,7 @@
-"""Lines that explain a cell, read from the file of all explanations. It imports little, to stay fast."""
+"""Lines that explain a cell, read from the file of all explanations.
+
+This module imports little, to stay fast.
+"""
 
 import hashlib
 import json

@@ -75,7 +75,7 @@ def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) ->
 
 
 def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
-    """Return the stages that made the given results and their tables, in the order of the pipeline."""
+    """Return the stages that produced the given results and their tables, in the order of the pipeline."""
     known = [stage for one in made for stage in one.stages]
     return (*(stage for stage in _ORDER if stage in known), *(_LAST if known else ("tables",)))
 

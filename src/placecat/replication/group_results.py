@@ -32,9 +32,9 @@ def folder_of(number: int) -> Path:
 def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, Any]) -> None:
     """Copy the results of a group from the folder of its run to `target`.
 
-    The files contain the decision counts in the homes of the group, all tables as one, the missing results,
-    the number of frames that each information filter drops, and the names of the homes with a checksum of the
-    settings.
+    The files contain the decision counts in the homes of the group, all tables merged into one, the missing
+    results, the number of frames that each information filter drops, and the names of the homes with a
+    checksum of the settings.
     """
     scores = files.read_cells(run / paths.SCORES / "scores.csv")
     kinds = {name: int if name == "frames" else "category" for name in scores.columns}

@@ -42,13 +42,12 @@ def refresh(
     *,
     begin: Callable[[Sequence[str]], None] | None = None,
 ) -> None:
-    """Make items that are missing, damaged or made from different inputs; remove unwanted ones.
+    """Rebuild items that are missing, damaged or made from different inputs; remove unwanted ones.
 
     Each item is written under a temporary name and then renamed, so a killed stage can continue where it
     stopped. The code of `stage` (its src/ dependencies in dvc.yaml) is an input of every item. `wanted` maps
     the name of each item, which is also its folder, to its inputs. `make` is called with the name and the
-    folder, which does not exist yet. `begin`, unless None, is called first, with the names of all items to
-    make.
+    folder, which does not exist yet. If given, `begin` is called first, with the names of all items to make.
     """
     outdated = list(_outdated(stage, folder, wanted))
     if outdated and begin is not None:
@@ -107,7 +106,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove everything but `names` from a folder, such as unwanted items; create a missing folder."""
+    """Remove everything but `names` from a folder, such as unwanted items; create it if missing."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:

@@ -88,7 +88,7 @@ class Regions(Section):
 
 
 class Frames(Section):
-    """Every ``step``-th frame from ``offset`` on."""
+    """Every ``step``-th frame, starting at ``offset``."""
 
     offset: Index
     step: Count
