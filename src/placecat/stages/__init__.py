@@ -1,4 +1,4 @@
-"""The DVC stages, one module per stage. They read and write files; other packages compute."""
+"""The DVC stages, one module per stage. They only read and write files; other packages do the computing."""
 
 import argparse
 import inspect
@@ -37,7 +37,7 @@ _use_common_kernels()
 
 
 def _end(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
-    """Report an error that occurs in the imports of a stage.
+    """Report an error raised while a stage is imported.
 
     For a user error, print only the message; for any other error, print a traceback. Ctrl-C is not reported.
     """
@@ -60,8 +60,8 @@ if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
-    The settings determine whether the loops of the stage run on this machine or on a cluster
-    (:mod:`placecat.compute`). The stage exits with a message and status 1, without a traceback, after a user
+    The settings determine whether the stage's loops run on this machine or on a cluster
+    (:mod:`placecat.compute`). The stage exits with a message and status 1, without a traceback, on a user
     error, or if its dependencies change while it runs (:mod:`placecat.runs.unchanged`). On success, it writes
     its running time to data/times (:mod:`placecat.runs.times`).
     """

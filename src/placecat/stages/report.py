@@ -105,7 +105,7 @@ def _speed(facts: dict[str, Any], table: Path) -> dict[str, Any]:
 
 
 def _scale(facts: dict[str, Any], *tables: Path) -> dict[str, Any]:
-    """Show the run on data as large as the real home database."""
+    """Show the run on data the size of the real home database."""
     measured, growth = (files.read_table(path, SCALE_TEXT) for path in tables)
     return shown_scale(measured, growth, facts) | {"chart": png_of(growth_chart, measured)}
 

@@ -75,7 +75,7 @@ def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
 
 
 def apply_cue(plan: plans.Plan, cue: Cue, seed: int | None) -> tuple[Probabilities, Probabilities]:
-    """Train one cue; return its distributions for training the integration and for all tested frames."""
+    """Train one cue; return its distributions for training the integration and for all test frames."""
     numbers = [cue.classifier["clusters"]] if cue.codebook is not None else None
     trained = train(plan, cue, seed, numbers=numbers)
     return trained.predict_chosen(plan.integration), {
