@@ -22,7 +22,7 @@ _STATUS = (
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run a subcommand. After a user error, print a message and exit with status 1."""
+    """Run a subcommand. On a user error, print a message and exit with status 1."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     with exiting(), redirect_stdout(Terminal(sys.stdout)):
         if given[:1] in (["experiment"], ["search"]):
@@ -78,8 +78,8 @@ def _add_pipeline(commands: Commands) -> None:
         "repro",
         _repro,
         "write params.yaml, run outdated stages, and compare the tables with those in git",
-        "Compose params.yaml from conf/ and run `dvc repro`. Then print Table 26, the time of each stage "
-        "that ran, and how the tables differ from those in git.",
+        "Compose params.yaml from conf/ and run `dvc repro`. Then print Table 26, the duration of each "
+        "stage that ran, and how the tables differ from those in git.",
         epilog=_STATUS,
     )
     repro.add_argument("--force", action="store_true", help="run every stage, even if nothing has changed")
@@ -129,7 +129,7 @@ def _add_results(commands: Commands) -> None:
         "times",
         _times,
         "print how long the last complete run took",
-        "Print the time of each stage in the last `placecat repro` that ran all of them.",
+        "Print how long each stage took in the last `placecat repro` that ran every stage.",
     )
     copied = f"copy them to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}, which are in git"
     times.add_argument("--keep", action="store_true", help=copied)

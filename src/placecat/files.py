@@ -149,7 +149,7 @@ def write_json(path: Path, content: Any) -> None:
 
 
 def read_json(path: Path) -> Any:
-    """Read a JSON file that this project wrote."""
+    """Read a JSON file written by this project."""
     return json.loads(Path(path).read_text(encoding="utf-8"))
 
 

@@ -43,7 +43,7 @@ class _Checked(Sweeper):
         self.launcher.launch(lines, initial_job_idx=0)
 
     def logged(self, arguments: "Sequence[str]") -> "Sequence[str] | None":
-        """Return the sweeper and overrides, which identify the sweep in MLflow; None if it is not logged."""
+        """Return the sweeper and overrides, which identify the sweep in MLflow, or None if not logged."""
         return [str(self.config.hydra.sweeper._target_), *arguments] if self.config.track else None
 
     @abstractmethod
@@ -72,8 +72,8 @@ class GridSweeper(_Checked):
 class OptunaSweeper(_Checked):
     """Choose the settings of each experiment with Optuna, based on the accuracies of earlier experiments.
 
-    Unlike Hydra's own plugin, which needs Optuna 2, it first tries the settings that apply without a
-    search, and its batches do not depend on the number of workers. The parameters are described in
+    Unlike Hydra's own plugin, which needs Optuna 2, it first tries the settings used without a search, and
+    its batches do not depend on the number of workers. The parameters are described in
     conf/hydra/sweeper/optuna.yaml.
     """
 

@@ -65,7 +65,7 @@ def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[
 def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smallest: float) -> list[Judgement]:
     """Train an integration on the cues of a fold, and judge it on the homes that the cues have not seen.
 
-    The ``scheme`` of `system` is that of the plan. In 4-5-1, the integration trains only on the training
+    The ``scheme`` of `system` matches the plan. In 4-5-1, the integration trains only on the training
     homes of the cues, as in 5-5-1, and is judged on the test home and on the other home that the cues have
     not seen. In 5-5-1, it is judged on the test home.
     """

@@ -42,7 +42,7 @@ class Expected:
     """The requirements for a worker.
 
     `folder` is the absolute path of the project folder. `mark` is a file that exists there while the stage
-    runs, as a relative path. `items` are from :func:`placecat.compute.fingerprint.fingerprint`; those in
+    runs, as a relative path. `items` come from :func:`placecat.compute.fingerprint.fingerprint`; those in
     `may_differ` may differ. `scheduler` is the address of the scheduler, for messages.
     """
 
@@ -89,8 +89,8 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
 def perform(expected: Expected, call: bytes) -> bytes:
     """Run one task, a pickled pair of a function and its argument tuple, in the project folder.
 
-    Every task checks its worker, since workers may join while a stage runs. If the worker is unfit, raises
-    PlacecatError. The result is pickled, because unpickled arrays are writable, unlike arrays that Dask
+    Every task checks its worker, since workers may join while a stage runs. Raises PlacecatError if the
+    worker is unfit. The result is pickled, because unpickled arrays are writable, unlike arrays that Dask
     transfers.
     """
     import cloudpickle

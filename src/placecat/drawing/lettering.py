@@ -53,9 +53,9 @@ def write(
 ) -> int:
     """Write a line of text into an (H, W, 3) uint8 BGR picture, and return the width of the text.
 
-    The text is cut off at the edges of the picture. `where` is (x, y) of the upper left corner of the text,
-    or of its upper right corner if `align` is ``right``. `size` is the font size in pixels, and `color` is
-    BGR.
+    The text is cut off at the edges of the picture. `where` is the (x, y) position of the text's upper left
+    corner, or of its upper right corner if `align` is ``right``. `size` is the font size in pixels, and
+    `color` is BGR.
     """
     cover = mask(text, size, bold=bold)
     left = where[0] - (cover.shape[1] if align == "right" else 0)

@@ -47,7 +47,7 @@ class Experiment:
         }
 
     def described(self) -> dict[str, Any]:
-        """Return every setting that affects the numbers, as JSON types."""
+        """Return every setting that affects the numbers, in JSON types."""
         return {
             "data": self.data.name,
             "judge": self.judge,

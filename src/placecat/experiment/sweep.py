@@ -28,7 +28,7 @@ _LISTED = 8
 def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]], list[dict[str, str]]]:
     """List all combinations of the values in Hydra overrides; ``glob`` needs Hydra's `loader`.
 
-    Returns the overrides of each experiment, in Hydra's order, and its values of the swept keys. Raises
+    Returns the overrides of each experiment, in Hydra's order, and its values for the swept keys. Raises
     PlacecatError for an interval, which only a search allows.
     """
     overrides = OverridesParser.create(config_loader=loader).parse_overrides(list(arguments))

@@ -20,7 +20,8 @@ _OTHER_DATA = ("splits/", "toy/")
 
 
 def is_of_homes(result: str) -> bool:
-    """Return whether a result is from homes, not from the university, the apartments or the toy problem."""
+    """Return whether a result comes from homes, not from the university, the apartments or the toy
+    problem."""
     return not result.startswith(_OTHER_DATA)
 
 
@@ -67,9 +68,9 @@ def _comparable(params: Mapping[str, Any]) -> str:
 def pooled(
     groups: Sequence[tuple[int, Sequence[str]]], params: Mapping[str, Any], others: Results
 ) -> Results:
-    """Read the results of all groups, given by number and homes, as if they were one data set.
+    """Read the results of all groups, each given by its number and homes, as if they were one data set.
 
-    `params` are all settings. `others` are the results of the project's own run, of which
+    `params` contains all settings. `others` are the results of the project's own run, of which
     only those on other data are added. Raises PlacecatError if the results of a group are missing, or belong
     to other homes or settings.
     """

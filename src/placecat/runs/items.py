@@ -25,7 +25,7 @@ Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 @dataclass(frozen=True)
 class Inputs:
-    """The inputs of an item: all settings it depends on, as JSON types, and the files and folders it reads.
+    """The inputs of an item: all settings it depends on, in JSON types, and the files and folders it reads.
 
     If a path is inside another item, its checksums are taken from the manifest of that item.
     """

@@ -110,7 +110,7 @@ def _is_whole(block: str) -> bool:
 
 
 def _leftovers() -> Iterator[Path]:
-    """Yield temporary files that a killed process left more than a day ago."""
+    """Yield temporary files that a killed process left behind more than a day ago."""
     for folder in _PARTIAL_IN:
         yield from (path for path in Path().glob(f"{folder}/.*.partial*") if _is_left(path, _PARTIAL))
     yield from (path for path in _CACHE.glob("**/.*.tmp") if _is_left(path, _CACHED))

@@ -31,8 +31,8 @@ GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed
 def check(params: Mapping[str, Any]) -> None:
     """Check that the code named in the settings exists and accepts its settings.
 
-    `params` contains all settings and was checked by :func:`placecat.schema.check`. Raises a PlacecatError
-    that names the invalid setting, the most similar valid name and all valid names.
+    `params` contains all settings and has been checked by :func:`placecat.schema.check`. Raises a
+    PlacecatError that names the invalid setting, the most similar valid name and all valid names.
     """
     for section in ("dataset", "toy", "codebooks", "cues", "systems", "splits"):
         check_part(params.get(section), section)
