@@ -214,7 +214,7 @@ def _measure(call: str, seconds: float) -> str:
     if len(by_stage):
         params = settings.load()
         data = str(settings.get(params, "dataset.title"))
-        # Times on a cluster do not describe this machine.
+        # Times measured on a cluster say nothing about this machine.
         is_local = params.get("compute", {}).get("kind", "local") == "local"
         is_complete = is_local and set(repro.stages()) <= set(by_stage["stage"])
         times.write(by_stage, seconds, data, parallel.workers(), is_complete=is_complete)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def replacing(target: Path) -> Iterator[Path]:
-    """Yield a temporary path next to `target`; rename it to `target` if the block succeeds, else remove it.
+    """Yield a temporary path next to `target`; rename it to `target` if the block succeeds, else delete it.
 
     The block creates a file or a folder at that path. Either may replace a file at `target`, but only a
     folder may replace a folder. Raises PlacecatError if :func:`check_target` does, if a file would replace a

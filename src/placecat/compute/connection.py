@@ -126,7 +126,7 @@ class Cluster:
         """Disconnect; the scheduler then drops the remaining tasks of this process."""
         self._mark.unlink(missing_ok=True)
         with contextlib.suppress(OSError):
-            # Another stage may still use the folder; rmdir then fails.
+            # Another stage may still be using the folder; rmdir then fails.
             self._mark.parent.rmdir()
         self._client.close()
 

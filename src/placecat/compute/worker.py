@@ -14,8 +14,8 @@ from placecat import compute
 from placecat.compute.fingerprint import fingerprint
 from placecat.errors import PlacecatError
 
-# By default, Dask workers return freed memory immediately, which doubles the time to describe a frame. These
-# variables override placecat.vision.memory.
+# By default, Dask workers return freed memory immediately, which doubles the time it takes to describe a
+# frame. These variables override placecat.vision.memory.
 _MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": str(32 << 20)}
 # Marks (files in the project folder) that this worker has already seen.
 _seen: set[str] = set()

@@ -237,8 +237,8 @@ def label(values: dict[str, str]) -> str:
 def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
     """Print, write and log the results of a sweep; return whether all experiments and logging succeeded.
 
-    `combinations` contains the swept keys and values of each started experiment. `log` contains the overrides
-    of the sweep, for MLflow; None turns logging off.
+    `combinations` contains the swept keys and values of each experiment that was started. `log` contains the
+    overrides of the sweep, for MLflow; None turns logging off.
     """
     ran = read(folder, combinations)
     if not ran:

@@ -231,7 +231,7 @@ def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
     """Return the metrics of a table by name.
 
     Names start with the column, so that MLflow charts the averages of all rows in one section. Averages come
-    first, since the user interface keeps the order.
+    first, since the user interface preserves the order.
     """
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")

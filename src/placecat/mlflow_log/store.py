@@ -214,7 +214,7 @@ def writing(client: MlflowClient) -> Iterator[None]:
 def alone(uri: str) -> Iterator[None]:
     """Lock a SQLite database or a server during a block; blocks may be nested.
 
-    A server is locked only for processes of this user on this machine.
+    A server is locked only for this user's processes on this machine.
     """
     from filelock import FileLock
 
@@ -225,7 +225,7 @@ def alone(uri: str) -> Iterator[None]:
     else:
         path = database.with_name(f"{database.name}.lock")
         path.parent.mkdir(parents=True, exist_ok=True)
-    # There is one object per path, so that a process may take the lock twice.
+    # There is one object per path, so that a process may acquire the lock twice.
     with FileLock(path, is_singleton=True):
         yield
 

@@ -99,7 +99,7 @@ def _of_cue(name: str, params: Mapping[str, Any], scheme: str = "") -> Made:
 
 
 def _described_cue(name: str, params: Mapping[str, Any]) -> Made:
-    """Describe a cue in params.yaml, without title, stages or plan."""
+    """Describe a cue in params.yaml, without a title, stages or a plan."""
     own = settings.get(params, f"cues.{name}")
     codebook = None if own["codebook"] is None else settings.get(params, f"codebooks.{own['codebook']}")
     return _described(name, (codebook or own)["descriptor"], own["classifier"], codebook, params)

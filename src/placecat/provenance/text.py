@@ -18,7 +18,7 @@ def explanations(
 
     `params` contains all settings. `data_versions` maps each stage that lists frames to DVC's checksum of
     that list. Returns ``lines``, ``blocks`` and ``cells``. Each line consists of a label and a text. Each
-    block is a list of line numbers, which start at 0. ``cells`` maps the number of each cell to the ordered
+    block is a list of line numbers, which start at 0. ``cells`` maps the number of each cell to an ordered
     list that explains it. Each item of this list is a line or the number of a block.
     """
     pool: dict[Line, int] = {}

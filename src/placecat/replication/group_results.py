@@ -20,8 +20,7 @@ _OTHER_DATA = ("splits/", "toy/")
 
 
 def is_of_homes(result: str) -> bool:
-    """Return whether a result comes from homes, not from the university, the apartments or the toy
-    problem."""
+    """Return whether a result comes from homes, not the university, the apartments or the toy problem."""
     return not result.startswith(_OTHER_DATA)
 
 

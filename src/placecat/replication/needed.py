@@ -30,7 +30,7 @@ SIX = Run(6, 0.95)
 class _Comparison(NamedTuple):
     """A comparison, with the share of homes that count, their spread, the claimed range and two differences.
 
-    The differences are the published one and the measured one.
+    The two differences are the published and measured ones.
     """
 
     share: float

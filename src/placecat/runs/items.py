@@ -67,7 +67,7 @@ def refresh_together(
     """Like :func:`refresh`, but the tasks of all items share one pool, which keeps all workers busy.
 
     `function` is the same for all items; see :func:`placecat.compute.parallel.in_parallel`. `plan` is called
-    with the name of an item. An item is written when its tasks are done.
+    with the name of an item. An item is written once its tasks are done.
     """
     planned = [(name, made_from, *plan(name)) for name, made_from in _outdated(stage, folder, wanted)]
     if not planned:
@@ -98,7 +98,7 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
 
 @contextmanager
 def _item(folder: Path, made_from: str) -> Iterator[Path]:
-    """Yield a temporary folder for the files of an item; then add the manifest and rename the folder."""
+    """Yield a temporary folder for an item's files; then add the manifest and rename the folder."""
     with files.replacing(folder) as temporary:
         yield temporary
         unchanged.check()

@@ -48,7 +48,7 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
     """Describe the first error on one line."""
     errors = error.errors(include_url=False)
     places = [_place(content, (*before, *one["loc"])) for one in errors]
-    # If several types are allowed, report the nearest one.
+    # If several types are allowed, report the closest one.
     same = [number for number, place in enumerate(places) if place[: len(places[0])] == places[0]]
     first = max(same, key=lambda number: (len(places[number]), not errors[number]["type"].endswith("_type")))
     place, told = places[first], errors[first]

@@ -134,7 +134,7 @@ def _check_figures(figures: Mapping[str, Any]) -> None:
 
 
 class _Setting(NamedTuple):
-    """Whether a setting is required, and a check of its values."""
+    """Whether a setting is required, and a check for its values."""
 
     is_needed: bool
     values: TypeAdapter[Any]

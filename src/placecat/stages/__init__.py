@@ -23,8 +23,9 @@ _STARTED = time.perf_counter()
 def _use_common_kernels() -> None:
     """Make OpenBLAS use its AVX2 kernels, which all current x86-64 processors support.
 
-    By default, OpenBLAS picks kernels for the processor, and their sums differ in the last bits. The choice
-    must be made before NumPy is imported, so this package makes it on import. OPENBLAS_CORETYPE overrides it.
+    By default, OpenBLAS picks kernels to suit the processor, and their sums differ in the last bits. The
+    choice must be made before NumPy is imported, so this package makes it on import. OPENBLAS_CORETYPE
+    overrides it.
     """
     if os.environ.get("OPENBLAS_CORETYPE") or platform.machine() not in ("x86_64", "AMD64"):
         return
@@ -52,7 +53,7 @@ sys.excepthook = _end
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 shadowed.check()
 
-# Start before the code of the stage is imported, since it may change a moment later. Workers skip this.
+# Start before the stage's code is imported, since the code may change a moment later. Workers skip this.
 if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
     unchanged.start(os.environ["DVC_STAGE"])
 

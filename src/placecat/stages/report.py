@@ -20,7 +20,7 @@ from placecat.stages import run
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import read
 
-# Columns to read as text, even if it looks like a number, such as section 4.10.
+# Columns to read as text, even if their values look like numbers, such as section 4.10.
 _TEXT = ("name", "section", "quantity", "home", "note")
 
 

@@ -1,4 +1,4 @@
-"""Stage `splits`: train and test cues, integration and smoothing on fixed splits (thesis 4.9 and 4.10)."""
+"""Stage `splits`: train and test cues, integrations and smoothing on fixed splits (thesis 4.9 and 4.10)."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -89,7 +89,7 @@ def apply_system(
     integrator: Mapping[str, Any],
     smoothing: Mapping[str, Any],
 ) -> dict[str, Probabilities]:
-    """Integrate the outputs of all cues and smooth the decisions for every tested sequence."""
+    """Integrate the outputs of all cues and smooth the decisions for every test sequence."""
     fused = fuse(plan.integration, [train for train, _ in outputs], plan.classes, integrator)
     assert fused.cross_validated is not None
     model = fit_smoothing(plan.integration, fused.cross_validated, fused.truth, smoothing)
