@@ -22,7 +22,7 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number that no settings can compute from the data. Tables show the reason instead."""
+    """A number that cannot be computed from the data with any settings. Tables show the reason instead."""
 
 
 class SettingError(PlacecatError):
@@ -95,7 +95,7 @@ def one_line(text: object) -> str:
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Turn system errors on reading a user file, such as a missing permission, into PlacecatError."""
+    """Raise PlacecatError for system errors while reading a user file, such as a missing permission."""
     try:
         yield
     except OSError as error:

@@ -41,8 +41,8 @@ def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
 class Expected:
     """The requirements for a worker.
 
-    `folder` is the absolute path of the project folder. `mark` is a file that exists there while the stage
-    runs, as a relative path. `items` come from :func:`placecat.compute.fingerprint.fingerprint`; those in
+    `folder` is the absolute path of the project folder. `mark` is the path, relative to it, of a file that
+    exists while the stage runs. `items` come from :func:`placecat.compute.fingerprint.fingerprint`; those in
     `may_differ` may differ. `scheduler` is the address of the scheduler, for messages.
     """
 

@@ -1,6 +1,6 @@
 """Check table definitions when settings are composed, before any stage runs.
 
-This module imports little, to stay fast.
+This module imports little, so it stays fast.
 """
 
 from collections.abc import Mapping

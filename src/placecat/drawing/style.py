@@ -50,7 +50,7 @@ def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:
     """Draw a figure in the common style and return it as PNG, or None if `draw` returns None.
 
     The same figure always produces the same bytes. Do not draw text from users: anything between two $ is
-    typeset as mathematics, as axes need for powers of ten.
+    typeset as mathematics, which axes need for powers of ten.
     """
     with house_style({"text.parse_math": True}):
         figure = draw(*arguments)

@@ -131,7 +131,7 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
 
 
 def _follow(uri: str, before: str, artifacts: Path) -> None:
-    """Update the paths in the project's database after the project folder was moved.
+    """Update the paths in the project's database after the project folder has been moved.
 
     MLflow stores absolute paths and has no command to change them. A database outside the folder is left
     alone, since several projects may share it.

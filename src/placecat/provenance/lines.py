@@ -1,6 +1,6 @@
 """Lines that explain a cell, read from the file of all explanations.
 
-This module imports little, to stay fast.
+This module imports little, so it stays fast.
 """
 
 import hashlib

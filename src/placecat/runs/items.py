@@ -106,7 +106,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove everything but `names` from a folder, such as unwanted items; create it if missing."""
+    """Remove everything but `names` from a folder; create the folder if it is missing."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:

@@ -59,7 +59,7 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
 
 
 def known() -> dict[str, float]:
-    """Return each stage's seconds in the last full run here or, failing that, in the run kept in git."""
+    """Return how many seconds each stage took in the last full run here or, failing that, the one in git."""
     try:
         by_stage, _ = read_complete()
     except PlacecatError:
