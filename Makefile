@@ -92,7 +92,7 @@ ui: $(READY) ## open MLflow with the runs that `make repro` logged
 	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true PYTHONWARNINGS=ignore:starlette \
 		$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db --workers 1
 
-# `fewest` selects one version of each package for all Python versions, so that they compute the same bits.
+# `fewest` selects one version of each package for all Python versions, so that their results are bit-identical.
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
 	--no-header --upgrade
 TESTED := --extra build --extra cluster --extra dask --extra docs --extra render --extra rerun --extra robot \

@@ -1,7 +1,7 @@
-"""Install the packages in a lock file and this project into .venv: ``python install.py LOCK_FILE MARKER``.
+"""Install this project and the packages in a lock file into .venv: ``python install.py LOCK_FILE MARKER``.
 
 `make` runs this script, which needs only the standard library. ``python install.py --moved`` prints "yes" if
-.venv does not work because it was moved with the project or its Python no longer exists.
+.venv is broken because it was moved with the project or its Python no longer exists.
 """
 
 import os
@@ -25,7 +25,7 @@ def main(lock: str, marker: Path) -> None:
         if not is_moved and _is_newer(marker, (lock, "pyproject.toml")):
             return
         environment = {name: value for name, value in os.environ.items() if name not in FOREIGN}
-        # The configuration files of pip may set this, too, but environment variables override them.
+        # pip's configuration files can set this as well, but environment variables override them.
         environment |= {"PIP_USER": "0", "PYTHONNOUSERSITE": "1"}
 
         def run(*command: object) -> None:
@@ -36,14 +36,14 @@ def main(lock: str, marker: Path) -> None:
         run(sys.executable, "-m", "venv", *(["--clear"] if is_moved else []), VENV)
         # With these options, pip shows errors, but no notices about its own version.
         pip = (VENV / "bin/python", "-m", "pip", "install", "-qq", "--disable-pip-version-check")
-        print(f"Installing the packages in {lock} into {VENV}; the first time takes minutes.", flush=True)
+        print(f"Installing the packages in {lock} into {VENV}; takes minutes the first time.", flush=True)
         run(*pip, "--require-hashes", "-r", lock)
         run(*pip, "--no-deps", "--no-build-isolation", "-e", ".")
         marker.touch()
 
 
 def moved() -> bool:
-    """Check whether .venv exists but does not work, because it was moved or its Python no longer exists."""
+    """Check whether .venv exists but is broken, because it was moved or its Python no longer exists."""
     try:
         settings = (VENV / "pyvenv.cfg").read_text(encoding="utf-8")
     except OSError:

@@ -22,7 +22,7 @@ _STATUS = (
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run a subcommand. After a user error, print a message and exit with status 1."""
+    """Run a subcommand. On a user error, print a message and exit with status 1."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     with exiting(), redirect_stdout(Terminal(sys.stdout)):
         if given[:1] in (["experiment"], ["search"]):
@@ -52,12 +52,12 @@ def _parser() -> argparse.ArgumentParser:
         "worker",
         _worker,
         "start worker processes of a Dask cluster (compute=dask)",
-        "Start `dask worker` with settings that produce the same bits on every machine: one thread per "
-        "process and common kernels. By default, there is one process per core. Ctrl-C ends them.",
+        "Start `dask worker` with settings that produce bit-identical results on every machine: one thread "
+        "per process and common kernels. Starts one process per core by default. Press Ctrl-C to stop them.",
     )
     address = "address of the scheduler (`dask scheduler`), e.g. tcp://10.0.0.1:8786"
     worker.add_argument("scheduler", metavar="ADDRESS", help=address)
-    further = "additional options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB"
+    further = "additional options for `dask worker`, e.g. --nworkers 4 --memory-limit 8GB"
     worker.add_argument("options", nargs=argparse.REMAINDER, metavar="OPTION", help=further)
     # Hydra parses the arguments of these two commands.
     commands.add_parser("experiment", help="train and test any descriptor and classifier, or many in a sweep")
@@ -78,8 +78,8 @@ def _add_pipeline(commands: Commands) -> None:
         "repro",
         _repro,
         "write params.yaml, run outdated stages, and compare the tables with those in git",
-        "Compose params.yaml from conf/ and run `dvc repro`. Then print Table 26, the time of each stage "
-        "that ran, and how the tables differ from those in git.",
+        "Compose params.yaml from conf/ and run `dvc repro`. Then print Table 26, the duration of each "
+        "stage that ran, and how the tables differ from those in git.",
         epilog=_STATUS,
     )
     repro.add_argument("--force", action="store_true", help="run every stage, even if nothing has changed")
@@ -93,7 +93,7 @@ def _add_pipeline(commands: Commands) -> None:
         "run the pipeline on many homes, group by group, and judge the findings on all of them",
         "Split the homes of a data set into groups of six, run the pipeline on each group, judge the "
         f"findings on all homes, and write the results to {paths.REPLICATION}. Needs the outputs of "
-        "`placecat repro`. Continues a killed run.",
+        "`placecat repro`. Resumes a killed run.",
     )
     replicate.add_argument("overrides", nargs="*", metavar="OVERRIDE", help=override)
     chosen = "run only these groups, e.g. 1 2; earlier results of the other groups are reused"
@@ -104,7 +104,7 @@ def _add_pipeline(commands: Commands) -> None:
         _mend,
         "clean up after a killed run",
         "Restore records that are missing from dvc.lock after a killed run, and remove temporary files. "
-        "`placecat repro` does this first. Before using `dvc repro` itself, run this command.",
+        "`placecat repro` does this by itself; run this command before a plain `dvc repro`.",
     )
 
 
@@ -115,7 +115,7 @@ def _add_results(commands: Commands) -> None:
         lambda options: _compare(options.old, options.new, options.html),
         "compare the tables with those in git",
         "Show how reports/tables, the numbers in the text of the thesis and the verdicts on its findings "
-        "differ from the versions in git. No stage is run.",
+        "differ from the versions in git. Runs no stages.",
         epilog=_STATUS,
     )
     sides = "any git revision, or a folder with params.yaml and reports/"
@@ -129,7 +129,7 @@ def _add_results(commands: Commands) -> None:
         "times",
         _times,
         "print how long the last complete run took",
-        "Print the time of each stage in the last `placecat repro` that ran all of them.",
+        "Print how long each stage took in the last `placecat repro` that ran every stage.",
     )
     copied = f"copy them to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}, which are in git"
     times.add_argument("--keep", action="store_true", help=copied)
@@ -143,7 +143,7 @@ def _add_results(commands: Commands) -> None:
     )
     cell = "its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 HMM home_3"
     explain.add_argument("cell", nargs="+", metavar="CELL", help=cell)
-    again = "compute it again from stage outputs, and check that every bit agrees"
+    again = "recompute it from stage outputs, and check that every bit agrees"
     explain.add_argument("--again", action="store_true", help=again)
     add_command(
         commands,
@@ -151,7 +151,7 @@ def _add_results(commands: Commands) -> None:
         _demo,
         "a one-minute demo: train on a few frames of five homes, and classify a walk through the sixth",
         "Train the five-cue system on every 10th frame of five of the project's homes, and name the places "
-        "of a walk through the sixth. Writes a timeline, an annotated clip and a page with both to "
+        "along a walk through the sixth. Writes a timeline, an annotated clip and a page with both to "
         "predictions/demo. Works without a previous `placecat repro`.",
     )
 
@@ -214,7 +214,7 @@ def _measure(call: str, seconds: float) -> str:
     if len(by_stage):
         params = settings.load()
         data = str(settings.get(params, "dataset.title"))
-        # Times on a cluster do not describe this machine.
+        # Times measured on a cluster say nothing about this machine.
         is_local = params.get("compute", {}).get("kind", "local") == "local"
         is_complete = is_local and set(repro.stages()) <= set(by_stage["stage"])
         times.write(by_stage, seconds, data, parallel.workers(), is_complete=is_complete)

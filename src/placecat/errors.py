@@ -22,11 +22,11 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number cannot be computed from the data, whatever the settings. Tables show the reason instead."""
+    """A number that cannot be computed from the data with any settings. Tables show the reason instead."""
 
 
 class SettingError(PlacecatError):
-    """A setting that is wrong, whatever the data."""
+    """A setting that is invalid, regardless of the data."""
 
 
 # Remedies for errors from disks, file systems and system limits.
@@ -34,8 +34,8 @@ _REFUSED = {
     errno.ENOSPC: "free some space and run again",
     errno.EDQUOT: "free some space and run again",
     errno.EFBIG: "allow larger files (ulimit -f) and run again",
-    errno.EACCES: "get permission, or choose another folder",
-    errno.EPERM: "get permission, or choose another folder",
+    errno.EACCES: "fix the permissions, or choose another folder",
+    errno.EPERM: "fix the permissions, or choose another folder",
     errno.EROFS: "choose a writable folder",
     errno.EIO: "check the disk or the network",
     errno.EMFILE: "allow more open files (ulimit -n)",
@@ -52,20 +52,20 @@ def exiting() -> Iterator[None]:
     """End the program without a traceback.
 
     On a user error, a full disk or a missing permission, print one message and exit with status 1.
-    After Ctrl-C, exit with status 130; if the output pipe is closed, exit silently with status 1.
+    On Ctrl-C, exit with status 130; if the output pipe is closed, exit silently with status 1.
     """
     try:
         yield
     except (PlacecatError, OSError, KeyboardInterrupt) as error:
         status = _status(error)
-        # Variables of these frames may be parallel loops. Python would end them only when it shuts down, when
+        # These frames may hold parallel loops in variables. Python would end the loops only at shutdown, when
         # joblib can no longer start the next tasks and prints a traceback.
         traceback.clear_frames(error.__traceback__)
         sys.exit(status)
 
 
 def _status(error: BaseException) -> str | int:
-    """Return the message or the exit status for an error; raise it if it needs a traceback."""
+    """Return the message or the exit status for an error; re-raise it if it needs a traceback."""
     if isinstance(error, KeyboardInterrupt):
         return 130
     if isinstance(error, PlacecatError):
@@ -80,7 +80,7 @@ def _status(error: BaseException) -> str | int:
 
 
 def printable(text: str) -> str:
-    """Escape unprintable and control characters, except line ends and tabs, in the form ``\\x1b``."""
+    """Escape unprintable and control characters, except line breaks and tabs, in the form ``\\x1b``."""
     if text.isprintable():
         return text
     return "".join(
@@ -89,13 +89,13 @@ def printable(text: str) -> str:
 
 
 def one_line(text: object) -> str:
-    """Escape a name as :func:`printable` does, and escape line ends, too."""
+    """Escape a name as :func:`printable` does, and escape line breaks as well."""
     return printable(str(text)).replace("\n", "\\n")
 
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Turn system errors while reading a user file, such as a missing permission, into PlacecatError."""
+    """Raise PlacecatError for system errors while reading a user file, such as a missing permission."""
     try:
         yield
     except OSError as error:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def replacing(target: Path) -> Iterator[Path]:
-    """Yield a temporary path next to `target`; rename it to `target` if the block succeeds, else remove it.
+    """Yield a temporary path next to `target`; rename it to `target` if the block succeeds, else delete it.
 
     The block creates a file or a folder at that path. Either may replace a file at `target`, but only a
     folder may replace a folder. Raises PlacecatError if :func:`check_target` does, if a file would replace a
@@ -149,12 +149,12 @@ def write_json(path: Path, content: Any) -> None:
 
 
 def read_json(path: Path) -> Any:
-    """Read a JSON file that this project wrote."""
+    """Read a JSON file written by this project."""
     return json.loads(Path(path).read_text(encoding="utf-8"))
 
 
 def write_csv(path: Path, table: "pd.DataFrame") -> None:
-    """Write a table as a CSV file without an index, with the same line ends on every system."""
+    """Write a table as a CSV file without an index, with the same line endings on every system."""
     with replacing(path) as temporary:
         table.to_csv(temporary, index=False, lineterminator="\n")
 
@@ -162,7 +162,7 @@ def write_csv(path: Path, table: "pd.DataFrame") -> None:
 def read_table(path: Path, text: Collection[str] = ()) -> "pd.DataFrame":
     """Read a CSV file of numbers and text.
 
-    Cells in the columns `text` stay as they are, for example "NA"; empty cells in other columns are NaN.
+    Cells in the columns `text` are kept as they are, for example "NA"; empty cells in other columns are NaN.
     """
     import pandas as pd
 

@@ -38,12 +38,12 @@ def _add_train(commands: Commands) -> None:
         _train,
         "train a system and write it as one file",
         "Train a system, from features to smoothing, on the homes that `placecat repro` has described, and "
-        "write it as one file for `placecat predict`. For the model card, each home is also left out once, "
-        "to test a system that is trained on the others.",
+        "write it as one file for `placecat predict`. For the model card, each home is also used once to "
+        "test a system trained on the others.",
     )
     system = "a system in conf/system; by default model.system"
     train.add_argument("system", nargs="?", metavar="SYSTEM", help=system)
-    without = "a home to leave out of all training, for testing on it; may be repeated"
+    without = "a home to leave out of all training, so that you can test on it; may be repeated"
     train.add_argument("--without", action="append", default=[], metavar="HOME", help=without)
     train.add_argument("--seed", type=int, help="a seed in protocol.seeds; by default model.seed")
     output = f"by default {paths.MODEL}; with SYSTEM, --without or --seed, a file in {paths.MODELS}"
@@ -96,7 +96,7 @@ def _add_predict(commands: Commands) -> None:
     rerun = "also write frames, regions and probabilities for Rerun (.rrd)"
     predict.add_argument("--rerun", type=Path, metavar="FILE", help=rerun)
     force = (
-        "replace files from --mcap and --rerun, and predictions that were edited or are from another "
+        "replace files from --mcap and --rerun, and predictions that were edited or come from another "
         "source; an edited table is kept as NAME.edited.csv"
     )
     predict.add_argument("--force", action="store_true", help=force)
@@ -113,10 +113,10 @@ def _add_import(commands: Commands) -> None:
         "panoramas",
         _import_panoramas,
         "360-degree pictures",
-        "Make homes from 360-degree pictures: a virtual camera walks through them and turns, controlled by a "
-        "random seed. Writes frames, labels and a data card. The settings are in conf/panoramas.yaml.",
+        "Make homes from 360-degree pictures: a virtual camera walks through them and turns, on a path set "
+        "by a random seed. Writes frames, labels and a data card. The settings are in conf/panoramas.yaml.",
     )
-    panoramas.add_argument("source", type=Path, metavar="SOURCE", help="the folder of the panoramas")
+    panoramas.add_argument("source", type=Path, metavar="SOURCE", help="the folder with the panoramas")
     panoramas.add_argument("destination", type=Path, metavar="DESTINATION", help="a new folder for the homes")
     setting = "change a setting, e.g. source=zind, fps=10.0"
     panoramas.add_argument("changes", nargs="*", metavar="SETTING=VALUE", help=setting)

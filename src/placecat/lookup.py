@@ -1,7 +1,7 @@
 """Find the code named in a setting: a module in a package, and the definitions in the module.
 
 Settings use module names, so new files need no registration. Signatures are read from the source, because
-imports such as scikit-learn take seconds, but composing the settings must be quick.
+importing packages such as scikit-learn takes seconds, and composing the settings must be quick.
 """
 
 import ast
@@ -41,7 +41,8 @@ def require(package: str, name: object, what: str, *defining: str) -> str:
     """Return `name` if that module exists.
 
     If not, raises a PlacecatError that suggests the nearest name and lists all names. In this message, `what`
-    describes `name`, for example as ``classifier.model``. `package` and `defining` are as for `names`.
+    describes `name`, for example as ``classifier.model``. `package` and `defining` are the same as for
+    `names`.
     """
     # Try this module first, since listing all of them takes time.
     if not _defines(package, name, defining):
@@ -52,7 +53,7 @@ def require(package: str, name: object, what: str, *defining: str) -> str:
 
 
 def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
-    """Import a module. The parameters are those of `require`.
+    """Import a module; the parameters are the same as for `require`.
 
     Raises PlacecatError if `require` does, or if the import fails.
     """
@@ -127,7 +128,7 @@ def keys(package: str, name: str, dictionary: str) -> list[str]:
 
 @lru_cache
 def _locations(package: str) -> list[str]:
-    # This imports parent packages, but not the package itself.
+    # This imports the parent packages, but not the package itself.
     spec = importlib.util.find_spec(package)
     return list(spec.submodule_search_locations or []) if spec is not None else []
 

@@ -78,7 +78,7 @@ def sequences(home: str) -> Path:
 
 
 def features(home: str) -> Path:
-    """Return the folder with the descriptors of a home; `home` is as for :func:`sequences`."""
+    """Return the folder with the descriptors of a home (`home` as in :func:`sequences`)."""
     return (SITE_FEATURES if "/" in home else FEATURES) / home
 
 

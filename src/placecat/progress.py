@@ -6,7 +6,7 @@ from typing import Any
 
 from tqdm import tqdm
 
-# Seconds between two lines in a log, and before the first line.
+# Seconds between lines in a log, and before the first line.
 IN_LOG = 30.0
 _IN_TERMINAL = 0.2
 _COUNT = "{desc}: {n_fmt}{unit}, {rate_fmt}{postfix}"

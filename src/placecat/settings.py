@@ -1,4 +1,4 @@
-"""Read and look up the settings of params.yaml, and reject unknown ones."""
+"""Read and look up the settings in params.yaml, and reject unknown ones."""
 
 import copy
 import inspect
@@ -11,7 +11,7 @@ import yaml
 from placecat import paths
 from placecat.errors import PlacecatError, SettingError, did_you_mean
 
-# The loader of libyaml is ten times faster, but not every PyYAML has it.
+# libyaml's loader is ten times faster, but not every build of PyYAML includes it.
 Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -73,7 +73,7 @@ def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], 
 
 
 def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, where: str) -> dict[str, Any]:
-    """Return a copy of nested settings, with new values for the settings with the given dotted names.
+    """Return a copy of nested settings, with new values for the given dotted names.
 
     For an unknown setting, the PlacecatError begins with `who`, such as ``table_12 changes``, and says that
     `where` has no such setting.

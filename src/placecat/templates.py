@@ -7,7 +7,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 
 @cache
 def environment(package: str) -> Environment:
-    """Load the `templates` folder of a package. HTML is escaped, and unknown names are errors."""
+    """Load the `templates` folder of a package. HTML is escaped, and unknown names raise errors."""
     return Environment(
         loader=PackageLoader(package),
         autoescape=select_autoescape(["html.j2"]),

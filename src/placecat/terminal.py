@@ -13,7 +13,7 @@ class Terminal(io.TextIOBase):
         self._stream = stream
 
     def write(self, text: str) -> int:
-        """Write text as :func:`printable` returns it; also escape characters that the encoding lacks."""
+        """Write text as escaped by :func:`printable`; also escape characters that the encoding lacks."""
         coding = self._stream.encoding or "utf-8"
         self._stream.write(printable(text).encode(coding, "backslashreplace").decode(coding))
         return len(text)

@@ -259,5 +259,5 @@ def test_a_task_that_kills_workers_ends_with_one_message(cluster, project, monke
     with pytest.raises(PlacecatError, match="the cluster has had no workers for 1 s: start some"):
         list(one.run(os.getpid, [()]))
     one.close()
-    with pytest.raises(PlacecatError, match=f"the cluster of {cluster.address} has no workers"):
+    with pytest.raises(PlacecatError, match=f"the cluster at {cluster.address} has no workers"):
         connection.Cluster(**settings)

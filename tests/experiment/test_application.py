@@ -140,7 +140,7 @@ def test_a_single_experiment_is_reported_by_home_and_place(sweep, monkeypatch, c
     assert f"H2: {own['homes']['H2']['accuracy']:.2f} % (seed-0 " in printed
     quality = f"Log-loss {own['log_loss']:.3f} nats, calibration error {own['calibration_error']:.2f} %"
     assert quality in printed.splitlines()
-    assert "in percent of the frames of each true place" in printed
+    assert "as percentages of the frames of each true place" in printed
 
 
 def test_an_invalid_combination_computes_nothing(sweep, monkeypatch):

@@ -94,7 +94,7 @@ def test_sixteen_processes_can_create_the_database_at_once():
     ("address", "says"),
     [
         ("sqlite:///broken.db", "file is not a database"),
-        ("sqlite://", "does not contain a file"),
+        ("sqlite://", "does not name a file"),
         ("ftp://somewhere", "ftp"),
         ("http://me:secret@127.0.0.1:9", "127.0.0.1"),
     ],
@@ -168,7 +168,7 @@ def test_paths_in_a_database_outside_the_project_do_not_change(tmp_path, monkeyp
         ("http://[::1", "Invalid IPv6"),
         ("nonsense", "MLflow at nonsense: "),
         ("foo://x", "MLflow at foo://x: "),
-        ("sqlite://", "does not contain a file"),
+        ("sqlite://", "does not name a file"),
         ("sqlite:////proc/x/y.db", "MLflow at sqlite:////proc/x/y.db: "),
         (
             "mssql+pyodbc://me:secret@host/db",

@@ -77,7 +77,7 @@ def test_restored_records_and_stages_to_run_again_are_listed(folder, capsys):
     main(["mend"])
     assert mend.LOCK.read_text() == lock_of(1, 1)
     said = capsys.readouterr().out
-    assert "dvc.lock was truncated when a run was killed: its records are restored" in said
+    assert "dvc.lock was truncated when a run was killed: its records have been restored" in said
     assert "run again: third" in said
 
 

@@ -1,4 +1,4 @@
-"""Sweepers, placed where Hydra looks for plugins. Hydra always imports them, so slow imports come late."""
+"""Sweepers, placed where Hydra looks for plugins. Hydra always imports them, so slow imports are deferred."""
 
 import sys
 from abc import abstractmethod
@@ -18,7 +18,7 @@ class _Checked(Sweeper):
     """A sweeper that exits with one message if an experiment is invalid, and with status 1 if one fails."""
 
     def setup(self, *, hydra_context: HydraContext, task_function: TaskFunction, config: DictConfig) -> None:
-        """Store the Hydra context and settings, and make the launcher."""
+        """Store the Hydra context and settings, and create the launcher."""
         from hydra.core.plugins import Plugins
 
         self.hydra_context: HydraContext = hydra_context
@@ -28,7 +28,7 @@ class _Checked(Sweeper):
         )
 
     def sweep(self, arguments: list[str]) -> None:
-        """Check, run and report; `arguments` are the overrides of the command line."""
+        """Check, run and report; `arguments` are the command-line overrides."""
         from placecat.errors import PlacecatError
 
         try:
@@ -43,7 +43,7 @@ class _Checked(Sweeper):
         self.launcher.launch(lines, initial_job_idx=0)
 
     def logged(self, arguments: "Sequence[str]") -> "Sequence[str] | None":
-        """Return the sweeper and overrides, which identify the sweep in MLflow; None if it is not logged."""
+        """Return the sweeper and overrides, which identify the sweep in MLflow, or None if not logged."""
         return [str(self.config.hydra.sweeper._target_), *arguments] if self.config.track else None
 
     @abstractmethod
@@ -62,7 +62,7 @@ class GridSweeper(_Checked):
         experiments = sweep.check(self.config, lines, combinations)
         for own, experiment in zip(combinations, experiments, strict=True):
             if own.get(summary.HOME, "all") != "all":
-                # Show the name of the home as in the data set, however it was spelled.
+                # Show the home's name as spelled in the data set, not as the user typed it.
                 own[summary.HOME] = "+".join(experiment.homes)
         with sweep.begun(self.config, combinations) as folder:
             jobs.run(folder, lines, experiments, self.launch)
@@ -72,8 +72,8 @@ class GridSweeper(_Checked):
 class OptunaSweeper(_Checked):
     """Choose the settings of each experiment with Optuna, based on the accuracies of earlier experiments.
 
-    Unlike Hydra's own plugin, which needs Optuna 2, it first tries the settings that apply without a
-    search, and its batches do not depend on the number of workers. The parameters are described in
+    Unlike Hydra's own plugin, which needs Optuna 2, it first tries the settings used without a search, and
+    its batches do not depend on the number of workers. The parameters are described in
     conf/hydra/sweeper/optuna.yaml.
     """
 
@@ -83,7 +83,7 @@ class OptunaSweeper(_Checked):
         self.params = {str(key): value for key, value in (params or {}).items()}
 
     def run(self, arguments: list[str]) -> bool:
-        """Search, and write the result to the folder of the sweep."""
+        """Run the search and write its result to the sweep's folder."""
         from placecat import settings
         from placecat.experiment import jobs, summary, sweep
         from placecat.search import report, space, study

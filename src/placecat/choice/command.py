@@ -59,7 +59,7 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
 
 
 def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
-    """Judge every candidate on the data set in params.yaml, and choose using all data sets in `output`.
+    """Judge every candidate on the data set in params.yaml, then choose based on all data sets in `output`.
 
     Replaces the rows for this data set and these kinds in `output`, and keeps the others. Returns the result
     of :func:`placecat.choice.candidates.choose`. Raises PlacecatError for invalid settings, or if features or

@@ -24,7 +24,7 @@ Judgement = tuple[str, str, float, float]
 
 
 def judge(truth: NDArray[np.int16], proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
-    """Return the accuracy (percent) and log-loss (nats) on the frames of one home, as means over places."""
+    """Return the accuracy (percent) and log-loss (nats) on the frames of one home, averaged over places."""
     confusion = confusion_matrix(truth, proba.argmax(axis=1), proba.shape[1])
     return home_accuracy(confusion), log_loss(truth, proba, smallest=smallest)
 
@@ -35,9 +35,9 @@ def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
 
 
 def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]:
-    """Train a cue without clusters according to a plan, and apply it to all frames of each tested home.
+    """Train a cue without clusters according to a plan, and apply it to all frames of each home it tests.
 
-    Returns the distributions of each tested home.
+    Returns the distributions for each of these homes.
     """
     trained = train(plan, cue)
     return {part.home: trained.predict(part.home) for part in plan.tested}
@@ -47,7 +47,8 @@ def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
     """Train a cue without clusters according to a plan, and judge it on the homes that the plan leaves out.
 
     The plan tests one or two homes. If it tests two, each is judged as an unseen training home, with the
-    other as the test home. `smallest` is as for :func:`placecat.evaluation.probabilities.log_loss`.
+    other as the test home. `smallest` has the same meaning as in
+    :func:`placecat.evaluation.probabilities.log_loss`.
     """
     unseen = predict_unseen(plan, cue)
     judged = {home: judge_home(home, proba, smallest) for home, proba in unseen.items()}
@@ -64,7 +65,7 @@ def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[
 def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smallest: float) -> list[Judgement]:
     """Train an integration on the cues of a fold, and judge it on the homes that the cues have not seen.
 
-    The ``scheme`` of `system` is that of the plan. In 4-5-1, the integration trains only on the training
+    The ``scheme`` of `system` matches the plan. In 4-5-1, the integration trains only on the training
     homes of the cues, as in 5-5-1, and is judged on the test home and on the other home that the cues have
     not seen. In 5-5-1, it is judged on the test home.
     """
@@ -110,11 +111,11 @@ def judge_smoothing(
     Integrations cannot be judged this way: their training distributions look too good, since they come from
     cues that have seen other frames of the same home.
 
-    `smoothing` contains the settings of :func:`placecat.fusion.smoothing.fit`. `source` is the file of the
-    fold from the `cues` stage; a PlacecatError is raised if it lacks cross-validated distributions. `unseen`
-    maps each training home to (frames, n_classes) distributions for all its frames. They come from a cue that
-    has seen neither this home nor the test home. Each training home is smoothed with statistics from the
-    other training homes, and the test home with statistics from all training homes.
+    `smoothing` contains the settings for :func:`placecat.fusion.smoothing.fit`. `source` is the fold's file
+    from the `cues` stage; PlacecatError is raised if it lacks cross-validated distributions. `unseen` maps
+    each training home to (frames, n_classes) distributions for all its frames. They come from a cue that has
+    seen neither this home nor the test home. Each training home is smoothed with statistics from the other
+    training homes, and the test home with statistics from all training homes.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(

@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 # Largest number of workers on one machine; a larger number is probably a typo.
 _MOST_WORKERS = 1024
 
-# Connects to the chosen cluster at the first loop, because many stages have no loop.
+# Connects to the chosen cluster only when the first loop runs, because many stages have no loop.
 _connect: Callable[[], "Cluster | None"] | None = None
 
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Apply the `compute` settings in params.yaml to a block; then disconnect from the cluster, if any."""
+    """Apply the `compute` settings in params.yaml within a block, then disconnect from any cluster."""
     global _connect
     before = _connect
     with ExitStack() as connected:

@@ -1,4 +1,4 @@
-"""The connection to a Dask cluster whose workers compute the same bits as this machine."""
+"""The connection to a Dask cluster whose results are bit-identical to those of this machine."""
 
 import asyncio
 import contextlib
@@ -22,7 +22,7 @@ _SECONDS_BETWEEN_LOOKS = 1.0
 class Cluster:
     """A Dask cluster that runs tasks.
 
-    `scheduler` is an address, such as ``tcp://10.0.0.1:8786``. `wait` is the time in seconds to wait for the
+    `scheduler` is an address, such as ``tcp://10.0.0.1:8786``. `wait` is how many seconds to wait for the
     scheduler, for the first worker, and for a new worker if all are gone. `may_differ` lists the items of
     :func:`placecat.compute.fingerprint.fingerprint` that may differ from those of this process. Raises
     PlacecatError if Dask is not installed, if no scheduler answers, or if workers are missing or unfit.
@@ -34,7 +34,8 @@ class Cluster:
         for item in may_differ:
             if item not in here:
                 raise PlacecatError(
-                    f"compute.may_differ has {item!r}, which is not compared: choose from {', '.join(here)}"
+                    f"compute.may_differ contains {item!r}, which is not compared: "
+                    f"choose from {', '.join(here)}"
                 )
         self._wait = float(wait)
         self._client = _connect(client, scheduler, self._wait)
@@ -57,7 +58,7 @@ class Cluster:
             self._client.wait_for_workers(1, timeout=self._wait)
         except TimeoutError:
             raise PlacecatError(
-                f"the cluster of {scheduler} has no workers: start some (`placecat worker {scheduler}`)"
+                f"the cluster at {scheduler} has no workers: start some (`placecat worker {scheduler}`)"
             ) from None
         try:
             objections = self._client.run(objection, self._expected, on_error="return")
@@ -125,13 +126,13 @@ class Cluster:
         """Disconnect; the scheduler then drops the remaining tasks of this process."""
         self._mark.unlink(missing_ok=True)
         with contextlib.suppress(OSError):
-            # Another stage may still use the folder; rmdir then fails.
+            # Another stage may still be using the folder; rmdir then fails.
             self._mark.parent.rmdir()
         self._client.close()
 
 
 def _result(future: Any) -> bytes:
-    """Return the result of a task; raise its exception, or a PlacecatError that says why it has none."""
+    """Return the result of a task; raise its exception, or a PlacecatError that says why there is none."""
     from distributed import KilledWorker
 
     if future.status not in ("finished", "error"):
@@ -147,7 +148,7 @@ def _result(future: Any) -> bytes:
 
 
 def _distributed() -> Any:
-    """Import the client of Dask distributed and silence its own messages."""
+    """Import the Dask distributed client and silence its own messages."""
     try:
         import dask
         from distributed import Client

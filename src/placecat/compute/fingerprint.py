@@ -1,4 +1,4 @@
-"""A description of everything that affects the bits of results: code, versions, kernels, processor."""
+"""A description of everything that can change results: code, versions, kernels, processor."""
 
 import hashlib
 import platform
@@ -14,11 +14,11 @@ PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
 
 @cache
 def fingerprint() -> dict[str, str]:
-    """Describe the environment of this process, as text for each item.
+    """Describe the environment of this process, one string per item.
 
-    The description is made once per process, since later changes to files do not affect loaded modules.
-    ``placecat`` includes a digest of the code. ``BLAS`` lists the kernels chosen by NumPy, SciPy and OpenCV,
-    and ``processor`` lists the vector instructions used by NumPy and OpenCV.
+    The description is computed once per process, since later changes to files do not affect modules already
+    loaded. ``placecat`` includes a digest of the code. ``BLAS`` lists the kernels chosen by NumPy, SciPy and
+    OpenCV, and ``processor`` lists the vector instructions used by NumPy and OpenCV.
     """
     # Imported late: OpenCV is not needed to read PACKAGES.
     import cv2

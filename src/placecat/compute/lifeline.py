@@ -1,8 +1,8 @@
-"""End a process soon after its parent has ended for any reason.
+"""End a process soon after its parent ends, for whatever reason.
 
 The run, DVC, a stage and its workers form a chain of processes. Any of them may be killed, so each watches
-its parent. The kernel signal PR_SET_PDEATHSIG does not help: it exists only on Linux, and it comes too early
-if a thread started the process, as joblib does.
+its parent. The kernel signal PR_SET_PDEATHSIG does not help: it exists only on Linux, and it is sent too
+early if a thread started the process, as in joblib.
 """
 
 import os
@@ -13,9 +13,9 @@ from types import FrameType
 
 import psutil
 
-# Seconds between two checks, and seconds allowed for cleaning up.
+# Seconds between checks, and seconds allowed for cleaning up.
 INTERVAL, GRACE = 0.5, 10.0
-# Environment variable that tells stages the process ID of DVC, since their parent may be a shell.
+# Environment variable that holds DVC's process ID for the stages, since their parent may be a shell.
 DVC = "PLACECAT_DVC"
 _SIGNALS = signal.SIGINT, signal.SIGTERM
 
@@ -35,7 +35,7 @@ def end_with(parent: int) -> None:
 
 
 def end_stage_with_dvc() -> None:
-    """Make this stage clean up on SIGTERM, on Ctrl-C, and when DVC is gone."""
+    """Make this stage clean up on SIGTERM, on Ctrl-C, and once DVC is gone."""
     stop_on_signals()
     if "DVC_STAGE" in os.environ:
         end_with(int(os.environ.get(DVC, os.getppid())))

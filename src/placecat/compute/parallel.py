@@ -45,7 +45,8 @@ def stream(
 
     Every call uses one thread in BLAS, OpenMP and OpenCV, since the number of threads can change the last
     bits of a sum. Yields the results in the order of `tasks`, each as soon as possible. Raises PlacecatError
-    if a process on this machine was killed or memory ran out. Errors of `function` are raised here, too.
+    if a process on this machine was killed or memory ran out. Exceptions raised by `function` are re-raised
+    here.
 
     Parameters
     ----------
@@ -77,7 +78,7 @@ def _without_ctrl_c() -> Iterator[None]:
 
     Threads and processes inherit the blocked signals of the thread that starts them.
     """
-    # Start the resource tracker of joblib now, because starting it later would unblock the signal.
+    # Start the joblib resource tracker now, because starting it later would unblock the signal.
     resource_tracker.ensure_running()
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
@@ -97,7 +98,7 @@ def _explained(results: Generator[Any], description: str, jobs: int) -> Iterator
         for result in results:  # noqa: UP028
             yield result
     except GeneratorExit:
-        # Whoever stops early knows that results are unused; joblib would warn.
+        # A caller that stops early knows that results go unused, so silence joblib's warning.
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             results.close()

@@ -1,4 +1,4 @@
-"""Start the workers of a cluster, and run tasks on workers that compute the same bits as this machine."""
+"""Start the workers of a cluster, and run tasks on workers whose results match this machine's bit for bit."""
 
 import contextlib
 import importlib.util
@@ -14,10 +14,10 @@ from placecat import compute
 from placecat.compute.fingerprint import fingerprint
 from placecat.errors import PlacecatError
 
-# By default, Dask workers return freed memory immediately, which doubles the time to describe a frame. These
-# variables override placecat.vision.memory.
+# By default, Dask workers return freed memory immediately, which doubles the time it takes to describe a
+# frame. These variables override placecat.vision.memory.
 _MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": str(32 << 20)}
-# The marks (files in the project folder) that this worker has already seen.
+# Marks (files in the project folder) that this worker has already seen.
 _seen: set[str] = set()
 
 
@@ -25,7 +25,7 @@ def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
     """Replace this process with ``dask worker`` and its single-threaded processes, by default one per core.
 
     Importing placecat.stages has already chosen the OpenBLAS kernels through the environment. `scheduler` is
-    an address; `options` are additional options of ``dask worker``, such as ``["--nworkers", "4"]``. Raises
+    an address; `options` are additional options for ``dask worker``, such as ``["--nworkers", "4"]``. Raises
     PlacecatError if Dask is not installed.
     """
     if importlib.util.find_spec("distributed") is None:
@@ -41,8 +41,8 @@ def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
 class Expected:
     """The requirements for a worker.
 
-    `folder` is the absolute path of the project folder. `mark` is the relative path of a file there that
-    exists while the stage runs. `items` are from :func:`placecat.compute.fingerprint.fingerprint`; those in
+    `folder` is the absolute path of the project folder. `mark` is the path, relative to it, of a file that
+    exists while the stage runs. `items` come from :func:`placecat.compute.fingerprint.fingerprint`; those in
     `may_differ` may differ. `scheduler` is the address of the scheduler, for messages.
     """
 
@@ -54,7 +54,7 @@ class Expected:
 
 
 def objection(expected: Expected, dask_worker: Any = None) -> str | None:
-    """Return the reason why this Dask worker is unfit, with a remedy, or None if it is fit."""
+    """Return why this Dask worker is unfit and how to fix that, or None if it is fit."""
     if dask_worker is None:
         from distributed import get_worker
 
@@ -73,8 +73,8 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
     ]
     if different:
         return (
-            f"{name} differs from this machine in {'; '.join(different)}, and results depend on that: start "
-            f"it again with {start} in the same environment, or list what may differ in compute.may_differ"
+            f"{name} differs from this machine in {'; '.join(different)}, which can change results: restart "
+            f"it with {start} in the same environment, or list what may differ in compute.may_differ"
         )
     if expected.mark not in _seen:
         if not (Path(expected.folder) / expected.mark).exists():
@@ -89,8 +89,8 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
 def perform(expected: Expected, call: bytes) -> bytes:
     """Run one task, a pickled pair of a function and its argument tuple, in the project folder.
 
-    Every task checks its worker, since workers may join while a stage runs. If the worker is unfit, raises
-    PlacecatError. The result is pickled, because unpickled arrays are writable, unlike arrays that Dask
+    Every task checks its worker, since workers may join while a stage runs. Raises PlacecatError if the
+    worker is unfit. The result is pickled, because unpickled arrays are writable, unlike arrays that Dask
     transfers.
     """
     import cloudpickle

@@ -8,7 +8,7 @@ from placecat.schema import references, signatures
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Raise a PlacecatError that names the first wrong or unknown setting. `params` may lack sections."""
+    """Raise a PlacecatError that names the first invalid or unknown setting; sections may be missing."""
     schema.check(params)
     references.check(params)
     signatures.check(params)

@@ -19,7 +19,7 @@ from placecat.runs import lock
 if TYPE_CHECKING:
     from omegaconf import DictConfig
 
-# Folders of conf/ in which every file is used, and the section that receives the content of the files.
+# Folders of conf/ in which every file is used, and the section that receives the contents of its files.
 FOUND = {
     "descriptor/local": "descriptors.local",
     "descriptor/holistic": "descriptors.holistic",
@@ -36,10 +36,10 @@ _COMPOSED = Path("data/params.sha256")
 
 
 def found(conf: Path = paths.CONF) -> str:
-    """Return the content of conf/found.yaml, which lists every file in the folders of `FOUND`.
+    """Return the contents of conf/found.yaml, which lists every file in the folders of `FOUND`.
 
     A Hydra defaults list cannot contain a file pattern, and `dvc exp run` composes only from files.
-    Inferred settings come last. Raises the errors of :mod:`placecat.config.inferred`.
+    Inferred settings come last. Raises the same errors as :mod:`placecat.config.inferred`.
     """
     lines = [
         "# `placecat params` writes this list of all files in these folders. To extend it, add a file.",
@@ -58,7 +58,7 @@ def found(conf: Path = paths.CONF) -> str:
 
 
 def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
-    """Compose the settings of conf/config.yaml with Hydra overrides; return the content of params.yaml.
+    """Compose the settings in conf/config.yaml with Hydra overrides; return the contents of params.yaml.
 
     Overrides look like ``dataset=my_homes`` or ``cues.gist.classifier.base.nu=0.1``. Raises PlacecatError for
     an unreadable override, an unknown setting, or a setting without a value.
@@ -96,9 +96,9 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 
 
 def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) -> dict[str, Any]:
-    """Apply Hydra overrides, e.g. ``fps=10.0``, to plain settings outside params.yaml.
+    """Apply Hydra overrides such as ``fps=10.0`` to plain settings outside params.yaml.
 
-    `where` is the name of the settings file in messages. Raises PlacecatError for an unreadable override or
+    `where` is what messages call the settings file. Raises PlacecatError for an unreadable override or
     an unknown setting.
     """
     from omegaconf import OmegaConf
@@ -113,7 +113,7 @@ def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) ->
 
 
 def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: str) -> "DictConfig":
-    """Let Hydra apply overrides to `source` (merged settings, or a folder); messages call it `where`."""
+    """Let Hydra apply overrides to `source` (merged settings, or a folder), which messages call `where`."""
     from hydra import compose as hydra_compose
     from hydra import initialize, initialize_config_dir
     from hydra.core.config_store import ConfigStore

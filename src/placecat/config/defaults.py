@@ -1,7 +1,7 @@
-"""Merge the files of conf/ by following their defaults lists, as Hydra does.
+"""Merge the files in conf/ by following their defaults lists, as Hydra does.
 
-Hydra takes seconds for the hundred files of conf/, since its running time is quadratic in the number of
-files. This module handles the common cases, and leaves all other cases and all errors to Hydra
+Hydra takes seconds to compose the hundred files in conf/, since its running time is quadratic in their
+number. This module handles the common cases, and leaves all other cases and all errors to Hydra
 (:class:`Unusual`).
 """
 
@@ -14,7 +14,7 @@ from omegaconf._utils import get_yaml_loader
 
 _OVERRIDE = "override "
 _MISSING = "???"
-# First line of a file whose content goes to the root, unless the defaults list names another place.
+# First line of a file whose contents go to the root, unless the defaults list names another place.
 _OF_ROOT = "# @package _global_\n"
 # This loader follows OmegaConf's rules for numbers, dates and duplicate keys, and uses libyaml if available.
 _Loader = get_yaml_loader()
@@ -29,7 +29,7 @@ class Unusual(Exception):
 class _Entry(NamedTuple):
     """An entry of a defaults list: choice ("" if none), group, file, package, and whether it overrides.
 
-    `fixed` says whether the entry names the package; if so, the header of the file is ignored.
+    `fixed` says whether the entry names the package; if so, the file's header is ignored.
     """
 
     choice: str
@@ -65,9 +65,9 @@ def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]
 class _Tree:
     """The files in the order in which Hydra visits them, the last file of each defaults list first.
 
-    `parts` contains the package (a dotted name, "" for the root) and content of each file. `choices` are from
-    the command line or from an ``override`` in a defaults list. `seen` contains the names of all choices so
-    far.
+    `parts` contains the package (a dotted name, "" for the root) and the contents of each file. `choices`
+    come from the command line or from an ``override`` in a defaults list. `seen` contains the names of all
+    choices so far.
     """
 
     def __init__(self, conf: Path, choices: dict[str, str]) -> None:
@@ -105,7 +105,7 @@ class _Tree:
                     self.walk(path, entry.package, (*before, name), entry.fixed)
 
     def _read(self, name: str) -> tuple[dict[str, Any], bool]:
-        """Return the content of a file, and whether its header names the root as its package."""
+        """Return the contents of a file, and whether its header names the root as its package."""
         if name not in self._contents:
             try:
                 text = (self._conf / f"{name}.yaml").read_text(encoding="utf-8")
@@ -119,7 +119,7 @@ class _Tree:
 
 
 def _entry(default: Any, folder: str, package: str) -> _Entry:
-    """Parse an entry in the defaults list of a file in `folder` whose content goes to `package`."""
+    """Parse an entry in the defaults list of a file in `folder` whose contents go to `package`."""
     if isinstance(default, str):
         path, at, own = default.partition("@")
         group, slash, file = path.rpartition("/")

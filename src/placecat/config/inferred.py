@@ -41,7 +41,7 @@ def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
 def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
     """Find codebooks of regions that cues use but that have no file in conf/codebook.
 
-    Maps each name to settings that refer to those of the cue; ``tree`` (the clustering) is left out. Raises
+    Maps each name to settings that refer to the cue's; ``tree`` (the clustering) is left out. Raises
     PlacecatError if a cue file is not YAML.
     """
     found = {}
@@ -67,7 +67,7 @@ def optional_descriptors(conf: Path) -> dict[str, list[str]]:
 
 
 def _files(conf: Path, *folders: str) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Yield the path and content of each file that has a ``descriptor``."""
+    """Yield the path and contents of each file that has a ``descriptor``."""
     for folder in folders:
         for path, content in _read(conf, folder):
             if isinstance(content.get("descriptor"), dict):
@@ -75,6 +75,6 @@ def _files(conf: Path, *folders: str) -> Iterator[tuple[Path, dict[str, Any]]]:
 
 
 def _read(conf: Path, folder: str) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Yield the path and content of each YAML file in a folder."""
+    """Yield the path and contents of each YAML file in a folder."""
     for path in sorted((conf / folder).glob("*.yaml")):
         yield path, settings.read_yaml(path, "write its settings, or remove it")

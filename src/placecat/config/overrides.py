@@ -7,7 +7,7 @@ from typing import Any
 
 from placecat.errors import PlacecatError, did_you_mean
 
-# Text that a shell does not change within double quotes.
+# Text that a shell leaves unchanged within double quotes.
 _PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
 
 
@@ -85,7 +85,7 @@ def for_shell(argument: str) -> str:
 
 
 def for_make(argument: str) -> str:
-    """Quote an argument for ``SET=``, which is read by a shell, by make, and by a shell again."""
+    """Quote an argument for ``SET=``, which passes through a shell, make, and a shell again."""
     inner = for_shell(argument)
     if inner.startswith('"') and "'" in inner:
         escaped = inner.replace('"', '\\"')

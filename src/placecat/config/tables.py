@@ -1,4 +1,7 @@
-"""Check table definitions when settings are composed, before any stage runs. Few imports keep this fast."""
+"""Check table definitions when settings are composed, before any stage runs.
+
+This module imports little, so it stays fast.
+"""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,11 +15,11 @@ from placecat.thesis import definitions
 
 
 def check(params: Mapping[str, Any], root: Path = Path()) -> None:
-    """Raise PlacecatError if a table has an unknown layout, or a trial an unknown classifier or setting.
+    """Raise PlacecatError if a table has an unknown layout, or a trial has an unknown classifier or setting.
 
-    The parameters are as for :func:`placecat.thesis.definitions.tables`. Errors of this function, of
-    :func:`placecat.evaluation.trials.expand` and of :mod:`placecat.schema.signatures` are raised, too. For an
-    unknown layout, the message names the most similar layout and all valid ones.
+    Takes the same parameters as :func:`placecat.thesis.definitions.tables`, and also raises its errors and
+    those of :func:`placecat.evaluation.trials.expand` and :mod:`placecat.schema.signatures`. For an unknown
+    layout, the message names the most similar layout and all valid ones.
     """
     studies = definitions.studies(params, root).values()
     of_studies = {name: table for study in studies for name, table in study.items()}

@@ -89,7 +89,7 @@ def _check(folder: Path) -> None:
 
 
 def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:
-    """Write timeline, clip and frame table for the test home; return accuracies of all cues and systems."""
+    """Write the test home's timeline, clip and frame table; return the accuracies of all cues and systems."""
     dataset = params["dataset"]
     categorizer = Categorizer(system)
     source = Folder(training.FRAMES / home, dataset["fps"])

@@ -1,4 +1,4 @@
-"""Write text into pictures in the font of the figures, which OpenCV cannot do."""
+"""Write text into pictures in the font used for figures, which OpenCV cannot do."""
 
 from functools import lru_cache
 
@@ -12,7 +12,7 @@ from placecat.drawing.palette import written
 _FONT = "DejaVu Sans"
 # The depth below the baseline and the height of a line, as fractions of the font size.
 _DESCENT, _LINE = 0.28, 1.3
-# At this number of dots per inch, a point is a pixel.
+# At this many dots per inch, one point is one pixel.
 _DPI = 72
 
 
@@ -53,9 +53,9 @@ def write(
 ) -> int:
     """Write a line of text into an (H, W, 3) uint8 BGR picture, and return the width of the text.
 
-    The text is cut off at the edges of the picture. `where` is (x, y) of the upper left corner of the text,
-    or of its upper right corner if `align` is ``right``. `size` is the font size in pixels, and `color` is
-    BGR.
+    The text is cut off at the edges of the picture. `where` is the (x, y) position of the text's upper left
+    corner, or of its upper right corner if `align` is ``right``. `size` is the font size in pixels, and
+    `color` is BGR.
     """
     cover = mask(text, size, bold=bold)
     left = where[0] - (cover.shape[1] if align == "right" else 0)

@@ -1,4 +1,4 @@
-"""Colours with the same meaning in all figures, distinct for colour-blind readers and in greyscale."""
+"""Colours that mean the same in all figures, and are distinct for colour-blind readers and in greyscale."""
 
 from collections.abc import Sequence
 

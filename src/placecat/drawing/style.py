@@ -20,7 +20,7 @@ def house_style(changes: Mapping[str, Any] | None = None) -> AbstractContextMana
 
 
 def save(figure: Figure, target: Path) -> None:
-    """Write a figure as PNG, at the resolution of the style; the same figure always gives the same bytes."""
+    """Write a figure as PNG at the style's resolution; the same figure always produces the same bytes."""
     with files.replacing(target) as temporary:
         figure.savefig(temporary, format="png", metadata={"Software": None})
 
@@ -28,7 +28,7 @@ def save(figure: Figure, target: Path) -> None:
 def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None:
     """Write a figure as PDF; call `save` first. The same figure always produces the same bytes.
 
-    `title` and `settings` become the title and the subject of the PDF.
+    `title` and `settings` become the title and subject of the PDF.
     """
     # Imported late: this takes as long as importing the rest of matplotlib.
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
@@ -50,7 +50,7 @@ def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:
     """Draw a figure in the common style and return it as PNG, or None if `draw` returns None.
 
     The same figure always produces the same bytes. Do not draw text from users: anything between two $ is
-    typeset as mathematics, as in the powers of ten on an axis.
+    typeset as mathematics, which axes need for powers of ten.
     """
     with house_style({"text.parse_math": True}):
         figure = draw(*arguments)

@@ -1,7 +1,7 @@
 """Run single experiments and sweeps on existing features, with any descriptor, classifier and data set.
 
-``placecat experiment`` is the Hydra application of conf/experiment.yaml. It uses the same functions and seeds
-as the tables, so the numbers agree.
+``placecat experiment`` is the Hydra application configured by conf/experiment.yaml. It uses the same
+functions and seeds as the tables, so the numbers agree.
 """
 
 # Import this before NumPy: it chooses the same OpenBLAS kernels as the stages.

@@ -1,4 +1,4 @@
-"""The Hydra application of conf/experiment.yaml: ``placecat experiment`` and ``placecat search``."""
+"""The Hydra application behind ``placecat experiment`` and ``placecat search`` (conf/experiment.yaml)."""
 
 import hashlib
 import os
@@ -15,15 +15,15 @@ from placecat.errors import PlacecatError
 from placecat.experiment import options
 from placecat.experiment.job import job
 
-# Maximum number of characters for keys in a folder name.
+# Maximum number of characters that keys take up in a folder name.
 _LONGEST = 80
 
 
 def main(arguments: Sequence[str]) -> None:
     """Run the experiments described by the Hydra arguments.
 
-    Raises PlacecatError outside a project folder. Raises SystemExit, with a message or status 1, if a
-    setting is wrong or an experiment fails.
+    Raises PlacecatError outside a project folder. Raises SystemExit, with a message or status 1, if a setting
+    is invalid or an experiment fails.
     """
     for path in (paths.CONF / f"{options.CONFIG}.yaml", paths.PARAMS):
         if not path.is_file():
@@ -42,7 +42,7 @@ def main(arguments: Sequence[str]) -> None:
         if not any(one.startswith("hydra.sweep.dir=") for one in given.overrides):
             arguments.append(f"hydra.sweep.dir={folder_of(given.overrides)}")
     options.register()
-    # Hydra's launcher starts one process for each core that joblib counts.
+    # Hydra's launcher starts one process per core, as counted by joblib.
     workers = compute.wanted_workers()
     if workers is not None:
         os.environ.setdefault("LOKY_MAX_CPU_COUNT", str(workers))
@@ -55,14 +55,14 @@ def main(arguments: Sequence[str]) -> None:
 
 
 def folder_of(given: Sequence[str]) -> str:
-    """Name a sweep folder after its overrides, except Hydra's, so that the same command finds it again."""
+    """Name a sweep folder after its overrides other than Hydra's, so that the same command finds it again."""
     own = [one for one in given if not one.startswith(("hydra.", "hydra/launcher"))]
     keys = "-".join(re.sub(r"[^\w.]", "", one.partition("=")[0]) for one in own)
     return f"multirun/{keys[:_LONGEST]}-{hashlib.sha256(repr(own).encode()).hexdigest()[:8]}"
 
 
 def search(arguments: Sequence[str]) -> None:
-    """Search for settings. The first argument may name a file in conf/search; the rest are as for `main`."""
+    """Search for settings. The first argument may name a file in conf/search; the rest are overrides."""
     rest = list(arguments)
     if rest and "=" not in rest[0] and not rest[0].startswith("-"):
         rest[0] = f"+search={rest[0]}"

@@ -28,7 +28,7 @@ class Experiment:
     `settings` has the keys ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``,
     like a trial in a table. `frames` has the ``offset`` and ``step`` of the training frames. `seeds` are the
     seeds for clustering, or a single None if nothing is random. `probabilities` are the settings of the same
-    name in params.yaml, the arguments of :func:`placecat.evaluation.quality.probability_quality`.
+    name in params.yaml, which are the arguments of :func:`placecat.evaluation.quality.probability_quality`.
     """
 
     data: Data
@@ -47,7 +47,7 @@ class Experiment:
         }
 
     def described(self) -> dict[str, Any]:
-        """Return every setting that affects the numbers, as JSON types."""
+        """Return every setting that affects the numbers, in JSON types."""
         return {
             "data": self.data.name,
             "judge": self.judge,
@@ -62,8 +62,8 @@ class Experiment:
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
     """Resolve a combination of settings. This reads labels and array sizes, but no features.
 
-    `config` is the composed conf/experiment.yaml as plain containers. `params` is the content of the
-    params.yaml with which the features were computed. Raises PlacecatError if the combination is invalid; the
+    `config` is the composed conf/experiment.yaml as plain containers. `params` holds the contents of the
+    params.yaml with which the features were computed. Raises PlacecatError if the combination is invalid; its
     message says what is wrong and how to fix it.
     """
     schema.check(config, schema.Experiment)
@@ -162,7 +162,7 @@ def _check_data(experiment: Experiment, kernel_rows: int) -> None:
     lengths = {_length(data, home, experiment.settings["descriptor"]) for home in every}
     if len(lengths) > 1:
         raise PlacecatError(
-            "the descriptors of the homes differ in length: run `make repro` to compute them again"
+            "the descriptors of the homes differ in length: run `make repro` to recompute them"
         )
     _check_length(experiment.settings, lengths.pop())
     present = {home: set(truth.tolist()) for home, (_, truth) in training.items()}
@@ -219,7 +219,7 @@ def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
         if kind == "local" and descriptor["max_regions"] > shape[1]:
             raise PlacecatError(
                 f"descriptor.max_regions={descriptor['max_regions']}, but at most {shape[1]} regions "
-                f"per frame were described (regions.max_regions of params.yaml): use {shape[1]} or less"
+                f"per frame were described (regions.max_regions in params.yaml): use {shape[1]} or less"
             )
         length += shape[-1]
     return length

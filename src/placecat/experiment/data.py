@@ -17,7 +17,7 @@ class Data:
     """A data set with features.
 
     `name` is the name of the main data set or of a split, and `classes` are its place names. `by_test` maps
-    each sequence that can be tested to a plan that tests only that sequence.
+    each sequence that can be tested to a plan that tests it alone.
     """
 
     name: str
@@ -45,7 +45,7 @@ class Data:
 
 
 def find(params: Mapping[str, Any], name: str) -> Data:
-    """Look up ``main`` or a split of params.yaml; raise PlacecatError for any other name."""
+    """Look up ``main`` or a split in params.yaml; raise PlacecatError for any other name."""
     if name == MAIN:
         plans = planning.of_homes(params, "5-5-1")
         return Data(plans[0].dataset, plans[0].classes, {plan.test: plan for plan in plans})

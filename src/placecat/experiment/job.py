@@ -18,7 +18,7 @@ from placecat.compute import lifeline, parallel
 from placecat.errors import PlacecatError
 from placecat.experiment import output
 
-# Environment variable that tells workers the process ID of the sweep.
+# Environment variable that passes the sweep's process ID to workers.
 WORKERS_OF = "PLACECAT_SWEEP"
 _log = logging.getLogger(__name__)
 

@@ -44,7 +44,7 @@ def run(
     os.environ[job.WORKERS_OF] = str(os.getpid())
 
     def start(some: Sequence[int]) -> None:
-        # Number the jobs here, since Hydra counts only the jobs of this call.
+        # Number the jobs here, since Hydra counts only the jobs in this call.
         launch([[*lines[number - first], f"hydra.sweep.subdir={number}"] for number in some])
 
     while todo:
@@ -52,7 +52,7 @@ def run(
             start(todo)
             break
         except TerminatedWorkerError:
-            # A killed job takes all running jobs down with it: run each of them again on its own.
+            # A killed job takes all running jobs down with it: rerun each of them on its own.
             found = {number: output.read(folder / str(number)) for number in todo}
             killed = [number for number in todo if found[number].get(output.FAILED) == output.KILLED]
             if not killed:

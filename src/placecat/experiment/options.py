@@ -38,7 +38,7 @@ def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
 
 
 def classifiers() -> dict[str, dict[str, Any]]:
-    """Map the name of each file in conf/classifier to its content."""
+    """Map the name of each file in conf/classifier to its contents."""
     files = sorted((paths.CONF / "classifier").glob("*.yaml"))
     return {path.stem: yaml.load(path.read_text(encoding="utf-8"), Loader=settings.Loader) for path in files}
 

@@ -10,14 +10,14 @@ SECONDS = "seconds.json"
 TRACEBACK = "traceback.txt"
 SUMMARY = "summary.csv"
 FAILED = "failed"
-# Measures of a result, named as in the MLflow runs of tables.
+# Measures in a result, named as in the tables' MLflow runs.
 MEASURES = ("accuracy", "log_loss", "calibration_error")
 # The preliminary result of a job, which remains if its process is killed.
 KILLED = "its process was killed, perhaps because memory ran out"
 
 
 def failure(message: str) -> dict[str, Any]:
-    """Make the result of a failed experiment."""
+    """Build the result of a failed experiment."""
     return {FAILED: message, "accuracy": None, "reason": None}
 
 

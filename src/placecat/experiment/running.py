@@ -1,4 +1,4 @@
-"""Compute one experiment with the same functions as the tables, and describe the origin of its result."""
+"""Run one experiment with the same functions as the tables, and describe the origin of its result."""
 
 import hashlib
 from collections.abc import Mapping
@@ -21,7 +21,7 @@ from placecat.training import store, trial
 from placecat.training.cue import Cue
 from placecat.training.plan import Plan
 
-# The items of `fingerprint` that are part of the origin of a result.
+# The `fingerprint` items that are part of a result's origin.
 _OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
 # The measures and confusion for one tested home and seed, or the reason why there are none.
 Outcome = dict[str, Any] | str
@@ -97,7 +97,7 @@ def _means(measured: list[dict[str, Any]]) -> dict[str, float | None]:
 
 
 def made_from(experiment: Experiment) -> dict[str, Any]:
-    """Describe the inputs of a result as JSON types, for result.json.
+    """Describe the inputs behind a result in JSON types, for result.json.
 
     The keys are ``settings``, ``plans`` (a checksum of the training and test plans), ``data`` (a checksum of
     the labels and descriptors of each sequence) and ``code`` (the versions of placecat, Python and the

@@ -33,7 +33,7 @@ _DECIMALS = {"accuracy": 2} | DECIMALS
 
 @dataclass(frozen=True)
 class Ran:
-    """An experiment of a sweep, with its number, values of the swept keys, folder and result.json."""
+    """An experiment in a sweep: its number, the values of the swept keys, its folder and its result.json."""
 
     number: int
     values: dict[str, str]
@@ -76,8 +76,8 @@ def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
 def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
     """Tabulate experiments, one per row.
 
-    The columns are the number, the swept keys, the measures, the ``spread`` of the accuracy over seeds, and
-    a ``note`` on any problem. ``log_loss`` is in nats; the other measures and ``spread`` are in percent. A
+    The columns are the number, the swept keys, the measures, the ``spread`` of the accuracy over seeds, and a
+    ``note`` about any problem. ``log_loss`` is in nats; the other measures and ``spread`` are in percent. A
     missing value is NaN.
     """
     rows = []
@@ -171,7 +171,7 @@ def text(ran: Sequence[Ran]) -> str:
 
 
 def _tables(ran: Sequence[Ran]) -> str:
-    """Format a table per measure, side by side or, if that is too wide, one below the other."""
+    """Format one table per measure, side by side or, if that is too wide, one below the other."""
     found = {measure: grid(ran, measure) for measure in output.MEASURES}
     is_grid = found["accuracy"].columns.name is not None
     lines = pd.concat(list(found.values()), axis=1, keys=list(found) if is_grid else None).to_string()
@@ -193,7 +193,7 @@ def markdown(ran: Sequence[Ran]) -> str:
 
 
 def text_of_one(result: dict[str, Any]) -> str:
-    """Format the result of one experiment: accuracies by home and seed, other measures, and confusions."""
+    """Format one experiment's result: accuracies by home and seed, other measures, confusion matrices."""
     if result["accuracy"] is None:
         return output.shown(result)
     own = result["settings"]
@@ -214,7 +214,7 @@ def text_of_one(result: dict[str, Any]) -> str:
     table = confusion(result)
     shares = 100 * table / np.maximum(table.sum(axis=1, keepdims=True), 1)
     frame = pd.DataFrame(shares, index=result["classes"], columns=result["classes"])
-    title = "Decisions (columns) in percent of the frames of each true place (rows)"
+    title = "Decisions (columns) as percentages of the frames of each true place (rows)"
     return "\n".join([*lines, "", title, "", frame.to_string(float_format="{:.1f}".format)])
 
 
@@ -237,8 +237,8 @@ def label(values: dict[str, str]) -> str:
 def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
     """Print, write and log the results of a sweep; return whether all experiments and logging succeeded.
 
-    `combinations` contains the swept keys and values of each started experiment. `log` contains the overrides
-    of the sweep, for MLflow; None turns logging off.
+    `combinations` contains the swept keys and values of each experiment that was started. `log` contains the
+    overrides of the sweep, for MLflow; None turns logging off.
     """
     ran = read(folder, combinations)
     if not ran:

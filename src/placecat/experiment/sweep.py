@@ -28,7 +28,7 @@ _LISTED = 8
 def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]], list[dict[str, str]]]:
     """List all combinations of the values in Hydra overrides; ``glob`` needs Hydra's `loader`.
 
-    Returns the overrides of each experiment, in Hydra's order, and its values of the swept keys. Raises
+    Returns the overrides of each experiment, in Hydra's order, and its values for the swept keys. Raises
     PlacecatError for an interval, which only a search allows.
     """
     overrides = OverridesParser.create(config_loader=loader).parse_overrides(list(arguments))
@@ -82,7 +82,7 @@ def check(
 
 
 def meant(config: DictConfig, line: Sequence[str]) -> Experiment | None:
-    """Resolve one combination, or return None if it is invalid; the parameters are as for `check`."""
+    """Resolve one combination, or return None if it is invalid; see `check` for the parameters."""
     try:
         return _meant(config, line, settings.load())
     except _REFUSALS:
@@ -96,9 +96,9 @@ def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -
 
 @contextmanager
 def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
-    """Lock the folder of the sweep, which may contain finished jobs, and yield it.
+    """Lock the sweep's folder, which may contain finished jobs, and yield it.
 
-    Waits while another process has the lock. If the block fails, reports the results so far; on Ctrl-C,
+    Waits while another process holds the lock. If the block fails, reports the results so far; on Ctrl-C,
     prints how to resume.
     """
     folder = Path(config.hydra.sweep.dir)

@@ -31,9 +31,9 @@ _FILES = (output.SUMMARY, report.SUMMARY)
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
     """Log a sweep and its experiments, unless they are already logged; replace an incomplete log.
 
-    `folder` is the folder of the sweep, with its summary. A sweep is identified by its overrides and by the
-    settings, data and code of its experiments. Returns the location of the log as text. Raises PlacecatError
-    if MLflow cannot be written to.
+    `folder` is the sweep's folder, which contains its summary. A sweep is identified by its overrides and by
+    the settings, data and code of its experiments. Returns the location of the log as text. Raises
+    PlacecatError if MLflow cannot be written to.
     """
     swept = list(ran[0].values)
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
@@ -81,7 +81,7 @@ def _log_sweep(
 
 
 def log_one(result: dict[str, Any], folder: Path) -> str:
-    """Log a single experiment with its result and its folder; return the location of the log as text."""
+    """Log a single experiment with its result and folder; return the location of the log as text."""
     client, experiment, where = _open()
     used = result["settings"]
     name = f"{used['descriptor']['name']} {used['classifier']['base']['name']} {'+'.join(used['test_home'])}"
@@ -143,7 +143,7 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
 
 
 def _params(used: dict[str, Any]) -> dict[str, str]:
-    """Return the parameters of an experiment, with the same names as for table rows."""
+    """Return the parameters of an experiment, under the same names as those of a table row."""
     parts = ("descriptor", "classifier", "codebook")
     rest = settings.flatten({name: value for name, value in used.items() if name not in parts})
     cue = params_of_cue(used["descriptor"], used["classifier"], used.get("codebook"))

@@ -1,4 +1,4 @@
-"""The content of the MLflow runs for a table and its rows: parameters, metrics, a description and files."""
+"""The contents of the MLflow runs for a table and its rows: parameters, metrics, a description and files."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
@@ -25,7 +25,7 @@ from placecat.thesis.decisions import decisions_of
 from placecat.thesis.number import AVERAGE
 from placecat.thesis.tables import COLUMNS, comparable, in_percent, label
 
-# MLflow accepts 8000 characters. The margin is for the run id, which is longer than its placeholder.
+# MLflow accepts 8000 characters. The margin leaves room for the run id, which is longer than its placeholder.
 _LONGEST_DESCRIPTION = 7900
 # Paragraphs have no line breaks, since the user interface would show them.
 _READING = (
@@ -54,11 +54,11 @@ def table_run(
     written: Sequence[Path],
     made: Callable[[str], Made],
 ) -> TableRun:
-    """Gather the content of one table from its definition and its filled `cells`.
+    """Gather the contents of the run for one table from its definition and its filled `cells`.
 
     `dataset` describes the data behind the table (:func:`placecat.thesis.tables.dataset_of`). `settings` are
-    the settings that affect its numbers, by dotted name. `written` are the files of the table, such as its
-    CSV. `made` takes the name of a result and describes how it was made.
+    the settings that affect its numbers, by dotted name. `written` lists the table's files, such as its CSV.
+    `made` takes the name of a result and describes how it was made.
     """
     # The title of an addition already starts with this label.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
@@ -103,7 +103,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """Make one run from a folder of figures written by the `figures` stage."""
+    """Build one run from a folder of figures written by the `figures` stage."""
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [
@@ -231,7 +231,7 @@ def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
     """Return the metrics of a table by name.
 
     Names start with the column, so that MLflow charts the averages of all rows in one section. Averages come
-    first, since the user interface keeps the order.
+    first, since the user interface preserves the order.
     """
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
@@ -271,7 +271,7 @@ def _description(
 
 
 def _cut(text: str) -> str:
-    """Cut a description after the last line that fits into MLflow's limit."""
+    """Cut a description after the last line that fits within MLflow's limit."""
     if len(text) <= _LONGEST_DESCRIPTION:
         return text
     return text[: text.rindex("\n", 0, _LONGEST_DESCRIPTION - 40)] + "\n\n*The rest is in the artifacts.*\n"

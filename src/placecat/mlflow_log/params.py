@@ -7,7 +7,7 @@ from placecat.mlflow_log.store import key
 from placecat.provenance.made import Made
 from placecat.settings import flatten
 
-# Maps the prefix of a result name to the part of the system that decides.
+# Maps the prefix of a result name to the part of the system that makes the decision.
 _DECIDES = {
     "cues": "cue",
     "tempered": "tempered cue",
@@ -39,7 +39,8 @@ def params_of_cue(
     """Return the parameters of one cue, from its settings.
 
     ``descriptor``, ``classifier`` and ``scheme`` are the names of the choices; other parameters are named
-    after the settings, such as ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
+    after the settings, such as ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration`` and
+    ``codebook.cells``.
     """
     kind, name = (str(descriptor.get(one, "")) for one in ("kind", "name"))
     params = {"descriptor": f"{kind} {name}"} | _flat(descriptor, "kind", "name") | _of_classifier(classifier)

@@ -114,13 +114,13 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
                 )
                 return str(made)
             except MlflowException:
-                # A server cannot be locked: either another process was quicker, or this is a real error.
+                # A server cannot be locked: either another process got there first, or this is a real error.
                 found = client.get_experiment_by_name(name)
                 if found is None:
                     raise
         if found.lifecycle_stage != "active":
             raise PlacecatError(
-                f"the experiment {name!r} of MLflow at {_shown(uri)} was deleted: restore it with "
+                f"the MLflow experiment {name!r} at {_shown(uri)} was deleted: restore it with "
                 f"`mlflow experiments restore -x {found.experiment_id}`, or purge it with `mlflow gc`"
             )
         if location is not None:
@@ -131,7 +131,7 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
 
 
 def _follow(uri: str, before: str, artifacts: Path) -> None:
-    """Update the paths in the database of the project after its folder was moved.
+    """Update the paths in the project's database after the project folder has been moved.
 
     MLflow stores absolute paths and has no command to change them. A database outside the folder is left
     alone, since several projects may share it.
@@ -165,7 +165,7 @@ def start_run(
     """Start a run and return its id; the run is RUNNING until `finish_run`.
 
     `parent` is the id of the enclosing run, and `description` is Markdown. `files` are copied and keep their
-    names. Values of `params` are cut at 6000 characters, since MLflow rejects longer ones.
+    names. Values of `params` are truncated to 6000 characters, since MLflow rejects longer ones.
     """
     from mlflow.entities import Metric, Param
     from mlflow.utils.time import get_current_time_millis
@@ -204,7 +204,7 @@ def key(*parts: str) -> str:
 def writing(client: MlflowClient) -> Iterator[None]:
     """Lock MLflow with :func:`alone` during a block, and turn its errors into a PlacecatError.
 
-    Every function of this module that writes uses this.
+    Every function in this module that writes uses this.
     """
     with _told_plainly(client.tracking_uri), alone(client.tracking_uri):
         yield
@@ -214,7 +214,7 @@ def writing(client: MlflowClient) -> Iterator[None]:
 def alone(uri: str) -> Iterator[None]:
     """Lock a SQLite database or a server during a block; blocks may be nested.
 
-    A server is locked only for processes of this user on this machine.
+    A server is locked only for this user's processes on this machine.
     """
     from filelock import FileLock
 
@@ -225,7 +225,7 @@ def alone(uri: str) -> Iterator[None]:
     else:
         path = database.with_name(f"{database.name}.lock")
         path.parent.mkdir(parents=True, exist_ok=True)
-    # There is one object per path, so that a process may take the lock twice.
+    # There is one object per path, so that a process may acquire the lock twice.
     with FileLock(path, is_singleton=True):
         yield
 
@@ -239,7 +239,7 @@ def set_tags(client: MlflowClient, run_id: str, tags: Mapping[str, str]) -> None
 
 
 def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path]) -> None:
-    """Copy files to a run, without MLflow's slower client if the run folder is on this machine."""
+    """Copy files to a run, bypassing MLflow's slower client if the run folder is on this machine."""
     parts = urlparse(place)
     if parts.scheme != "file":
         with _told_plainly(client.tracking_uri):
@@ -284,7 +284,7 @@ def _database(uri: str) -> Path | None:
     database = make_url(uri).database
     if not database or database == ":memory:":
         raise PlacecatError(
-            f"the MLflow tracking URI {uri!r} does not contain a file: use one such as sqlite:///mlflow.db"
+            f"the MLflow tracking URI {uri!r} does not name a file: use one such as sqlite:///mlflow.db"
         )
     return Path(database).resolve()
 
@@ -301,7 +301,7 @@ def _told_plainly(uri: str) -> Iterator[None]:
     except (MlflowException, RequestException, SQLAlchemyError) as error:
         lines = str(error).strip().splitlines() or [type(error).__name__]
         raise PlacecatError(
-            _shown(f"MLflow at {uri}: {lines[0]} (MLFLOW_TRACKING_URI sets where MLflow is)")
+            _shown(f"MLflow at {uri}: {lines[0]} (MLFLOW_TRACKING_URI sets its address)")
         ) from error
 
 

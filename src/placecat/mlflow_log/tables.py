@@ -1,7 +1,7 @@
 """Log each table to MLflow as a run, with nested runs for its rows and without duplicates.
 
 A run has these tags. ``placecat.kind`` is table, row, figures or findings. ``placecat.table`` is the name of
-the table, and ``placecat.digest`` is the checksum of its content. ``placecat.current`` is "true" for valid
+the table, and ``placecat.digest`` is the checksum of its contents. ``placecat.current`` is "true" for valid
 runs, or the name of the queued DVC experiment that logged them. A run counts only if it is current and
 FINISHED.
 
@@ -40,7 +40,7 @@ DVC_EXPERIMENT = "placecat.dvc_experiment"
 MACHINE = "placecat.machine"
 # Milliseconds after which an unfinished run counts as abandoned.
 _TORSO = 24 * 3600 * 1000
-# Change this to log all runs again when their content changes but their numbers do not.
+# Change this to log all runs again when their contents change but their numbers do not.
 _FORM = "4"
 # Placeholder for the run id in a description.
 RUN_ID = "{run_id}"
@@ -56,7 +56,7 @@ DESCRIPTION = (
 
 @dataclass(frozen=True)
 class RowRun:
-    """The MLflow content of one row, with a readable name such as "Table 26: 5-5-1, all cues, Gist".
+    """The contents of one row's MLflow run, with a readable name such as "Table 26: 5-5-1, all cues, Gist".
 
     `params` identify the row. `metrics` are its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
     and the quality of its probabilities (:meth:`placecat.results.measured.Quality.averages`). `description`
@@ -72,12 +72,12 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """The MLflow content of one table, with a name such as "table_26" and a title.
+    """The contents of one table's MLflow run, with a name such as "table_26" and a title.
 
     `content` is everything that the table shows, as text. `params` are the settings that affect the numbers,
     by dotted name. `metrics` are in percent unless their name says otherwise. `description` is Markdown, in
-    which `RUN_ID` is replaced by the run id. `rows` are nested runs, and `files` is as for a row. `kind` is
-    "table", or "figures" or "findings" for the two runs that are not tables.
+    which `RUN_ID` is replaced by the run id. `rows` are nested runs, and `files` works as for a row. `kind`
+    is "table", or "figures" or "findings" for the two runs that are not tables.
     """
 
     name: str
@@ -108,7 +108,7 @@ def log_tables(
     artifacts: Path,
     dvc_experiment: str = "",
 ) -> dict[str, str]:
-    """Log every table whose content is new, and mark the runs that it supersedes.
+    """Log every table whose contents are new, and mark the runs that it supersedes.
 
     Returns the digest of each table by name; digests do not depend on the time or on earlier runs. Raises
     PlacecatError if MLflow does not answer or rejects a request.
@@ -157,7 +157,7 @@ def _log_new(
 ) -> None:
     known: dict[str, list[Run]] = {}
     scope = common.get(DVC_EXPERIMENT, "")
-    # Find the runs that are not superseded, complete or not.
+    # Find the runs that have not been superseded, whether they are complete or not.
     for one in search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
         if SUPERSEDED_BY not in one.data.tags and one.data.tags.get(DVC_EXPERIMENT, "") == scope:
             known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
@@ -180,13 +180,13 @@ def _log_new(
 
 
 def _is_torso(run: Run) -> bool:
-    """Return whether an unfinished run is abandoned. On this machine it is, because we have the lock."""
+    """Return whether an unfinished run is abandoned: on this machine, always, since we hold the lock."""
     is_own = run.data.tags.get(MACHINE, platform.node()) == platform.node()
     return is_own or run.info.start_time < time.time() * 1000 - _TORSO
 
 
 def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
-    """Keep only the latest run of each table current, in case other machines logged in the meantime."""
+    """Keep only the latest run of each table current, in case other machines have logged in the meantime."""
     current: dict[str, list[Run]] = {}
     condition = f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = '{scope or 'true'}'"
     for one in search(client, experiment_id, f"{condition} and attributes.status = 'FINISHED'"):
@@ -244,7 +244,7 @@ def _protocols(rows: Sequence[RowRun]) -> dict[str, str]:
 def _make_current(
     client: MlflowClient, experiment_id: str, new: Sequence[str], old: Sequence[str], chosen: str
 ) -> None:
-    # The lock lets other processes see all of these changes or none.
+    # Because of the lock, other processes see either all of these changes or none.
     with store.writing(client):
         for one in old:
             _supersede(client, experiment_id, one, chosen)

@@ -40,7 +40,7 @@ class Explained:
     :func:`placecat.results.load` explains most attributes. `id` is the number of the cell on the page
     (:mod:`placecat.provenance.numbering`). For a number in the text, `group`, `row` and `column` are its
     name, quantity and home. `unit` is "percent", "points", "nats", "times", or "" if the quantity names it.
-    `data` contains the titles of the data sets behind the measured and the published number; the second is ""
+    `data` contains the titles of the data sets behind the measured and published numbers; the second is ""
     if nothing was published. `made` describes how each result behind the cell was made. `trained` maps each
     test home to the frames of each of its plans, without duplicates. `findings` lists the numbers of the
     findings that are based on these results.
@@ -67,7 +67,7 @@ class Explained:
 
     @property
     def stages(self) -> tuple[str, ...]:
-        """The DVC stages that made the cell, in order."""
+        """The DVC stages that produced the cell, in order."""
         return all_stages(self.made)
 
     @property
@@ -86,8 +86,8 @@ class Explaining:
     """All cells of a run.
 
     `params` contains all settings. `tables` are the filled tables in the order of the report, and `texts` are
-    the numbers in the text, with notes. `origins` is the content of data/origins.json. `comparisons` are the
-    comparisons in the findings, with the columns finding, left_results and right_results.
+    the numbers in the text, with notes. `origins` holds the contents of data/origins.json. `comparisons` are
+    the comparisons in the findings, with the columns finding, left_results and right_results.
     """
 
     params: Mapping[str, Any]

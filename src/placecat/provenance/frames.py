@@ -14,7 +14,7 @@ Frames = tuple[tuple[str, int], ...]
 
 @dataclass(frozen=True)
 class Trained:
-    """The training and test sequences of one test home or an entire fixed split, with their frame counts.
+    """The training and test sequences of one test home or of an entire fixed split, with their frame counts.
 
     Attributes
     ----------

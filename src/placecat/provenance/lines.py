@@ -1,11 +1,14 @@
-"""Lines that explain a cell, read from the file of all explanations. Few imports keep this fast."""
+"""Lines that explain a cell, read from the file of all explanations.
+
+This module imports little, so it stays fast.
+"""
 
 import hashlib
 import json
 from collections.abc import Mapping
 from typing import Any
 
-# A label and a text.
+# A label and its text.
 Line = tuple[str, str]
 # Label of the line that lists the stages.
 STAGES = "stages"

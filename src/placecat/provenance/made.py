@@ -25,8 +25,8 @@ class Made:
     `title` describes the result on one line, and `stages` are its DVC stages, without `scores` and `tables`.
     `cues`, `classifiers` and `descriptors` are the names of the cues and of their classifiers and
     descriptors. `system` and `filter` are "" if there is none. `plan` is the protocol, such as "5-5-1", or
-    the split; it is "" if there is neither. `fuses` says whether an integration or a smoothing is trained,
-    too. `extra` says whether the integration is also trained on the sequences of ``protocol.extra``.
+    the split; it is "" if there is neither. `fuses` says whether an integration or a smoothing is trained as
+    well. `extra` says whether the integration is also trained on the sequences of ``protocol.extra``.
     `settings` maps each part to its settings. `clusters` maps each cue to the text of its descriptor and its
     number of cells, which determine the seeds of its codebooks.
     """
@@ -75,7 +75,7 @@ def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) ->
 
 
 def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
-    """Return the stages that made the given results and their tables, in the order of the pipeline."""
+    """Return the stages that produced the given results and their tables, in the order of the pipeline."""
     known = [stage for one in made for stage in one.stages]
     return (*(stage for stage in _ORDER if stage in known), *(_LAST if known else ("tables",)))
 
@@ -89,7 +89,7 @@ def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_cue(name: str, params: Mapping[str, Any], scheme: str = "") -> Made:
-    """Describe a cue in the protocol `scheme`, by default its first one."""
+    """Describe a cue in the protocol `scheme` (by default, its first one)."""
     own, one = settings.get(params, f"cues.{name}"), _described_cue(name, params)
     scheme = scheme or own["schemes"][0]
     is_tracked = one.settings[f"descriptor of {name}"].get("tracked")
@@ -99,7 +99,7 @@ def _of_cue(name: str, params: Mapping[str, Any], scheme: str = "") -> Made:
 
 
 def _described_cue(name: str, params: Mapping[str, Any]) -> Made:
-    """Describe a cue in params.yaml, without title, stages or plan."""
+    """Describe a cue in params.yaml, without a title, stages or a plan."""
     own = settings.get(params, f"cues.{name}")
     codebook = None if own["codebook"] is None else settings.get(params, f"codebooks.{own['codebook']}")
     return _described(name, (codebook or own)["descriptor"], own["classifier"], codebook, params)

@@ -11,7 +11,7 @@ Key = tuple[str, str, str]
 
 
 def ordered(names: Iterable[str]) -> Sequence[str]:
-    """Remove duplicate names and move the average to the end, but keep the order otherwise."""
+    """Remove duplicate names and move the average to the end; otherwise keep the order."""
     return sorted(dict.fromkeys(names), key=lambda name: name == AVERAGE)
 
 

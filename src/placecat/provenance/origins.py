@@ -32,7 +32,7 @@ class Measurement:
 
 
 def measurement(number: Number, results: Results) -> Measurement:
-    """Add the names of the seeds to a number; they are taken from the results behind it."""
+    """Add seed names to a number; they come from the results behind it."""
     values = tuple(map(float, number.values))
     fixed = (NO_SEED,) * len(values)
     if not number.is_random:

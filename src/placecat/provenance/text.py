@@ -14,12 +14,12 @@ from placecat.provenance.made import Made
 def explanations(
     cells: Iterable[Explained], params: Mapping[str, Any], data_versions: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Collect all explanations as JSON types.
+    """Collect all explanations in JSON types.
 
     `params` contains all settings. `data_versions` maps each stage that lists frames to DVC's checksum of
-    that list. Returns ``lines``, ``blocks`` and ``cells``. Each line is a label and a text. Each block is a
-    list of line numbers, which start at 0. ``cells`` maps the number of each cell to the ordered list that
-    explains it. Each item of this list is a line or the number of a block.
+    that list. Returns ``lines``, ``blocks`` and ``cells``. Each line consists of a label and a text. Each
+    block is a list of line numbers, which start at 0. ``cells`` maps the number of each cell to an ordered
+    list that explains it. Each item of this list is a line or the number of a block.
     """
     pool: dict[Line, int] = {}
     blocks: dict[tuple[int, ...], int] = {}

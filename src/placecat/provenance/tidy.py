@@ -23,7 +23,7 @@ def write(path: Path, table: pd.DataFrame) -> None:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    # Remove the metadata of pandas, which contain its version.
+    # Remove the pandas metadata, which include the pandas version.
     arrow = pa.Table.from_pandas(table, preserve_index=False).replace_schema_metadata(None)
     with files.replacing(path) as temporary:
         pq.write_table(arrow, temporary, compression="zstd")

@@ -1,4 +1,4 @@
 """Plan and run a replication of the findings on more homes.
 
-Before a run, it computes how many homes are needed to decide each finding. No stage uses this package.
+Before a run, the package can compute how many homes are needed to decide each finding. No stage uses it.
 """

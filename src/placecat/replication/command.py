@@ -22,10 +22,10 @@ ACCURACIES, POWER = "accuracies.csv", "power.csv"
 def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
     """Run the groups of homes in a data set and judge the findings on all homes; return the text to print.
 
-    `overrides` are Hydra overrides of conf/ that choose the data set. `numbers` are the groups to run, by
-    default all. Their results are written to reports/replication; results of other groups are read from
-    there. Raises PlacecatError for invalid settings, too few homes or an unknown group, if `make repro` has
-    not run, or if a stage fails.
+    `overrides` are Hydra overrides of conf/ that choose the data set. `numbers` are the groups to run (all by
+    default). Their results are written to reports/replication; results of other groups are read from there.
+    Raises PlacecatError for invalid settings, too few homes or an unknown group, if `make repro` has not run,
+    or if a stage fails.
     """
     chosen = options.read()
     params = yaml.load(compose.compose(overrides), Loader=settings.Loader)
@@ -77,7 +77,7 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
     for name, table in tables.items():
         files.write_csv(paths.REPLICATION / name, table)
     files.write_json(paths.REPLICATION_FACTS, facts)
-    # Remove results of groups that are left over from a data set with more homes.
+    # Remove group results left over from a data set with more homes.
     expected = {group_results.folder_of(group.number) for group in planned}
     for folder in set(paths.REPLICATION.glob("group_*")) - expected:
         shutil.rmtree(folder)
@@ -86,7 +86,7 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
 
 
 def _with_others(table: pd.DataFrame, path: Path, key: str) -> pd.DataFrame:
-    """Add the rows that are only in the ledger of the project itself, with ``replicated`` set to False."""
+    """Add the rows that are only in the project's own ledger, with ``replicated`` set to False."""
     text = table.select_dtypes(exclude="number").columns
     others = files.read_table(path, text)
     others = others[~others[key].isin(table[key])].assign(replicated=False)

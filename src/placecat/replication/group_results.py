@@ -20,7 +20,7 @@ _OTHER_DATA = ("splits/", "toy/")
 
 
 def is_of_homes(result: str) -> bool:
-    """Return whether a result is from homes, not from the university, the apartments or the toy problem."""
+    """Return whether a result comes from homes, not the university, the apartments or the toy problem."""
     return not result.startswith(_OTHER_DATA)
 
 
@@ -32,9 +32,9 @@ def folder_of(number: int) -> Path:
 def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, Any]) -> None:
     """Copy the results of a group from the folder of its run to `target`.
 
-    The files contain the decision counts in the homes of the group, all tables as one, the missing results,
-    the number of frames that each information filter drops, and the names of the homes with a checksum of the
-    settings.
+    The files contain the decision counts in the homes of the group, all tables merged into one, the missing
+    results, the number of frames that each information filter drops, and the names of the homes with a
+    checksum of the settings.
     """
     scores = files.read_cells(run / paths.SCORES / "scores.csv")
     kinds = {name: int if name == "frames" else "category" for name in scores.columns}
@@ -67,11 +67,11 @@ def _comparable(params: Mapping[str, Any]) -> str:
 def pooled(
     groups: Sequence[tuple[int, Sequence[str]]], params: Mapping[str, Any], others: Results
 ) -> Results:
-    """Read the results of all groups, given by number and homes, as if they were one data set.
+    """Read the results of all groups, each given by its number and homes, as if they were one data set.
 
-    `params` are all settings. `others` are the results of the project's own run, of which
-    only those on other data are added. Raises PlacecatError if the results of a group are missing, or belong
-    to other homes or settings.
+    `params` contains all settings. `others` are the results of the project's own run, of which only those on
+    other data are added. Raises PlacecatError if the results of a group are missing, or belong to other homes
+    or settings.
     """
     scores, missing, dropped = [], [], []
     for number, homes in groups:

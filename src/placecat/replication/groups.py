@@ -18,7 +18,7 @@ from placecat.errors import PlacecatError
 from placecat.replication import group_results
 from placecat.runs import items, linked_folder, lock, unchanged
 
-# The stages from the homes to the tables, in order, and the other files of the project that they need.
+# The stages from the homes to the tables, in order, and the other project files that they need.
 STAGES = (
     *("sequences", "features", "tracks", "codebooks", "cues", "integration"),
     *("filtering", "smoothing", "trials", "scores", "tables"),
@@ -32,7 +32,7 @@ _DONE = "done.json"
 
 @dataclass(frozen=True)
 class Group:
-    """A group of homes, with its number (from 1), its homes, and all settings for a run on these homes."""
+    """A group of homes, with its number (counting from 1), its homes, and all settings for a run on them."""
 
     number: int
     homes: tuple[str, ...]
@@ -47,7 +47,7 @@ class Group:
 def split(params: Mapping[str, Any], size: int) -> tuple[list[Group], tuple[str, ...]]:
     """Split the homes of a data set into groups of `size`, in the order of ``dataset.homes``.
 
-    Returns the groups, and any remaining homes that are too few for another group. Raises PlacecatError if
+    Returns the groups, and the homes left over, which are too few for another group. Raises PlacecatError if
     there are fewer than two groups.
     """
     homes = [str(home) for home in settings.get(params, "dataset.homes")]

@@ -30,7 +30,7 @@ SIX = Run(6, 0.95)
 class _Comparison(NamedTuple):
     """A comparison, with the share of homes that count, their spread, the claimed range and two differences.
 
-    The differences are the published one and the measured one.
+    The two differences are the published and measured ones.
     """
 
     share: float
@@ -48,8 +48,8 @@ def power_table(comparisons: pd.DataFrame, homes: int, options: Options, run: Ru
     Returns one row per finding, with its number, the number of its comparisons, units (how many homes of the
     replication count, 0 if unknown) and spread (the largest standard deviation between homes, in points).
     Each row also has power (the probability of a verdict with `homes` homes) and needed (the number of homes
-    for a power of 80 %, infinite above `MOST`). Both appear twice, assuming first that the published
-    differences are true, and then that the measured ones are. Numbers are NaN for comparisons of one home, of
+    for a power of 80 %, infinite above `MOST`). Both appear twice, first on the assumption that the published
+    differences are true, then that the measured ones are. Numbers are NaN for comparisons of one home, of
     stays or of shares, and for unpublished differences.
     """
     rows = []

@@ -30,9 +30,9 @@ def judge(
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
     """Judge every finding about homes on the homes of all groups.
 
-    `findings`, `verdict` and `published` are as for :func:`placecat.thesis.findings.ledger`, but the level in
-    `options` replaces the one in `verdict`. `results` are from all groups, and `groups` lists the homes of
-    each group.
+    `findings`, `verdict` and `published` are the same as for :func:`placecat.thesis.findings.ledger`, but the
+    level in `options` replaces the one in `verdict`. `results` come from all groups, and `groups` lists the
+    homes of each group.
 
     Returns the tables of findings and comparisons in the ledger, without findings about other data. In both,
     the additional column ``shared`` is the share of variance that homes in a group have in common

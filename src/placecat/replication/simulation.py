@@ -1,4 +1,4 @@
-"""Compute, before a run, how likely a verdict on a claim is with a given number of homes."""
+"""Compute in advance how likely a verdict on a claim is with a given number of homes."""
 
 import math
 
@@ -19,7 +19,7 @@ def spread(low: float, high: float, homes: int, level: float = 0.95) -> float:
 def power(
     effect: float, deviation: float, homes: int, claimed: Range, *, level: float = 0.95, wide: float = 0.95
 ) -> tuple[float, float]:
-    """Compute the probability of each verdict, assuming normal and independent differences in homes.
+    """Compute the probability of each verdict, assuming independent, normally distributed differences.
 
     `effect` and `deviation` are the mean and standard deviation of the difference over homes, in points.
     `homes` is the number of homes, at least 2, and `claimed` is the range that the claim allows. For `holds`,

@@ -2,7 +2,7 @@
 
 Plain DVC overwrites dvc.lock in place, and loses its records if it is killed while writing. This module makes
 DVC write the file under another name and rename it, print the number of stages and the time left, and hide
-messages about frozen stages. On SIGTERM, or when its parent is gone, it ends its stage first.
+messages about frozen stages. On SIGTERM, or once its parent is gone, it ends its stage first.
 """
 
 import logging
@@ -33,7 +33,7 @@ def main() -> None:
     os.environ[lifeline.DVC] = str(os.getpid())
     from dvc.utils.serialize import _common
 
-    # If a new version of DVC renames this function, a test fails, but `placecat mend` still works.
+    # If a new version of DVC renames this function, a test will fail, but `placecat mend` still works.
     _common._dump_data = _write_whole
     from dvc.cli import main as dvc
 
@@ -44,9 +44,9 @@ def main() -> None:
 
 
 class _Left(logging.Filter):
-    """Add the number of the stage and the estimated time left to lines that announce a stage.
+    """Add the stage number and the estimated time left to lines that announce a stage.
 
-    The estimate is based on `seconds`, the time that each stage took before.
+    The estimate is based on `seconds`, the time that each stage took in an earlier run.
     """
 
     def __init__(self, stages: Sequence[str], seconds: Mapping[str, float]) -> None:

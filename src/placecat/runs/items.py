@@ -25,7 +25,7 @@ Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 @dataclass(frozen=True)
 class Inputs:
-    """The inputs of an item: all settings it depends on, as JSON types, and the files and folders it reads.
+    """The inputs of an item: all settings it depends on, in JSON types, and the files and folders it reads.
 
     If a path is inside another item, its checksums are taken from the manifest of that item.
     """
@@ -42,13 +42,12 @@ def refresh(
     *,
     begin: Callable[[Sequence[str]], None] | None = None,
 ) -> None:
-    """Make items that are missing, damaged or made from different inputs; remove unwanted ones.
+    """Rebuild items that are missing, damaged or made from different inputs; remove unwanted ones.
 
     Each item is written under a temporary name and then renamed, so a killed stage can continue where it
     stopped. The code of `stage` (its src/ dependencies in dvc.yaml) is an input of every item. `wanted` maps
     the name of each item, which is also its folder, to its inputs. `make` is called with the name and the
-    folder, which does not exist yet. `begin`, unless None, is called first, with the names of all items to
-    make.
+    folder, which does not exist yet. If given, `begin` is called first, with the names of all items to make.
     """
     outdated = list(_outdated(stage, folder, wanted))
     if outdated and begin is not None:
@@ -68,7 +67,7 @@ def refresh_together(
     """Like :func:`refresh`, but the tasks of all items share one pool, which keeps all workers busy.
 
     `function` is the same for all items; see :func:`placecat.compute.parallel.in_parallel`. `plan` is called
-    with the name of an item. An item is written when its tasks are done.
+    with the name of an item. An item is written once its tasks are done.
     """
     planned = [(name, made_from, *plan(name)) for name, made_from in _outdated(stage, folder, wanted)]
     if not planned:
@@ -99,7 +98,7 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
 
 @contextmanager
 def _item(folder: Path, made_from: str) -> Iterator[Path]:
-    """Yield a temporary folder for the files of an item; then add the manifest and rename the folder."""
+    """Yield a temporary folder for an item's files; then add the manifest and rename the folder."""
     with files.replacing(folder) as temporary:
         yield temporary
         unchanged.check()
@@ -107,7 +106,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove everything but `names` from a folder, such as unwanted items; create a missing folder."""
+    """Remove everything but `names` from a folder; create the folder if it is missing."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:

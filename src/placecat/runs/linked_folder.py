@@ -1,4 +1,4 @@
-"""Run stages on other data, in a folder with separate settings and links to the other inputs."""
+"""Run stages on other data, in a folder with its own settings and links to the other inputs."""
 
 import os
 import sys

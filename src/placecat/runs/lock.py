@@ -14,14 +14,14 @@ from placecat.errors import PlacecatError
 TEMPORARY = Path(".dvc/tmp")
 # DVC's record of the paths that each process reads and writes.
 DVC_IN_USE = TEMPORARY / "rwlock"
-# Time in seconds that DVC and its stage may take to end after their run was killed.
+# Seconds that DVC and its stage may take to end after their run was killed.
 _ENDING = 12.0
 _FOREVER = -1.0
 
 
 @contextmanager
 def alone() -> Iterator[None]:
-    """Prevent other runs and changes to params.yaml; raise PlacecatError if another run has the lock.
+    """Prevent other runs and changes to params.yaml; raise PlacecatError if another run holds the lock.
 
     Calls may be nested.
     """

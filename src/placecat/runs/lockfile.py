@@ -13,7 +13,7 @@ LOCK, DEFINITION = Path("dvc.lock"), Path("dvc.yaml")
 
 
 def defined_stages() -> dict[str, Any]:
-    """Return the stages of dvc.yaml by name; the result is empty in a folder without a pipeline."""
+    """Return the stages in dvc.yaml by name; the result is empty in a folder without a pipeline."""
     return dict(settings.read_yaml(DEFINITION)["stages"]) if DEFINITION.is_file() else {}
 
 

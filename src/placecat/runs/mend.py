@@ -16,7 +16,7 @@ from placecat.runs.lockfile import LOCK, defined_stages
 
 # A backup of all complete records, needed because DVC overwrites dvc.lock in place after each stage.
 COPY = lock.TEMPORARY / "dvc.lock.whole"
-# Temporary files older than this, in seconds, are abandoned.
+# Age in seconds above which temporary files count as abandoned.
 OLD = 24 * 3600.0
 # Temporary names used by placecat.files and placecat.runs.dvc, and the folders that may contain such files.
 _PARTIAL = re.compile(r"\..+\.[0-9a-f]{8}\.partial(\.\w+)?")
@@ -24,13 +24,13 @@ _PARTIAL_IN = (".", "conf", "data", "data/*", "reports", "reports/*", "predictio
 # Temporary names in the DVC cache.
 _CACHED = re.compile(r"\.[\w-]{22}\.tmp")
 _CACHE = Path(".dvc/cache")
-# Shared memory and semaphores of joblib.
+# Shared memory and semaphores used by joblib.
 _SHARED = Path("/dev/shm")
 _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair the damage done by a killed run; return a line per repair. Call this inside `lock.alone`."""
+    """Repair the damage done by a killed run; return one line per repair. Call this inside `lock.alone`."""
     said = []
     if LOCK.exists():
         text = LOCK.read_text(encoding="utf-8", errors="replace")
@@ -38,7 +38,7 @@ def mend() -> list[str]:
         if mended != text:
             files.write_text(LOCK, mended)
             again = f"; these stages run again: {', '.join(lost)}" if lost else ""
-            said.append(f"{LOCK} was truncated when a run was killed: its records are restored{again}.")
+            said.append(f"{LOCK} was truncated when a run was killed: its records have been restored{again}.")
     keep()
     # All entries belong to killed processes.
     lock.DVC_IN_USE.unlink(missing_ok=True)
@@ -48,7 +48,7 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Back up the complete records of dvc.lock; if a record is incomplete or missing, keep its earlier copy.
+    """Back up the complete records in dvc.lock; if a record is incomplete or missing, keep its earlier copy.
 
     Without a dvc.lock, the backup is deleted.
     """
@@ -63,7 +63,7 @@ def keep() -> None:
 
 
 def _mended(text: str) -> tuple[str, list[str]]:
-    """Return the content of dvc.lock, completed from the backup, and the stages whose records are lost."""
+    """Return the contents of dvc.lock, completed from the backup, and the stages whose records are lost."""
     # Leave merge conflicts to the user.
     stages = defined_stages()
     if "\n<<<<<<< " in text or not stages:
@@ -110,7 +110,7 @@ def _is_whole(block: str) -> bool:
 
 
 def _leftovers() -> Iterator[Path]:
-    """Yield temporary files that a killed process left more than a day ago."""
+    """Yield temporary files that a killed process left behind more than a day ago."""
     for folder in _PARTIAL_IN:
         yield from (path for path in Path().glob(f"{folder}/.*.partial*") if _is_left(path, _PARTIAL))
     yield from (path for path in _CACHE.glob("**/.*.tmp") if _is_left(path, _CACHED))

@@ -14,7 +14,7 @@ from placecat.errors import PlacecatError
 from placecat.runs import lock, mend
 from placecat.runs.lockfile import LOCK, defined_stages
 
-# Time in seconds for DVC and its stage to end after Ctrl-C, which the terminal also sends to them.
+# Seconds that DVC and its stage may take to end after Ctrl-C, which the terminal also sends to them.
 _CTRL_C = 3.0
 
 
@@ -26,7 +26,8 @@ def run(*, force: bool = False, **environment: str) -> int:
     the stages. Raises PlacecatError if another run is in progress here, or if this folder is not a git
     repository.
     """
-    # DVC waits while another process reads the project; otherwise, it would lose a stage that just finished.
+    # DVC waits while another process reads the project; otherwise, it would lose a stage that has just
+    # finished.
     command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]
     # Stages call `python`, so this Python must be first on the path.
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])

@@ -11,7 +11,7 @@ PACKAGES = ("cv2", "numpy", "scipy", "sklearn", "pandas", "joblib", "matplotlib"
 
 
 def check() -> None:
-    """Raise PlacecatError if a package on PYTHONPATH hides an installed one; the message gives its path."""
+    """Raise PlacecatError if a package on PYTHONPATH hides an installed one; the message names its path."""
     installed = [str(Path(sysconfig.get_path(kind)).resolve()) for kind in ("purelib", "platlib")]
     folders = [folder for folder in os.environ.get("PYTHONPATH", "").split(os.pathsep) if folder]
     folders = [folder for folder in folders if str(Path(folder).resolve()) not in installed]

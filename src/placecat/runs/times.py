@@ -11,12 +11,12 @@ from placecat.errors import PlacecatError
 
 # Environment variable that names the `placecat repro` call in which a stage runs.
 CALL = "PLACECAT_CALL"
-# `runs` is always 1. The column remains from the time when some stages ran once per home.
+# `runs` is always 1. The column dates from when some stages ran once per home.
 COLUMNS = ["stage", "runs", "seconds"]
 
 
 def new_call() -> str:
-    """Make a unique name for this call of `placecat repro`."""
+    """Create a unique name for this call of `placecat repro`."""
     return uuid.uuid4().hex
 
 
@@ -49,7 +49,7 @@ def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_c
 def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
     """Return the times of the last full run, as in :func:`gather`, and facts about it.
 
-    Raises PlacecatError if there was no full run.
+    Raises PlacecatError if there has been no full run.
     """
     try:
         content = files.read_json(paths.COMPLETE_TIMES)
@@ -59,7 +59,7 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
 
 
 def known() -> dict[str, float]:
-    """Return the seconds of each stage in the last full run here or, without one, in the run kept in git."""
+    """Return how many seconds each stage took in the last full run here or, failing that, the one in git."""
     try:
         by_stage, _ = read_complete()
     except PlacecatError:

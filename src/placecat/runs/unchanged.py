@@ -1,6 +1,6 @@
 """Check that the settings, code and data of a stage do not change while it runs.
 
-DVC records settings and dependencies when a stage has ended. Without this check, DVC would record changes
+DVC records settings and dependencies once a stage has ended. Without this check, DVC would record changes
 made while the stage ran, although the results do not reflect them.
 """
 

@@ -1,4 +1,4 @@
-"""Schemas for params.yaml and for experiments, which reject wrong settings early."""
+"""Schemas for params.yaml and for experiments, which reject invalid settings early."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -19,7 +19,7 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
     """Raise SettingError if a setting is unknown, missing, of the wrong type or out of range.
 
     `content` contains the settings in plain containers, and `model` is the section they belong to. The
-    message gives the dotted name of the first wrong setting.
+    message contains the dotted name of the first invalid setting.
     """
     try:
         model.model_validate(content)
@@ -30,7 +30,8 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
 def check_value(value: Any, adapter: TypeAdapter[Any], where: str, context: Any = None) -> None:
     """Raise SettingError if a value has the wrong type or is out of range.
 
-    `adapter` is from :func:`of_type`, `where` is a dotted name, and `context` is for validators of the type.
+    `adapter` comes from :func:`of_type`, `where` is a dotted name, and `context` is passed to the type's
+    validators.
     """
     try:
         adapter.validate_python(value, context=context)
@@ -39,15 +40,15 @@ def check_value(value: Any, adapter: TypeAdapter[Any], where: str, context: Any 
 
 
 def of_type(kind: Any) -> TypeAdapter[Any]:
-    """Make a strict check for values of a type that also rejects NaN and infinity."""
+    """Build a strict type check that also rejects NaN and infinity."""
     return TypeAdapter(kind, config=ConfigDict(strict=True, allow_inf_nan=False))
 
 
 def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str, ...] = ()) -> str:
-    """Describe the first mistake in one line."""
+    """Describe the first error on one line."""
     errors = error.errors(include_url=False)
     places = [_place(content, (*before, *one["loc"])) for one in errors]
-    # If several types are allowed, report the nearest one.
+    # If several types are allowed, report the closest one.
     same = [number for number, place in enumerate(places) if place[: len(places[0])] == places[0]]
     first = max(same, key=lambda number: (len(places[number]), not errors[number]["type"].endswith("_type")))
     place, told = places[first], errors[first]
@@ -77,7 +78,7 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
 
 
 def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
-    """Return the place of a mistake, without the type name that pydantic adds to `loc` for unions."""
+    """Return the location of an error, without the type name that pydantic adds to `loc` for unions."""
     place: list[str] = []
     for part in loc:
         is_key = isinstance(content, Mapping) and part in content
@@ -88,6 +89,6 @@ def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
 
 
 def _short(value: Any) -> str:
-    """Write a value roughly as YAML would, without the middle if it is long."""
+    """Write a value roughly as YAML would, leaving out the middle if it is long."""
     text = printable(str(value).replace("\n", "\\n"))
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN // 2]}...{text[-_SHOWN // 2 :]}"

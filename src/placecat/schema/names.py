@@ -31,7 +31,7 @@ def _folder(text: str) -> str:
         raise ValueError("it is an address: copy the data into a folder, and write its path")
     if text.startswith("~"):
         raise ValueError("~ is not expanded here: write the full path")
-    # DVC rejects a data folder that a stage writes into.
+    # DVC rejects a data folder that a stage writes to.
     if Path("data").resolve().is_relative_to(Path(text).resolve()):
         raise ValueError("the stages write into this folder: put the homes in another folder")
     return text
@@ -39,7 +39,7 @@ def _folder(text: str) -> str:
 
 def _short(text: str) -> str:
     if len(_text(text).encode()) > _LONGEST_NAME:
-        raise ValueError(f"it is longer than {_LONGEST_NAME} bytes: give it a shorter name")
+        raise ValueError(f"it is longer than {_LONGEST_NAME} bytes: use a shorter name")
     if text != text.strip():
         raise ValueError("it begins or ends with a space")
     return text

@@ -6,7 +6,7 @@ from typing import Any
 from placecat import paths
 from placecat.errors import PlacecatError, did_you_mean
 
-# The place of a reference, the kind and name of its target, and the names that exist.
+# The location of a reference, the kind and name of its target, and the names that exist.
 _Reference = tuple[str, str, str, Collection[str]]
 _SECTIONS = (
     *("cues", "codebooks", "systems", "filters", "splits"),

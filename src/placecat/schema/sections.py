@@ -88,7 +88,7 @@ class Regions(Section):
 
 
 class Frames(Section):
-    """Every ``step``-th frame from ``offset`` on."""
+    """Every ``step``-th frame, starting at ``offset``."""
 
     offset: Index
     step: Count
@@ -285,7 +285,9 @@ class System(Section):
     @model_validator(mode="after")
     def _without_extra(self) -> "System":
         if self.extra and self.integrator.method == "log_pool":
-            raise ValueError("extra: true does not work with log_pool: it learns from the homes of the cues")
+            raise ValueError(
+                "extra: true does not work with log_pool, which learns from the homes of the cues"
+            )
         return self
 
 

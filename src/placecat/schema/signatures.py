@@ -31,8 +31,8 @@ GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed
 def check(params: Mapping[str, Any]) -> None:
     """Check that the code named in the settings exists and accepts its settings.
 
-    `params` contains all settings and was checked by :func:`placecat.schema.check`. Raises a PlacecatError
-    that names the wrong setting, the nearest valid name and all valid names.
+    `params` contains all settings and has been checked by :func:`placecat.schema.check`. Raises a
+    PlacecatError that names the invalid setting, the most similar valid name and all valid names.
     """
     for section in ("dataset", "toy", "codebooks", "cues", "systems", "splits"):
         check_part(params.get(section), section)
@@ -45,7 +45,7 @@ def check(params: Mapping[str, Any]) -> None:
 
 
 def check_part(content: Any, where: str) -> None:
-    """Check every classifier, clustering and layout in a part of the settings, like :func:`check`.
+    """Check every classifier, clustering and layout in a part of the settings, as :func:`check` does.
 
     A mapping with ``layout`` is a data set, one with ``model`` is a classifier, and one with ``tree`` is a
     codebook. `where` is the name of the part in messages, such as ``cues``.
@@ -84,7 +84,7 @@ def check_estimator(options: Mapping[str, Any], where: str) -> str:
 def check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
     """Check the module and settings of a descriptor; `kind` is ``local`` or ``holistic``."""
     where, own = f"descriptors.{kind}.{name}", dict(entry)
-    # A variant of a descriptor gives the name of its module.
+    # A variant of a descriptor names its module.
     module = own.pop("descriptor", name)
     lookup.require(f"placecat.vision.{kind}", module, f"{where}: {kind} descriptor", "describe")
     _check(own, _taken(f"placecat.vision.{kind}", module, "describe"), where)
@@ -134,7 +134,7 @@ def _check_figures(figures: Mapping[str, Any]) -> None:
 
 
 class _Setting(NamedTuple):
-    """Whether a setting is required, and a check of its values."""
+    """Whether a setting is required, and a check for its values."""
 
     is_needed: bool
     values: TypeAdapter[Any]
@@ -149,7 +149,7 @@ def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
 
 @lru_cache
 def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
-    """Return the settings of an estimator, except those in `GIVEN`, as optional."""
+    """Return an estimator's settings, except those in `GIVEN`, all marked as optional."""
     taken = _taken(package, name, definition)
     return {name: one._replace(is_needed=False) for name, one in taken.items() if name not in GIVEN}
 

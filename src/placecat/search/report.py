@@ -18,9 +18,9 @@ _REPLACED = ("search", "judge", "test_home", "track", "data=main")
 def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, str], home: str) -> str:
     """Write a summary to the folder of the sweep; return it as Markdown.
 
-    `tried` lists the settings that were tried, beginning with the starts. `base` maps ``descriptor``,
-    ``classifier`` and ``data`` to their chosen options. `home` is the test home, which the search did not
-    use.
+    `tried` lists the settings that were tried, beginning with the starts of the search. `base` maps
+    ``descriptor``, ``classifier`` and ``data`` to their chosen options. `home` is the test home, which the
+    search did not use.
     """
     starts, found = dict(zip(space.starts, tried, strict=False)), best(tried)
     without = [one for one in tried if one.accuracy is None]

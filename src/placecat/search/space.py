@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 JUDGE = "training_homes"
 # Source of the first start.
 SETTINGS = "the settings without a search"
-# Only settings of the method are searched; data, homes, seeds and judge belong to the measurement.
+# Only the method's settings are searched; data, homes, seeds and judge belong to the measurement.
 _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
 
@@ -80,7 +80,7 @@ def check(config: Mapping[str, Any]) -> None:
 
 
 def values(overrides: Sequence[str]) -> dict[str, str]:
-    """Map the keys of overrides to their values."""
+    """Map override keys to their values."""
     return dict(one.split("=", 1) for one in overrides)
 
 
@@ -96,8 +96,8 @@ def read(
 
     `spans` maps keys to spans as in conf/search, such as ``interval(0.1, 2)`` or ``choice(a, b)``.
     `arguments` are overrides; a key with a single value there is not searched. `config` is the first start:
-    the experiment composed without the searched settings, including Hydra's own settings. `params` is the
-    content of params.yaml; see :func:`find_starts`. Raises PlacecatError if nothing is searched, if a key
+    the experiment composed without the searched settings, including Hydra's own settings. `params` holds the
+    contents of params.yaml; see :func:`find_starts`. Raises PlacecatError if nothing is searched, if a key
     does not belong to the method, or if a start lies outside the space.
     """
     parser = OverridesParser.create()
@@ -106,14 +106,14 @@ def read(
     searched = {key: one for key, one in by_key.items() if one.is_sweep_override()}
     if not searched:
         raise PlacecatError(
-            "there is nothing to search: give a setting several values, for example "
+            "there is nothing to search: list several values for a setting, for example "
             "'classifier.base.gamma=tag(log, interval(0.1, 10))'"
         )
     for key, one in searched.items():
         if key.split(".")[0].split("@")[0] not in _OF_THE_METHOD:
             raise PlacecatError(
                 f"{one.input_line}: a search chooses only settings of {', '.join(_OF_THE_METHOD)}; {key} "
-                "belongs to the measurement, so give it a single value"
+                "belongs to the measurement, so set it to a single value"
             )
     found = find_starts(list(searched), config, params)
     distributions = {}
@@ -175,7 +175,7 @@ def find_starts(
     Maps the source of each start to its values for the searched keys. `config` is the first start: the
     experiment composed without the searched settings, including Hydra's own settings. Raises PlacecatError
     for a key that `config` lacks. Cues in `params` that have the same descriptor and classifier as the
-    experiment but other settings are also starts, since conf/cue has the best settings of the thesis.
+    experiment but other settings are also starts, since conf/cue contains the best settings in the thesis.
     """
     first = {key: _value(key, config) for key in keys}
     found = {SETTINGS: first}

@@ -81,5 +81,5 @@ def search(
 
 
 def best(tried: Sequence[Tried]) -> Tried:
-    """Return the settings with the highest accuracy. The earliest win a tie, so starts take precedence."""
+    """Return the settings with the highest accuracy. Ties go to the earliest, so starts take precedence."""
     return max(tried, key=lambda one: -math.inf if one.accuracy is None else one.accuracy)

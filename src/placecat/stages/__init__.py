@@ -1,4 +1,4 @@
-"""The DVC stages, one module per stage. They read and write files; other packages compute."""
+"""The DVC stages, one module per stage. They only read and write files; other packages do the computing."""
 
 import argparse
 import inspect
@@ -23,8 +23,9 @@ _STARTED = time.perf_counter()
 def _use_common_kernels() -> None:
     """Make OpenBLAS use its AVX2 kernels, which all current x86-64 processors support.
 
-    By default, OpenBLAS picks kernels for the processor, and their sums differ in the last bits. The choice
-    must be made before NumPy is imported, so this package makes it on import. OPENBLAS_CORETYPE overrides it.
+    By default, OpenBLAS picks kernels to suit the processor, and their sums differ in the last bits. The
+    choice must be made before NumPy is imported, so this package makes it on import. OPENBLAS_CORETYPE
+    overrides it.
     """
     if os.environ.get("OPENBLAS_CORETYPE") or platform.machine() not in ("x86_64", "AMD64"):
         return
@@ -37,7 +38,7 @@ _use_common_kernels()
 
 
 def _end(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
-    """Report an error that occurs in the imports of a stage.
+    """Report an error raised while a stage is imported.
 
     For a user error, print only the message; for any other error, print a traceback. Ctrl-C is not reported.
     """
@@ -52,7 +53,7 @@ sys.excepthook = _end
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 shadowed.check()
 
-# Start before the code of the stage is imported, since it may change a moment later. Workers skip this.
+# Start before the stage's code is imported, since the code may change a moment later. Workers skip this.
 if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
     unchanged.start(os.environ["DVC_STAGE"])
 
@@ -60,8 +61,8 @@ if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
-    The settings determine whether the loops of the stage run on this machine or on a cluster
-    (:mod:`placecat.compute`). The stage exits with a message and status 1, without a traceback, after a user
+    The settings determine whether the stage's loops run on this machine or on a cluster
+    (:mod:`placecat.compute`). The stage exits with a message and status 1, without a traceback, on a user
     error, or if its dependencies change while it runs (:mod:`placecat.runs.unchanged`). On success, it writes
     its running time to data/times (:mod:`placecat.runs.times`).
     """

@@ -72,7 +72,7 @@ def plan(name: str, params: Mapping[str, Any]) -> items.Work:
 def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: bool) -> dict[str, Any]:
     """Train one cue as planned; return its distributions for the frames that later stages need.
 
-    `clusters` is the codebook file of the cue, or None if it has no codebook.
+    `clusters` is the cue's codebook file, or None if it has no codebook.
     """
     codebook = None if clusters is None else cues.Codebook.from_arrays(files.read_arrays(clusters))
     frames = read_frames(plan.cues, cue.descriptor)

@@ -49,9 +49,9 @@ def plan(
 ) -> items.Work:
     """Plan the tasks for :func:`describe` that cover all frames of a home.
 
-    `home` is as in :func:`placecat.paths.features`, `root` is the folder of the data set, and `options` are
-    from :func:`feature_options`. `variants` contains variants of the salient regions, and the frames to
-    describe with them, as in conf/region_variants.
+    `home` is the same as in :func:`placecat.paths.features`, `root` is the folder of the data set, and
+    `options` come from :func:`feature_options`. `variants` contains variants of the salient regions, and the
+    frames to describe with them, as in conf/region_variants.
     """
     frames = listing.read_frames(home)
     also, rows = {}, np.arange(0)
@@ -61,7 +61,7 @@ def plan(
             for name, variant in variants["variants"].items()
         }
         rows = np.arange(variants["frames"]["offset"], len(frames), variants["frames"]["step"])
-    # To reach a part of a video, all frames before it must be decoded, so use few parts.
+    # Reaching a part of a video requires decoding all frames before it, so use few parts.
     is_video = bool((frames["position"] >= 0).any())
     chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
     size, varied = listing.frame_size(home), set(rows.tolist())
@@ -84,7 +84,7 @@ def plan(
 
 
 def describe_home(home: str, root: Path, options: Mapping[str, Any], folder: Path) -> None:
-    """Write the descriptors of all frames of a home to a folder; parameters are as for :func:`plan`."""
+    """Write the descriptors of all frames of a home to a folder; see :func:`plan` for the parameters."""
     tasks, write = plan(home, root, options)
     write(folder, parallel.in_parallel(describe, tasks, f"features of {home}"))
 
@@ -99,7 +99,7 @@ def describe(
 ) -> dict[str, np.ndarray]:
     """Describe some frames of a home; those in `rows` are also described with each region variant.
 
-    The first axis of each array is the frame. Arrays of variants contain only the frames in `rows`.
+    The first axis of each array is the frame. Arrays for variants contain only the frames in `rows`.
     """
     keep_freed_memory()
     more = {**options, "variants": variants}
@@ -109,7 +109,7 @@ def describe(
 
 
 def _names(described: Sequence[Mapping[str, np.ndarray]]) -> list[str]:
-    """Return the names of all arrays in order; some parts have no arrays of variants."""
+    """Return the names of all arrays in order; some parts have no arrays for variants."""
     return list(dict.fromkeys(name for one in described for name in one))
 
 

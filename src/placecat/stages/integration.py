@@ -49,7 +49,7 @@ def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
 
 
 def apply(system: Mapping[str, Any], plan: plans.Plan, seed: int | None) -> dict[str, Any]:
-    """Integrate one fold; return test distributions and cross-validated training distributions."""
+    """Integrate one fold; return the test and the cross-validated training distributions."""
     read = CueResults(system, plan.test, seed)
     method = system["integrator"]["method"]
     parts = fused_parts(plan, method=method, extra=system["extra"])

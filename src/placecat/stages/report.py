@@ -20,7 +20,7 @@ from placecat.stages import run
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import read
 
-# Columns to read as text, even if it looks like a number, such as section 4.10.
+# Columns to read as text, even if their values look like numbers, such as section 4.10.
 _TEXT = ("name", "section", "quantity", "home", "note")
 
 
@@ -105,7 +105,7 @@ def _speed(facts: dict[str, Any], table: Path) -> dict[str, Any]:
 
 
 def _scale(facts: dict[str, Any], *tables: Path) -> dict[str, Any]:
-    """Show the run on data as large as the real home database."""
+    """Show the run on data the size of the real home database."""
     measured, growth = (files.read_table(path, SCALE_TEXT) for path in tables)
     return shown_scale(measured, growth, facts) | {"chart": png_of(growth_chart, measured)}
 

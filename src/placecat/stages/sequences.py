@@ -22,7 +22,7 @@ def main() -> None:
 
 
 def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
-    """Check the homes of a data set, called `setting` in messages, and list their frames in `target`."""
+    """Check the homes of a data set (`setting` in messages), and list their frames in `target`."""
     root = Path(dataset["root"])
     if not root.is_dir():
         raise PlacecatError(
@@ -62,7 +62,7 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     files.write_csv(folder / "labels.csv", table)
     files.write_csv(folder / "sources.csv", _checksums(home))
     facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
-    # Only footage that is damaged or has a varying frame rate has these facts.
+    # Only footage that is damaged or has a variable frame rate has these facts.
     odd = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
     facts |= {name: value for name, value in odd.items() if value}
     if not home.is_even:

@@ -1,4 +1,4 @@
-"""Stage `splits`: train and test cues, integration and smoothing on fixed splits (thesis 4.9 and 4.10)."""
+"""Stage `splits`: train and test cues, integrations and smoothing on fixed splits (thesis 4.9 and 4.10)."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -75,7 +75,7 @@ def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
 
 
 def apply_cue(plan: plans.Plan, cue: Cue, seed: int | None) -> tuple[Probabilities, Probabilities]:
-    """Train one cue; return its distributions for training the integration and for all tested frames."""
+    """Train one cue; return its distributions for training the integration and for all test frames."""
     numbers = [cue.classifier["clusters"]] if cue.codebook is not None else None
     trained = train(plan, cue, seed, numbers=numbers)
     return trained.predict_chosen(plan.integration), {
@@ -89,7 +89,7 @@ def apply_system(
     integrator: Mapping[str, Any],
     smoothing: Mapping[str, Any],
 ) -> dict[str, Probabilities]:
-    """Integrate the outputs of all cues and smooth the decisions for every tested sequence."""
+    """Integrate the outputs of all cues and smooth the decisions for every test sequence."""
     fused = fuse(plan.integration, [train for train, _ in outputs], plan.classes, integrator)
     assert fused.cross_validated is not None
     model = fit_smoothing(plan.integration, fused.cross_validated, fused.truth, smoothing)

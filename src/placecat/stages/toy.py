@@ -1,4 +1,4 @@
-"""Stage `toy`: compare the parallel and the sequential scheme on the toy problem of thesis 4.8."""
+"""Stage `toy`: compare the parallel and sequential schemes on the toy problem of thesis 4.8."""
 
 import copy
 from collections.abc import Mapping
@@ -44,7 +44,7 @@ def main() -> None:
 
 
 def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -> dict[str, Any]:
-    """Return the parallel scheme and the sequential one with each decision rule, named after the radius."""
+    """Return the parallel scheme, and the sequential one with each decision rule, named after the radius."""
     found = {f"{radius:g}/parallel": schemes["parallel"]}
     for decision in decisions:
         found[name := f"{radius:g}/sequential/{decision}"] = copy.deepcopy(schemes["sequential"])

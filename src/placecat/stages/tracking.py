@@ -1,4 +1,4 @@
-"""Stage `tracking`: log tables, figures and findings to MLflow; rows of a table become nested runs."""
+"""Stage `tracking`: log tables, figures and findings to MLflow; table rows become nested runs."""
 
 import json
 from collections.abc import Mapping
