@@ -24,7 +24,7 @@ def data_set(name):
 
 
 def view(rng, *, tint=0.0, light=0.0, grain=0.0):
-    """Return a picture of random patches with a random mean colour and brightness.
+    """Return an image of random patches with a random mean colour and brightness.
 
     A tint does not change the brightness.
     """

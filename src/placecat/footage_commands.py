@@ -91,7 +91,7 @@ def _add_predict(commands: Commands) -> None:
         "--fps", type=float, help="frame rate of the footage, if missing or wrong in the file"
     )
     predict.add_argument("--topic", help="the image topic in a bag, if there are several")
-    mcap = "also write annotated pictures and probabilities as ROS 2 messages"
+    mcap = "also write annotated images and probabilities as ROS 2 messages"
     predict.add_argument("--mcap", type=Path, metavar="FILE", help=mcap)
     rerun = "also write frames, regions and probabilities for Rerun (.rrd)"
     predict.add_argument("--rerun", type=Path, metavar="FILE", help=rerun)
@@ -105,15 +105,15 @@ def _add_predict(commands: Commands) -> None:
 def _add_import(commands: Commands) -> None:
     kinds = commands.add_parser(
         "import",
-        help="make homes from other kinds of pictures",
-        description="Convert other kinds of pictures into homes that `placecat repro` can read.",
+        help="make homes from other kinds of images",
+        description="Convert other kinds of images into homes that `placecat repro` can read.",
     ).add_subparsers(required=True, metavar="KIND", title="kinds")
     panoramas = add_command(
         kinds,
         "panoramas",
         _import_panoramas,
-        "360-degree pictures",
-        "Make homes from 360-degree pictures: a virtual camera walks through them and turns, on a path set "
+        "360-degree images",
+        "Make homes from 360-degree images: a virtual camera walks through them and turns, on a path set "
         "by a random seed. Writes frames, labels and a data card. The settings are in conf/panoramas.yaml.",
     )
     panoramas.add_argument("source", type=Path, metavar="SOURCE", help="the folder with the panoramas")

@@ -1,7 +1,7 @@
 """OpenCV's contributed saliency, run in a separate process because its package replaces the one in use.
 
 As a program, ``python contributed.py NAME FILE`` reads lines from standard input. For each line, it computes
-the maps of all pictures in an .npz file and then prints a line.
+the maps of all images in an .npz file and then prints a line.
 """
 
 import os
@@ -24,7 +24,7 @@ FOLDER = Path(sys.prefix) / "contributed"
 
 @contextmanager
 def contributed(name: str, pictures: Sequence[NDArray[np.uint8]]) -> Iterator[Callable[[], None]]:
-    """Make a function that computes the maps of (H, W, 3) pictures with the class `name` of ``cv2.saliency``.
+    """Make a function that computes the maps of (H, W, 3) images with the class `name` of ``cv2.saliency``.
 
     The function raises PlacecatError if the package is missing or its process ends.
     """

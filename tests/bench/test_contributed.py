@@ -9,14 +9,14 @@ NAME = "StaticSaliencySpectralResidual"
 
 
 def test_contributed_opencv_runs_in_a_separate_process(tmp_path, monkeypatch):
-    """The package is replaced with one that records its pictures."""
+    """The package is replaced with one that records its images."""
     (tmp_path / "cv2.py").write_text(
         "def setNumThreads(number): ...\n"
         "class saliency:\n"
         "    class StaticSaliencySpectralResidual_create:\n"
-        "        def computeSaliency(self, picture):\n"
+        "        def computeSaliency(self, image):\n"
         f"            with open({str(tmp_path / 'log')!r}, 'a') as log:\n"
-        "                print(picture.shape, file=log)\n"
+        "                print(image.shape, file=log)\n"
     )
     monkeypatch.setattr(contributed, "FOLDER", tmp_path)
     with contributed.contributed(NAME, [PICTURE, PICTURE[:30]]) as compute:

@@ -10,7 +10,7 @@ import pytest
 import campaign
 
 FEW = 25
-# In formats without checksums, damage can be undetectable and produce other valid pictures.
+# In formats without checksums, damage can be undetectable and produce other valid images.
 UNSEEN = {"pictures", "videos"}
 
 

@@ -1,4 +1,4 @@
-"""Small ROS 1 and ROS 2 bags, written by rosbags. Each picture shows its number."""
+"""Small ROS 1 and ROS 2 bags, written by rosbags. Each image shows its number."""
 
 import cv2
 import numpy as np

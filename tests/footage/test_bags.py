@@ -109,7 +109,7 @@ def test_topics(tmp_path):
     ]
     path = walk(tmp_path / "walk.mcap", others=others)
     refused(
-        "several topics have pictures; choose one with --topic: /camera/image_raw, /depth/image, /front/comp",
+        "several topics have images; choose one with --topic: /camera/image_raw, /depth/image, /front/comp",
         path,
     )
     assert shown(BagRecording(path, "/front/compressed")) == [(1, 200), (2, 201)]
@@ -122,7 +122,7 @@ def test_topics(tmp_path):
     refused("'/room' has messages of type std_msgs/msg/String, not sensor_msgs/msg/Image or", path, "/room")
     refused("the encoding '16UC1' is not supported", path, "/depth/image", 10)
     refused(
-        r"no topic has pictures .*the bag has /room \(std_msgs/msg/String\)",
+        r"no topic has images .*the bag has /room \(std_msgs/msg/String\)",
         write_bag(tmp_path / "talk.bag", [("/room", START, string(1, "kitchen"))]),
     )
 
@@ -138,12 +138,12 @@ def test_damaged_pictures_are_lost_and_reported(tmp_path):
     recording = BagRecording(path)
     assert shown(recording) == [(1, 0), (3, 2), (4, 3)]
     assert recording.lost == [2] and recording.count == 4
-    assert f"{path}: frame 2 of 4 cannot be decoded and is lost ({path}, picture 2" in recording.note()
+    assert f"{path}: frame 2 of 4 cannot be decoded and is lost ({path}, image 2" in recording.note()
     none = [
         (CAMERA, START + n * 10**8, compressed(2, START + n * 10**8, b"no", kind="h264")) for n in range(3)
     ]
     refused(
-        r"no picture on /camera/image_raw can be decoded: .*\(format 'h264'\): not a readable",
+        r"no image on /camera/image_raw can be decoded: .*\(format 'h264'\): not a readable",
         write_bag(tmp_path / "none.mcap", none),
     )
 

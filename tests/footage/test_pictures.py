@@ -1,4 +1,4 @@
-"""Tests of frame files, and of pictures that are damaged, huge, or of another kind."""
+"""Tests of frame files, and of images that are damaged, huge, or of another kind."""
 
 import random
 import re
@@ -35,7 +35,7 @@ def header(width: int, height: int, depth: int = 8, color: int = 2) -> tuple[byt
 
 
 def huge_jpeg() -> bytes:
-    """Return a small picture whose header declares a size of 60000x60000."""
+    """Return a small image whose header declares a size of 60000x60000."""
     content = bytearray(encoded(".jpg"))
     at = content.index(b"\xff\xc0") + 5
     content[at : at + 4] = struct.pack(">HH", 60000, 60000)
@@ -90,7 +90,7 @@ def test_numbers_in_names_are_numbers(ordered, tmp_path):
         ),
         (["0001.jpg", "0002.jpg", "0001_depth.png", "0002_depth.png"], "the same frame"),
         (["frame-1.color.png", "frame-2.color.png", "frame-1.depth.png"], "the same frame"),
-        (["1.jpg", "2.webp"], r"2\.webp: this kind of picture is not supported \(1 in this folder\)"),
+        (["1.jpg", "2.webp"], r"2\.webp: this kind of image is not supported \(1 in this folder\)"),
         *(
             (["1.jpg", f"2.{kind}", f"3.{kind}"], r"\(2 in this folder\)")
             for kind in ("bmp", "tif", "TIFF", "heic", "gif")
@@ -148,7 +148,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
             "not a readable image",
         ),
         (png((b"tEXt", b""), header(5, 5), (b"IEND", b"")), "not a readable image"),
-        (encoded(".png", np.full((9, 9), 700, np.uint16)), "16-bit grey picture, like a depth picture"),
+        (encoded(".png", np.full((9, 9), 700, np.uint16)), "16-bit grey image, like a depth image"),
         (encoded(".png", np.full((9, 9, 4), 100, np.uint8)), "parts of it are transparent"),
         (
             png(
@@ -157,7 +157,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
                 (b"IDAT", zlib.compress(bytes(4))),
                 (b"IEND", b""),
             ),
-            "the picture is animated",
+            "the image is animated",
         ),
         (simplejpeg.encode_jpeg(np.zeros((9, 9, 4), np.uint8), colorspace="CMYK"), "colours for printing"),
         (encoded(".webp"), "neither JPEG nor PNG"),
@@ -184,7 +184,7 @@ def test_gray_deep_and_opaque_pictures_are_right(tmp_path):
 
 
 def test_a_picture_is_turned_as_the_camera_was(tmp_path):
-    # Orientation 6 means that the picture must be rotated clockwise by 90 degrees.
+    # Orientation 6 means that the image must be rotated clockwise by 90 degrees.
     (tmp_path / "1.jpg").write_bytes(with_exif(encoded(".jpg", coded(5)), 6))
     image = read_image(tmp_path / "1.jpg")
     assert image.shape == (64, 48, 3)

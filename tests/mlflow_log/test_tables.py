@@ -252,7 +252,7 @@ def test_a_row_has_numbers_by_home_and_a_confusion_matrix(results, tmp_path):
     assert row.params["result"] == "cues/gist/5-5-1"
     assert row.description == "- `cues/gist/5-5-1`: the cue gist (Gist) trained alone, 5-5-1"
     paths = {path.name: path for path in row.files(tmp_path)}
-    # MLflow lists pictures first.
+    # MLflow lists images first.
     assert sorted(paths) == ["confusion.png", "counts.csv"]
     table = pd.read_csv(paths["counts.csv"])
     measured = results.of("cues/gist/5-5-1")

@@ -1,4 +1,4 @@
-"""Tests of `placecat import panoramas`, from pictures to the input of the stage `sequences`."""
+"""Tests of `placecat import panoramas`, from images to the input of the stage `sequences`."""
 
 import json
 import os
@@ -35,7 +35,7 @@ SMALL = ["width=32", "height=18", "fps=0.5"]
 def folder(tmp_path, monkeypatch):
     """Create a folder with the project settings and a source of four homes.
 
-    Each picture of a home has a different shade of grey.
+    Each image of a home has a different shade of grey.
     """
     (tmp_path / "conf/dataset").mkdir(parents=True)
     for name in ("panoramas.yaml", "dataset/my_homes.yaml"):
@@ -171,14 +171,14 @@ def test_existing_files_are_never_replaced(folder):
     [
         (
             np.zeros((32, 60, 3), np.uint8),
-            "100.jpg: the picture is 60x32, but a full sphere must be twice as wide as it is high",
+            "100.jpg: the image is 60x32, but a full sphere must be twice as wide as it is high",
         ),
         (None, "100.jpg: not a readable image"),
     ],
 )
 def test_a_bad_picture_is_named_and_nothing_is_left(folder, picture, message):
     path = folder / "source/Home2/100.jpg"
-    path.write_bytes(b"no picture") if picture is None else write(path, picture)
+    path.write_bytes(b"no image") if picture is None else write(path, picture)
     said = refused()
     assert message in said
     assert picture is None or "rooms.csv line 21" in said

@@ -61,7 +61,7 @@ def test_a_table_names_home_floor_room_and_label(table, tmp_path):
             "bedrom 2",
             "rooms.csv line 3: unknown room 'bedrom 2'; did you mean 'bedroom'? Correct it, or add",
         ),
-        ("b/c.jpg", "b/x.jpg", "b/x.jpg: the picture is missing (.*rooms.csv line 3)"),
+        ("b/c.jpg", "b/x.jpg", "b/x.jpg: the image is missing (.*rooms.csv line 3)"),
         ("b/c.jpg", "../c.jpg", "rooms.csv line 3: '../c.jpg' is not a path below"),
         ("b/c.jpg", "a.jpg", "rooms.csv line 3: a.jpg is already listed (.*rooms.csv line 2)"),
         ("b/c.jpg", "x" * 300, "cannot be read (File name too long)"),
@@ -115,7 +115,7 @@ def test_a_cube_has_six_pictures_named_by_settings(tmp_path):
     assert only.files == tuple(f"FACE_{letter}.jpg" for letter in "frblud")
     changes = ["source=cubes", "cubes.file=tiles/FACE/FILE.jpg", "cubes.faces.up=top"]
     with pytest.raises(
-        PlacecatError, match=r"tiles/f/FACE\.jpg: the picture is missing .*cubes\.file=tiles/FACE/FILE\.jpg"
+        PlacecatError, match=r"tiles/f/FACE\.jpg: the image is missing .*cubes\.file=tiles/FACE/FILE\.jpg"
     ):
         sources.read(tmp_path, settings(*changes))
     for folder in ("f", "r", "b", "l", "top", "d"):
@@ -191,7 +191,7 @@ def test_zind_gives_floors_rooms_and_labels(zind):
         ),
         ('"pano_4": {', '"pano_7": [], "pano_4": {', "partial_room_03.pano_7 is not a panorama"),
         ('"label": "garage"', '"label": 7', "partial_room_03.pano_4: label and image_path must be text"),
-        ("panos/4.jpg", "panos/9.jpg", "007/panos/9.jpg: the picture is missing"),
+        ("panos/4.jpg", "panos/9.jpg", "007/panos/9.jpg: the image is missing"),
         ("panos/4.jpg", "../../secret.jpg", "'../../secret.jpg' is not a path below"),
         ('"floor_02"', '"../floor"', "'../floor' is not a valid floor name"),
         ("}, ", "}, \n,", "zind_data.json line 2 is not valid JSON"),

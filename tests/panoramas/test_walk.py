@@ -140,5 +140,5 @@ def test_a_plan_is_seeded_by_names_and_the_number_of_the_walk():
         np.testing.assert_array_equal(first[floor][-1].path, again[floor][-1].path)
     assert not np.array_equal(first["2"][0].path[0], first["10"][0].path[0])
     assert not np.array_equal(plan(panoramas, settings("walk=1"))["2"][0].path[0], first["2"][0].path[0])
-    # This value is fixed, because another seed would yield different frames from the same pictures.
+    # This value is fixed, because another seed would yield different frames from the same images.
     assert seed("flat", "2", 0) == 3870571430

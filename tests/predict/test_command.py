@@ -90,7 +90,7 @@ def test_tables_contain_exactly_the_outputs_of_the_system(footage, source, capsy
     [
         ("frame3.jpg", "the same frame as frame3"),
         ("depth3.png", "the same frame as"),
-        ("frame99.webp", "this kind of picture is not supported"),
+        ("frame99.webp", "this kind of image is not supported"),
         ("frame99.jpg", "not a readable image"),
     ],
 )

@@ -43,5 +43,5 @@ def test_embedding_is_deterministic():
 
 @pytest.mark.parametrize("content", [b"", b"GIF89a", b"\x89PNG\r\n\x1a\n"])
 def test_files_that_are_not_pictures_are_rejected(content):
-    with pytest.raises(ValueError, match="not a picture"):
+    with pytest.raises(ValueError, match="not an image"):
         embed(content)

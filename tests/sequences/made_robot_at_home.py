@@ -1,4 +1,4 @@
-"""Make a small data set with the tables and pictures of Robot@Home2."""
+"""Make a small data set with the tables and images of Robot@Home2."""
 
 import sqlite3
 from collections.abc import Callable, Sequence
@@ -65,8 +65,8 @@ def make(root: Path, picture: Picture, *, cameras: Sequence[int] = (1, 2), frame
 
     Parameters
     ----------
-    picture
-        Function that makes a picture from the home, the room, and the frame number in the data set, from 0.
+    image
+        Function that makes an image from the home, the room, and the frame number in the data set, from 0.
     cameras
         Numbers of the cameras, from 1 to 4.
     frames

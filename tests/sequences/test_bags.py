@@ -106,7 +106,7 @@ def test_lost_frames_have_no_row_and_keep_their_labels(tmp_path):
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({}, r"1\.bag: several topics have pictures; choose one with dataset\.topic"),
+        ({}, r"1\.bag: several topics have images; choose one with dataset\.topic"),
         ({"topic": "/nowhere"}, r"no topic '/nowhere'.* Correct dataset\.topic"),
         ({"topic": 3}, r"1\.bag: there is no topic 3; the bag has .* Correct dataset\.topic"),
         ({"topic": CAMERA, "labels_topic": "/words"}, r"labels_topic label the same frames"),

@@ -41,7 +41,7 @@ def test_without_labels(tmp_path: Path) -> None:
 
 def test_unsupported_pictures_are_rejected(tmp_path: Path) -> None:
     write_image(tmp_path / "flat/1.webp", 1)
-    with pytest.raises(PlacecatError, match=r"1\.webp: this kind of picture is not supported"):
+    with pytest.raises(PlacecatError, match=r"1\.webp: this kind of image is not supported"):
         folder.read_home(tmp_path, "flat", fps=2.0)
 
 

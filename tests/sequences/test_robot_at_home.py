@@ -40,7 +40,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[Seen]]:
 def copied(made: tuple[Path, list[Seen]], tmp_path: Path) -> Path:
     """Make a copy that tests can damage.
 
-    Its pictures are hard links, so tests may replace them but must not write to them.
+    Its images are hard links, so tests may replace them but must not write to them.
     """
     copy = tmp_path / "copy"
     shutil.copytree(made[0] / "files", copy / "files", copy_function=os.link)
@@ -151,8 +151,8 @@ ONE = "files/rgbd/session_1/alma/bathroom1/subsession_1"
         ("DELETE FROM rh_lblrgbd WHERE sensor_id = 1", r"alma has no frames from camera RGBD_1 in rh_lbl"),
         ("DELETE FROM rh_room_types", r"\d+ of rh_lblrgbd refers to 0, which is not in rh_room_types"),
         ("DELETE FROM rh_home_sessions", r"refers to 0, which is not in rh_home_sessions"),
-        ("DELETE FROM rh2_old2new_rgbd_files WHERE id = 100000", r"100000 of rh_lblrgbd has no picture"),
-        ("UPDATE rh2_old2new_rgbd_files SET new_file_2 = 'x_depth.png'", r"has no picture \*_intensity"),
+        ("DELETE FROM rh2_old2new_rgbd_files WHERE id = 100000", r"100000 of rh_lblrgbd has no image"),
+        ("UPDATE rh2_old2new_rgbd_files SET new_file_2 = 'x_depth.png'", r"has no image \*_intensity"),
         ("UPDATE rh2_old2new_rgbd_files SET new_path = '../../..'", r"'\.\./.*' is not a path below"),
         ("UPDATE rh2_old2new_rgbd_files SET new_path = '/etc'", r"'/etc/.*' is not a path below"),
         ("UPDATE rh2_old2new_rgbd_files SET new_path = 'elsewhere'", r"elsewhere/.*: the frame is missing"),
@@ -196,9 +196,7 @@ def test_missing_pictures(copied: Path) -> None:
         open_home("robot_at_home", copied, "alma")
     open_home("robot_at_home", copied, "alma", camera="RGBD_2")
     shutil.rmtree(copied / "files/rgbd")
-    with pytest.raises(
-        PlacecatError, match=r"files/rgbd: the picture folder is missing; unpack the pictures"
-    ):
+    with pytest.raises(PlacecatError, match=r"files/rgbd: the image folder is missing; unpack the images"):
         open_home("robot_at_home", copied, "alma")
 
 
@@ -209,7 +207,7 @@ def test_links_out_of_the_picture_folder(copied: Path, tmp_path: Path) -> None:
     (copied / ONE / "100002_intensity.png").symlink_to(secret)
     with pytest.raises(PlacecatError, match=r"100002_intensity\.png is a link that points outside"):
         open_home("robot_at_home", copied, "alma")
-    # The folder with all pictures may be on another disk.
+    # The folder with all images may be on another disk.
     (copied / ONE / "100002_intensity.png").unlink()
     shutil.copy(secret, copied / ONE / "100002_intensity.png")
     (copied / "files").rename(tmp_path / "disk")

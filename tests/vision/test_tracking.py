@@ -21,7 +21,7 @@ NOTHING = np.zeros((0, 4), np.float32)
 
 
 def scenery(seed=0, width=1400, height=900):
-    """Draw a wide picture; each frame shows part of it."""
+    """Draw a wide image; each frame shows part of it."""
     rng = np.random.default_rng(seed)
     coarse = np.stack([smooth(rng, height // 6, width // 6) for _ in range(3)], axis=2)
     return cv2.resize(coarse, (width, height), interpolation=cv2.INTER_CUBIC).clip(0, 255).astype(np.uint8)
@@ -87,7 +87,7 @@ def test_a_region_is_lost_where_nothing_like_it_is():
     assert len(tracker.step(np.full((HEIGHT, WIDTH, 3), 128, np.uint8), NOTHING)) == 0
     tracker = RegionTracker()
     tracker.step(view(0, 0), SPREAD_OUT)
-    # In another picture, tracking back leads elsewhere, except for a lucky few.
+    # In another image, tracking back leads elsewhere, except for a lucky few.
     assert len(tracker.step(scenery(1)[:HEIGHT, :WIDTH], NOTHING)) <= 2
 
 

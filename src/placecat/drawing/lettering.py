@@ -1,4 +1,4 @@
-"""Write text into pictures in the font used for figures, which OpenCV cannot do."""
+"""Write text into images in the font used for figures, which OpenCV cannot do."""
 
 from functools import lru_cache
 
@@ -51,9 +51,9 @@ def write(
     bold: bool = False,
     align: str = "left",
 ) -> int:
-    """Write a line of text into an (H, W, 3) uint8 BGR picture, and return the width of the text.
+    """Write a line of text into an (H, W, 3) uint8 BGR image, and return the width of the text.
 
-    The text is cut off at the edges of the picture. `where` is the (x, y) position of the text's upper left
+    The text is cut off at the edges of the image. `where` is the (x, y) position of the text's upper left
     corner, or of its upper right corner if `align` is ``right``. `size` is the font size in pixels, and
     `color` is BGR.
     """
@@ -69,7 +69,7 @@ def stamp(
     where: tuple[int, int],
     color: tuple[int, int, int],
 ) -> None:
-    """Colour an (H, W, 3) BGR picture through an (h, w) mask whose upper left corner is at `where` (x, y)."""
+    """Colour an (H, W, 3) BGR image through an (h, w) mask whose upper left corner is at `where` (x, y)."""
     left, top = where
     x, y = max(left, 0), max(top, 0)
     part = picture[y : top + cover.shape[0], x : left + cover.shape[1]]

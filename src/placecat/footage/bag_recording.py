@@ -44,16 +44,16 @@ class BagFrame:
 
 
 class BagRecording:
-    """The frames of a bag: the pictures of one topic, ordered by their stamps.
+    """The frames of a bag: the images of one topic, ordered by their stamps.
 
     Opening reads the topic once. Frames that are not later than all frames before them (late arrivals and
     duplicates) are skipped and not numbered. Raises PlacecatError if the bag cannot be read, if the topic has
-    no pictures, or if its times are implausible.
+    no images, or if its times are implausible.
 
     Parameters
     ----------
     topic
-        The topic; None selects the only topic with pictures.
+        The topic; None selects the only topic with images.
     fps
         Frame rate in frames per second, for bags with wrong stamps. If it is set, the frames are assumed to
         be evenly spaced, and none are skipped. None uses the stamps or, if any stamp is zero, the reception
@@ -73,7 +73,7 @@ class BagRecording:
         The stamp of the first frame, in nanoseconds since 1970.
     """
 
-    # A picture either decodes without errors or is lost.
+    # An image either decodes without errors or is lost.
     damaged: tuple[int, ...] = ()
 
     def __init__(
@@ -119,7 +119,7 @@ class BagRecording:
         for frame in self.pictures():
             if (size := frame.size) is not None:
                 return size
-        raise PlacecatError(f"{self.path}: no picture on {self.topic} can be decoded: {self._why}")
+        raise PlacecatError(f"{self.path}: no image on {self.topic} can be decoded: {self._why}")
 
     def note(self) -> str:
         """Describe the problems found on opening the bag and during the last pass; "" if there were none."""

@@ -1,4 +1,4 @@
-"""Read topics, pictures and strings from a ROS 1 or ROS 2 bag.
+"""Read topics, images and strings from a ROS 1 or ROS 2 bag.
 
 The rosbags library reads the bag and decodes messages using its built-in definitions. The definitions in the
 bag are not used, because they are untrusted and rosbags would turn them into Python code.
@@ -38,9 +38,9 @@ def is_bag(path: Path) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A message with a picture.
+    """A message with an image.
 
-    `number` counts the picture messages of all topics from 1, in the order received. `received` is the
+    `number` counts the image messages of all topics from 1, in the order received. `received` is the
     reception time, and `stamp` is the time in the header, both in nanoseconds.
     """
 
@@ -60,7 +60,7 @@ class Bag:
     """A ROS 1 ``.bag``, a ROS 2 folder, or a single ROS 2 ``.mcap`` or ``.db3``.
 
     `topics` maps each topic, in sorted order, to its message type and number of messages. `count` is the
-    number of messages with pictures. Each pass over the messages reopens the bag. Raises PlacecatError if
+    number of messages with images. Each pass over the messages reopens the bag. Raises PlacecatError if
     rosbags is not installed or cannot read the bag.
     """
 
@@ -76,7 +76,7 @@ class Bag:
         self.count = sum(count for kind, count in self.topics.values() if kind in _PICTURES)
 
     def topic_of_pictures(self, topic: str | None, setting: str) -> str:
-        """Check the topic of the frames and return it; None chooses the only topic with pictures.
+        """Check the topic of the frames and return it; None chooses the only topic with images.
 
         Raises a PlacecatError that names the `setting` if the topic is wrong or the choice is ambiguous.
         """
@@ -86,11 +86,11 @@ class Bag:
         having = [name for name, (kind, count) in self.topics.items() if kind in _PICTURES and count]
         if len(having) > 1:
             raise PlacecatError(
-                f"{self.path}: several topics have pictures; choose one with {setting}: {', '.join(having)}."
+                f"{self.path}: several topics have images; choose one with {setting}: {', '.join(having)}."
             )
         if not having:
             raise PlacecatError(
-                f"{self.path}: no topic has pictures ({IMAGE} or {COMPRESSED}); the bag has {self._listed()}."
+                f"{self.path}: no topic has images ({IMAGE} or {COMPRESSED}); the bag has {self._listed()}."
             )
         return having[0]
 
@@ -111,13 +111,13 @@ class Bag:
             raise PlacecatError(f"{self.path}: the topic {topic!r} has no messages; correct {setting}.")
 
     def pictures(self, topic: str | None = None) -> Generator[Picture, None, None]:
-        """Yield the pictures of one topic or of all topics in the order received, without decoding pixels.
+        """Yield the images of one topic or of all topics in the order received, without decoding pixels.
 
-        Pictures are numbered across all topics, even if only one topic is read.
+        Images are numbered across all topics, even if only one topic is read.
         """
         for number, (connection, received, raw) in enumerate(self._messages(_PICTURES), 1):
             if topic is None or connection.topic == topic:
-                name = f"{self.path}, picture {number} ({connection.topic})"
+                name = f"{self.path}, image {number} ({connection.topic})"
                 with self._explained():
                     message = self._decoded(raw, connection.msgtype)
                     stamp = message.header.stamp.sec * 10**9 + message.header.stamp.nanosec
@@ -186,7 +186,7 @@ class Bag:
 
 @cache
 def _store(is_ros1: bool) -> Any:
-    """Return the message definitions of ROS 1 or ROS 2; for pictures and strings, all versions agree."""
+    """Return the message definitions of ROS 1 or ROS 2; for images and strings, all versions agree."""
     from rosbags.typesys import Stores, get_typestore
 
     return get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.ROS2_HUMBLE)

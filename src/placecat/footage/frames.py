@@ -67,7 +67,7 @@ class _Video:
         self.path = path
         self._recording = Bag(path) if is_bag(path) else Recording(path)
         self._pictures: Generator[Any, None, None] | None = None
-        # The last picture read; None before the first one and after the end.
+        # The last image read; None before the first one and after the end.
         self._last: Any = None
 
     def close(self) -> None:

@@ -11,7 +11,7 @@ from placecat.footage.pictures import MOST_BYTES, check_size, decode_image
 
 
 class Damaged(PlacecatError):
-    """A picture that cannot be decoded; others in the same recording may be intact."""
+    """An image that cannot be decoded; others in the same recording may be intact."""
 
 
 class Image(Protocol):
@@ -59,7 +59,7 @@ ENCODINGS = tuple(_ENCODINGS)
 def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
     """Decode a sensor_msgs/Image to (height, width, 3) uint8 BGR; errors refer to it as `name`.
 
-    Raises PlacecatError if the encoding is not in `ENCODINGS` or the picture has more pixels than
+    Raises PlacecatError if the encoding is not in `ENCODINGS` or the image has more pixels than
     `placecat.footage.pictures.MOST_PIXELS`, and Damaged if the dimensions do not match the length of the
     data.
     """
@@ -87,19 +87,19 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
         return cv2.cvtColor(pixels, conversion)  # type: ignore[return-value]
     except cv2.error:
         raise Damaged(
-            f"{name}: a picture in {encoding} cannot have {width}x{height} pixels; record it again."
+            f"{name}: an image in {encoding} cannot have {width}x{height} pixels; record it again."
         ) from None
 
 
 def compressed_image(message: CompressedImage, name: str) -> NDArray[np.uint8]:
     """Decode a sensor_msgs/CompressedImage to (H, W, 3) uint8 BGR; errors refer to it as `name`.
 
-    The content determines the format; the ``format`` field is ignored. Raises Damaged if the picture is
+    The content determines the format; the ``format`` field is ignored. Raises Damaged if the image is
     truncated, damaged, or not a JPEG or PNG that :func:`placecat.footage.pictures.decode_image` accepts.
     """
     content = memoryview(message.data)
     if content.nbytes > MOST_BYTES:
-        raise Damaged(f"{name}: {content.nbytes / 1e6:.0f} MB is too large for a picture; record it again.")
+        raise Damaged(f"{name}: {content.nbytes / 1e6:.0f} MB is too large for an image; record it again.")
     try:
         return decode_image(content.tobytes(), f"{name} (format {message.format!r})")
     except PlacecatError as error:

@@ -1,6 +1,6 @@
 """List and decode the image files in a folder.
 
-A frame is a JPEG or PNG file. Other kinds of pictures raise an error, because skipping them silently could
+A frame is a JPEG or PNG file. Other kinds of images raise an error, because skipping them silently could
 lose frames.
 """
 
@@ -21,7 +21,7 @@ from placecat.footage.names import natural
 
 SUFFIXES = (".jpeg", ".jpg", ".png")
 """Suffixes of frame files, in upper or lower case."""
-# Pictures with these suffixes raise an error, because their formats lose quality, are slow to decode, or need
+# Images with these suffixes raise an error, because their formats lose quality, are slow to decode, or need
 # uncommon libraries.
 _OTHERS = (
     ".apng .arw .avif .bmp .cr2 .cr3 .dib .dng .exr .gif .hdr .heic .heif .jfif .jp2 .jpe .jxl .nef .pbm .pgm"
@@ -50,7 +50,7 @@ def list_frames(folder: Path) -> list[str]:
     digits are compared as a separate number. Hidden files and subfolders are ignored.
 
     Returns file names; the list may be empty. Raises PlacecatError if the folder cannot be read, contains
-    other kinds of pictures, or contains two pictures of the same frame. Two pictures are taken to show the
+    other kinds of images, or contains two images of the same frame. Two images are taken to show the
     same frame if their names differ only in the suffix, or contain the same numbers but different words, such
     as colour and depth.
     """
@@ -58,8 +58,8 @@ def list_frames(folder: Path) -> list[str]:
     others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)
     if others:
         raise PlacecatError(
-            f"{folder / others[0]}: this kind of picture is not supported ({len(others)} in this folder); "
-            f"convert such pictures to {' or '.join(SUFFIXES)}, or remove them from the folder."
+            f"{folder / others[0]}: this kind of image is not supported ({len(others)} in this folder); "
+            f"convert such images to {' or '.join(SUFFIXES)}, or remove them from the folder."
         )
     names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
     numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
@@ -72,7 +72,7 @@ def list_frames(folder: Path) -> list[str]:
             if first != name:
                 raise PlacecatError(
                     f"{folder / name}: judging by its name, this is the same frame as {first}, perhaps "
-                    "as colour and depth, or from two cameras; keep one picture per frame, or number all "
+                    "as colour and depth, or from two cameras; keep one image per frame, or number all "
                     "pictures consecutively."
                 )
     return names
@@ -97,11 +97,11 @@ def in_order(names: Iterable[str]) -> list[str]:
 def read_image(path: Path) -> NDArray[np.uint8]:
     """Decode a JPEG or PNG file to (H, W, 3) uint8 BGR, rotated according to its EXIF data.
 
-    A greyscale picture is returned as three equal channels.
+    A greyscale image is returned as three equal channels.
 
     Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or
-    truncated, or is larger than `MOST_BYTES` or `MOST_PIXELS`. The same goes for depth pictures (16-bit
-    greyscale) and for transparent, animated or CMYK pictures.
+    truncated, or is larger than `MOST_BYTES` or `MOST_PIXELS`. The same goes for depth images (16-bit
+    greyscale) and for transparent, animated or CMYK images.
     """
     try:
         status = path.stat()
@@ -134,7 +134,7 @@ def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
 
 
 def turned(image: NDArray[np.uint8], degrees: int) -> NDArray[np.uint8]:
-    """Rotate a picture, (H, W, 3) uint8, clockwise by 0, 90, 180 or 270 degrees.
+    """Rotate an image, (H, W, 3) uint8, clockwise by 0, 90, 180 or 270 degrees.
 
     Returns (H, W, 3) uint8, or (W, H, 3) for 90 and 270 degrees. For 0 degrees, returns `image` itself.
     Raises PlacecatError for other angles.
@@ -142,7 +142,7 @@ def turned(image: NDArray[np.uint8], degrees: int) -> NDArray[np.uint8]:
     if degrees == 0:
         return image
     if degrees not in TURNS:
-        raise PlacecatError(f"a picture cannot be rotated by {degrees} degrees; choose 0, 90, 180 or 270.")
+        raise PlacecatError(f"an image cannot be rotated by {degrees} degrees; choose 0, 90, 180 or 270.")
     return cv2.rotate(image, TURNS[degrees])  # type: ignore[return-value]
 
 
@@ -154,7 +154,7 @@ def _visible(folder: Path) -> list[Path]:
 
 
 def check_size(path: Path | str, width: int, height: int) -> None:
-    """Raise an error if a picture has more than `MOST_PIXELS`, before memory is allocated for it."""
+    """Raise an error if an image has more than `MOST_PIXELS`, before memory is allocated for it."""
     if width * height > MOST_PIXELS:
         raise PlacecatError(
             f"{path}: {width}x{height} is more than {MOST_PIXELS // 10**6} million pixels; scale it down."
@@ -200,11 +200,11 @@ def _check_png(path: Path | str, content: bytes) -> None:
     check_size(path, width, height)
     if depth == 16 and color in (0, 4):
         raise PlacecatError(
-            f"{path}: it is a 16-bit grey picture, like a depth picture; remove it from the "
+            f"{path}: it is a 16-bit grey image, like a depth image; remove it from the "
             "folder, or convert it."
         )
     if b"acTL" in kinds:
-        raise PlacecatError(f"{path}: the picture is animated; remove it, or save its frames one by one.")
+        raise PlacecatError(f"{path}: the image is animated; remove it, or save its frames one by one.")
     if (color in (4, 6) or b"tRNS" in kinds) and _is_transparent(content):
         raise PlacecatError(f"{path}: parts of it are transparent; save it without transparency.")
 

@@ -216,7 +216,7 @@ class Recording:
         if not videos:
             if container.streams.video:
                 raise PlacecatError(
-                    f"{self.path}: the file contains a cover picture but no video; use a video file."
+                    f"{self.path}: the file contains a cover image but no video; use a video file."
                 )
             raise self._unreadable()
         stream = videos[0]

@@ -11,7 +11,7 @@ _PATIENCE = 100
 # Codecs whose key frames are independent: no frame after a key frame refers to a frame before it.
 _FRESH = ("ffv1", "mjpeg", "png", "vp8", "vp9")
 # In these two codecs, a size field precedes each unit. Each codec maps to the header position that stores the
-# length of this field, the shift and mask that extract the type of a unit, and the types of IDR pictures
+# length of this field, the shift and mask that extract the type of a unit, and the types of IDR images
 # (ITU-T H.264, 7.4.1; H.265, 7.4.2.2).
 _UNITS = {"h264": (4, 0, 0x1F, (5,)), "hevc": (21, 1, 0x3F, (19, 20))}
 

@@ -1,1 +1,1 @@
-"""Make homes from 360-degree pictures with seeded virtual walks (``placecat import panoramas``)."""
+"""Make homes from 360-degree images with seeded virtual walks (``placecat import panoramas``)."""

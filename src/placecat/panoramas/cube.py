@@ -1,7 +1,7 @@
-"""Render views from inside a cube of six square pictures.
+"""Render views from inside a cube of six square images.
 
-The front, right, back and left pictures stand upright, side by side. The lower edge of ``up`` and the upper
-edge of ``down`` meet the front picture.
+The front, right, back and left images stand upright, side by side. The lower edge of ``up`` and the upper
+edge of ``down`` meet the front image.
 """
 
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 FACES = ("front", "right", "back", "left", "up", "down")
-"""Order of the pictures for :func:`prepare`."""
+"""Order of the images for :func:`prepare`."""
 # Each face's right, down and outward directions, in the coordinates of placecat.panoramas.render.
 _AXES = np.array(
     [
@@ -26,16 +26,16 @@ _AXES = np.array(
 )
 # Number of pixels added around each face for interpolation across its edges.
 _BORDER = 1
-# Number of faces in a row of the combined picture.
+# Number of faces in a row of the combined image.
 _IN_ROW = 3
 
 
 def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint8]:
     """Prepare the faces of a cube for `look`.
 
-    `faces` are six (N, N, 3) uint8 pictures in the order of `FACES`. See
+    `faces` are six (N, N, 3) uint8 images in the order of `FACES`. See
     :func:`placecat.panoramas.sphere.prepare` for `focal`. Faces of higher resolution are scaled down to
-    (N', N', 3). Returns all faces in one picture, (2 (N' + 2), 3 (N' + 2), 3) uint8, each surrounded by a
+    (N', N', 3). Returns all faces in one image, (2 (N' + 2), 3 (N' + 2), 3) uint8, each surrounded by a
     border of pixels from its neighbours.
     """
     side = min(len(faces[0]), int(np.ceil(2 * focal)))

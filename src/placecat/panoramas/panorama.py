@@ -14,7 +14,7 @@ class Panorama:
     """The view in all directions from one point.
 
     `home` and `floor` are also folder names. `room` is unique on its floor, and `label` is its place
-    category. `files` are the paths of one equirectangular picture, or of the six faces of a cube in the order
+    category. `files` are the paths of one equirectangular image, or of the six faces of a cube in the order
     of `placecat.panoramas.cube.FACES`. They are POSIX paths relative to the source folder. `origin` states
     which file lists the panorama, and where in that file; it is used in messages.
     """

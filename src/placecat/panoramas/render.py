@@ -19,7 +19,7 @@ def render(
 ) -> list[bytes]:
     """Render views of a panorama; return each as the content of a JPEG file.
 
-    Raises PlacecatError if a picture cannot be read, if an equirectangular picture is not twice as wide as it
+    Raises PlacecatError if an image cannot be read, if an equirectangular image is not twice as wide as it
     is high, or if the faces are not squares of the same size.
 
     Parameters
@@ -37,8 +37,8 @@ def render(
         rows, columns = pictures[0].shape[:2]
         if columns != 2 * rows:
             raise PlacecatError(
-                f"{files[0]}: the picture is {columns}x{rows}, but a full sphere must be twice as wide as "
-                f"it is high ({origin}); export it as an equirectangular picture."
+                f"{files[0]}: the image is {columns}x{rows}, but a full sphere must be twice as wide as "
+                f"it is high ({origin}); export it as an equirectangular image."
             )
         prepared, look = sphere.prepare(pictures[0], focal), sphere.look
     else:

@@ -21,7 +21,7 @@ def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
     side = int(np.ceil(np.pi * focal))
     if side < len(picture):
         picture = cv2.resize(picture, (2 * side, side), interpolation=cv2.INTER_AREA)  # type: ignore[assignment]
-    # Across a pole, the picture continues in the same row, half a turn away.
+    # Across a pole, the image continues in the same row, half a turn away.
     half = picture.shape[1] // 2
     rows = [np.roll(picture[:1], half, axis=1), picture, np.roll(picture[-1:], half, axis=1)]
     whole = np.concatenate(rows)

@@ -31,7 +31,7 @@ def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
     """Return a table with one row per look.
 
     Its columns are the floor, the stay number (counted from 1), the first and last frame, the field of view
-    in degrees, the room, the label, and the panorama's first picture.
+    in degrees, the room, the label, and the panorama's first image.
     """
     columns = ["floor", "stay", "start", "end", "fov", "room", "label", "panorama"]
     rows = []

@@ -25,7 +25,7 @@ class Annotator:
     """Draws frames that are all the same size.
 
     The parameter `size` is the (width, height) of the frames. The attribute `size` is the (width, height) of
-    the resulting pictures, both even because video encoders require it.
+    the resulting images, both even because video encoders require it.
     """
 
     def __init__(self, classes: Sequence[str], size: tuple[int, int]) -> None:
@@ -44,7 +44,7 @@ class Annotator:
         self.size = (total + total % 2, height + height % 2)
 
     def __call__(self, frame: Frame, decision: Decision, label: str | None = None) -> NDArray[np.uint8]:
-        """Draw a frame, with its true place if known, and return the (h, w, 3) uint8 BGR picture."""
+        """Draw a frame, with its true place if known, and return the (h, w, 3) uint8 BGR image."""
         picture = np.full((self.size[1], self.size[0], 3), 255, np.uint8)
         image = cv2.resize(frame.image, (self._width, self._height), interpolation=self._method)
         self._regions(image, decision.regions)  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""Write pictures to a video file."""
+"""Write images to a video file."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -46,9 +46,9 @@ class Film:
         self._stream.pix_fmt = "yuv420p"
 
     def add(self, picture: NDArray[np.uint8], seconds: float) -> None:
-        """Add a (height, width, 3) uint8 BGR picture taken at `seconds`.
+        """Add a (height, width, 3) uint8 BGR image taken at `seconds`.
 
-        The picture is repeated to fill the time since the previous one, so the film runs in real time.
+        The image is repeated to fill the time since the previous one, so the film runs in real time.
         """
         for _ in range(round(seconds * self._fps) + 1 - self._count):
             self._write(VideoFrame.from_ndarray(picture, "bgr24"))
@@ -80,7 +80,7 @@ class Film:
         return PlacecatError(f"the film {self._path.name} could not be written in full: is the disk full?")
 
     def _is_whole(self) -> bool:
-        """Return whether the file contains its last picture. FFmpeg does not always report a failed write."""
+        """Return whether the file contains its last image. FFmpeg does not always report a failed write."""
         film = cv2.VideoCapture(str(self._path), cv2.CAP_FFMPEG)
         try:
             film.set(cv2.CAP_PROP_POS_FRAMES, self._count - 1)

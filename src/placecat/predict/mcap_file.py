@@ -17,7 +17,7 @@ PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classif
 """The topics. The first two carry one message per frame. The last one is latched and carries a message
 whenever the place changes or becomes `unknown`."""
 JPEG_QUALITY = 90
-"""JPEG quality of the pictures, from 0 to 100. Our choice."""
+"""JPEG quality of the images, from 0 to 100. Our choice."""
 
 _IMAGE, _STRING = "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 _HYPOTHESIS, _CLASSIFICATION = "vision_msgs/msg/ObjectHypothesis", "vision_msgs/msg/Classification"
@@ -112,7 +112,7 @@ class McapFile:
 
 
 def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
-    """Encode an (H, W, 3) uint8 BGR picture as a JPEG, and return its bytes as (n,) uint8.
+    """Encode an (H, W, 3) uint8 BGR image as a JPEG, and return its bytes as (n,) uint8.
 
     `quality` is from 0 to 100.
     """

@@ -1,4 +1,4 @@
-"""Embed pictures in a page."""
+"""Embed images in a page."""
 
 import base64
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ QUALITY = 90
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture as a data URI, with its width and height in pixels."""
+    """An image as a data URI, with its width and height in pixels."""
 
     source: str
     width: int
@@ -22,11 +22,11 @@ class Picture:
 def embed(png: bytes) -> Picture:
     """Convert a PNG to a data URI, as WebP if that is shorter.
 
-    Raises ValueError if `png` is not a picture.
+    Raises ValueError if `png` is not an image.
     """
     pixels = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_UNCHANGED) if png else None
     if pixels is None:
-        raise ValueError("not a picture")
+        raise ValueError("not an image")
     _, encoded = cv2.imencode(".webp", pixels, [cv2.IMWRITE_WEBP_QUALITY, QUALITY])
     kind, content = min((("webp", encoded.tobytes()), ("png", png)), key=lambda pair: len(pair[1]))
     height, width = pixels.shape[:2]

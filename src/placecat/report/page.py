@@ -180,7 +180,7 @@ def _shown_figure(figure: Figure) -> dict[str, Any]:
 
 
 def shown_picture(png: bytes) -> dict[str, Any]:
-    """Return a picture's data URI (``source``) and its display ``width`` and ``height`` in CSS pixels."""
+    """Return an image's data URI (``source``) and its display ``width`` and ``height`` in CSS pixels."""
     picture = embed(png)
     width, height = (round(pixels * _FIGURE_SCALE) for pixels in (picture.width, picture.height))
     return {"source": picture.source, "width": width, "height": height}

@@ -51,7 +51,7 @@ class Faces(Section):
 
 
 class Cubes(Section):
-    """File names of the six pictures of a panorama."""
+    """File names of the six images of a panorama."""
 
     file: Text
     faces: Faces

@@ -13,12 +13,12 @@ from placecat.footage.pictures import read_image, turned
 COLUMNS = ("sequence", "number", "source", "position", "seconds", "label")
 """The columns of `Home.frames`."""
 TURN = "turn"
-"""Extra column, present only if pictures must be rotated."""
+"""Extra column, present only if images must be rotated."""
 
 
 @dataclass(frozen=True, eq=False)
 class Home:
-    """A home: the label of each frame and where to find its picture, but no pixels.
+    """A home: the label of each frame and where to find its image, but no pixels.
 
     Attributes
     ----------
@@ -39,10 +39,10 @@ class Home:
         - ``number`` (int32): the number of the frame in its sequence, counted from 1.
         - ``source`` (str): the image, the video file or the bag, as a POSIX path relative to `root`.
         - ``position`` (int32): the index of the frame in its video, including lost frames, or the index of
-          the message among the picture messages of its bag. It starts at 0. For an image file, it is -1.
+          the message among the image messages of its bag. It starts at 0. For an image file, it is -1.
         - ``seconds`` (float64): the time since the start of the sequence.
         - ``label`` (str): the label as in the label file, or "" if there is none.
-        - ``turn`` (int32), only if pictures must be rotated: 0, 90, 180 or 270 degrees clockwise.
+        - ``turn`` (int32), only if images must be rotated: 0, 90, 180 or 270 degrees clockwise.
     label_files
         Maps each sequence to its label file, relative to `root`. Empty if there are none.
     label_lines

@@ -1,4 +1,4 @@
-"""Robot@Home2: the database ``rh.db`` and the pictures in ``files/rgbd``, as unpacked from the archive.
+"""Robot@Home2: the database ``rh.db`` and the images in ``files/rgbd``, as unpacked from the archive.
 
 A robot with four cameras drove through five homes. A home has one sequence per session, with the frames from
 one camera in temporal order. The label of a frame is the type of its room, such as ``livingroom``. The data
@@ -33,7 +33,7 @@ OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
 ``all`` also selects the other frames, even discarded ones."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
-"""Suffix of colour pictures. The other files contain depth and labels."""
+"""Suffix of colour images. The other files contain depth and labels."""
 TICKS = 10_000_000
 """Ticks per second of the clock in the database."""
 
@@ -55,7 +55,7 @@ _TABLES: dict[str, Columns] = {
 
 
 class _Observation(NamedTuple):
-    """A frame, with its session, time, number in the database, room type ("" for none), and picture."""
+    """A frame, with its session, time, number in the database, room type ("" for none), and image."""
 
     session: str
     ticks: int
@@ -90,12 +90,12 @@ def read_home(
     observations
         A key of `OBSERVATIONS`.
     turn
-        Clockwise rotation of the pictures in degrees.
+        Clockwise rotation of the images in degrees.
     longest_gap
         Longest time allowed between two frames of a session, in seconds. Longer gaps, which occur between
         rooms, are shortened to this length.
-    database, pictures
-        Paths of the database and the folder of colour pictures, relative to `root`.
+    database, images
+        Paths of the database and the folder of colour images, relative to `root`.
     """
     relative(name, "dataset.homes")
     file = data_folder(root) / relative(database, "dataset.database")
@@ -144,11 +144,11 @@ def _observations(data: SqliteFile, file: Path, table: str, home: int, sensor: i
     for number, session, room, ticks, *_ in data.rows(table, home_id=home, sensor_id=sensor):
         where = f"{file}: observation {number} of {table}"
         if number not in pictures:
-            # rh_raw repeats the labelled observations, but FILES lists their pictures under the numbers from
+            # rh_raw repeats the labelled observations, but FILES lists their images under the numbers from
             # rh_lblrgbd.
             if table == "rh_raw":
                 continue
-            raise PlacecatError(f"{where} has no picture *{COLOR} in {FILES}; restore the file.")
+            raise PlacecatError(f"{where} has no image *{COLOR} in {FILES}; restore the file.")
         kind = "" if room is None else _known(types, _known(rooms, room, where, "rooms"), where, "room_types")
         yield _Observation(
             _known(sessions, session, where, "home_sessions"),
@@ -187,8 +187,7 @@ def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], l
 def _check_pictures(file: Path, root: Path, folder: Path, sources: list[str]) -> None:
     if not folder.is_dir():
         raise PlacecatError(
-            f"{folder}: the picture folder is missing; unpack the pictures there, or correct "
-            "dataset.pictures."
+            f"{folder}: the image folder is missing; unpack the images there, or correct dataset.pictures."
         )
     wanted: dict[Path, dict[str, str]] = {}
     for path in (root / source for source in sources):

@@ -48,7 +48,7 @@ def ours(frame: Image, attention: dict[str, Any]) -> NDArray[np.float32]:
 
 
 def theirs(squares: Sequence[NDArray[np.uint8]]) -> list[NDArray[np.float32]]:
-    """Compute the torchgist descriptors (512,) of (256, 256, 3) pictures, on one thread."""
+    """Compute the torchgist descriptors (512,) of (256, 256, 3) images, on one thread."""
     import torch
     from torchgist.models.models import GIST
 

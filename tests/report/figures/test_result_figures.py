@@ -139,7 +139,7 @@ def test_probable_places_are_dark_in_a_strip():
     axes = Figure().subplots()
     proba = one_hot(np.array([0, 0, 2, 1]))
     image = strips.draw(axes, proba, np.array([0, 0, 2, -1]), CLASSES, cuts=[], span=(0.0, 1.0))
-    # In the picture, rows are places and columns are frames; 0 is black and 255 is white.
+    # In the image, rows are places and columns are frames; 0 is black and 255 is white.
     drawn = image.to_rgba(image.get_array(), bytes=True)[..., 0]
     assert drawn.shape == (3, 4)
     dark = np.zeros((3, 4), bool)

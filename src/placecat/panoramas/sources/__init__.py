@@ -21,7 +21,7 @@ _HOME, _ROOM = schema.of_type(FileName), schema.of_type(Label)
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas in a folder according to the settings of conf/panoramas.yaml.
 
-    Checks that the pictures exist, but does not decode them. Raises PlacecatError if the source is unknown,
+    Checks that the images exist, but does not decode them. Raises PlacecatError if the source is unknown,
     if the folder contains no panoramas, or if a file is missing or invalid. The message names the file and,
     if possible, the line.
     """
@@ -55,12 +55,12 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
     for file in panorama.files:
         path = root / file
         if not path.is_file():
-            raise PlacecatError(f"{path}: the picture is missing ({panorama.origin}){hint}.")
+            raise PlacecatError(f"{path}: the image is missing ({panorama.origin}){hint}.")
         inside(path, root, panorama.origin)
 
 
 def _check_names(panoramas: list[Panorama]) -> None:
-    """Raise an error if the names of two homes differ only in case, or if a picture is listed twice."""
+    """Raise an error if the names of two homes differ only in case, or if an image is listed twice."""
     homes: dict[str, str] = {}
     files: dict[str, str] = {}
     for one in panoramas:

@@ -1,4 +1,4 @@
-"""Tours with six square pictures per panorama, and a table that lists the room of each panorama."""
+"""Tours with six square images per panorama, and a table that lists the room of each panorama."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,7 +12,7 @@ from placecat.panoramas.sources.equirectangular import read_table
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas in a folder; see `placecat.panoramas.sources.read`.
 
-    The `cubes` setting defines how the six picture names are derived from the value in the `file` column.
+    The `cubes` setting defines how the six image names are derived from the value in the `file` column.
     """
     pattern, names = settings["cubes"]["file"], settings["cubes"]["faces"]
 

@@ -1,4 +1,4 @@
-"""Equirectangular pictures from 360-degree cameras, and a table of their rooms.
+"""Equirectangular images from 360-degree cameras, and a table of their rooms.
 
 The table is a CSV with the columns home, file, room and, optionally, floor.
 """
@@ -28,7 +28,7 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
 def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
     """Read the table in a source folder; each row is a panorama.
 
-    `settings` are those in conf/panoramas.yaml. `files` maps the value in the `file` column to the pictures
+    `settings` are those in conf/panoramas.yaml. `files` maps the value in the `file` column to the images
     of the panorama, relative to `root`. Raises PlacecatError if the table is missing or not a CSV, or if a
     row has invalid cells, a path that leaves `root`, or a room without a label.
     """

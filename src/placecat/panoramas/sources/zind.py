@@ -1,4 +1,4 @@
-"""The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular pictures that it lists.
+"""The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular images that it lists.
 
 A home is named ``zind_HOME``, because YAML would read an all-digit name as a number. The data set divides
 homes into complete rooms, and a complete room may have parts with different labels. Each such part becomes a

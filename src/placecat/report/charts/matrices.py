@@ -1,6 +1,6 @@
-"""Draw confusion matrices as pictures: one table row with numbers, or a whole table in colours only.
+"""Draw confusion matrices as images: one table row with numbers, or a whole table in colours only.
 
-The pictures are made with NumPy, because Matplotlib takes ten times as long.
+The images are made with NumPy, because Matplotlib takes ten times as long.
 """
 
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ from placecat.results.measured import Measured
 _MAP = "Blues"
 # Cell size, gap between matrices, margin, and text sizes, in pixels.
 _CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
-# Cell size in pixels in the picture of a whole table, which shows no numbers.
+# Cell size in pixels in the image of a whole table, which shows no numbers.
 _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
 # Cells above this percentage are dark, so their numbers are white.
@@ -126,7 +126,7 @@ def _colors(percent: NDArray[np.float64]) -> NDArray[np.uint8]:
 
 
 def _paint(picture: NDArray[np.uint8], percent: NDArray[np.float64]) -> None:
-    """Fill a (side, side, 3) picture with one matrix; rows without frames stay white."""
+    """Fill a (side, side, 3) image with one matrix; rows without frames stay white."""
     picture[:] = _colors(percent).repeat(_CELL, axis=0).repeat(_CELL, axis=1)
     for (i, k), value in np.ndenumerate(percent):
         if np.isnan(value):
