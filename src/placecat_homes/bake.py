@@ -64,11 +64,11 @@ INWARDS = 0.25
 
 
 def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
-    """Compute the light that reaches every vertex, except direct sunlight.
+    """Compute all light that reaches each vertex, except direct sunlight.
 
-    This is radiosity: each vertex sends out one set of rays to find what it sees, and light is then passed on
-    along these rays. Light from the sky and from lamps is included. Vertices inside closed bodies take the
-    light of their neighbours.
+    This is radiosity: each vertex casts one set of rays to find what it sees, and light is then passed along
+    these rays. Light from the sky and from lamps is included. Vertices inside closed bodies are lit like
+    their neighbours.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""All features of a frame against the decoding of its JPEG.
+"""Time to compute all features of a frame, compared with decoding its JPEG.
 
 The first measurement covers the features for the cues of the thesis: 25 salient regions with five
 descriptors, Gist, Centrist and the information measure. The second covers everything that the `features`
@@ -24,9 +24,9 @@ Options = Mapping[str, Any]
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | Limit]:
-    """Yield comparisons with decoding, and the frames per second including decoding.
+    """Yield comparisons with decoding, and frame rates that include decoding.
 
-    `frames` have the same size; by default, there is one from each rendered home.
+    `frames` must all have the same size; by default, there is one from each rendered home.
     """
     files, pictures = prepared(frames)
     every = options()
@@ -64,7 +64,7 @@ def _of(
 
 
 def for_cues(every: Options) -> dict[str, Any]:
-    """Leave out descriptor variants, and use the number of regions for the cues."""
+    """Omit the descriptor variants, and use only as many regions as the cues need."""
     kept = {**every, "regions": {**every["regions"], "max_regions": REGIONS}}
     for kind in ("local", "holistic"):
         kept[kind] = {name: own for name, own in every[kind].items() if "descriptor" not in (own or {})}
