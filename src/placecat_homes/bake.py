@@ -106,8 +106,8 @@ def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
 
 
 def _starts(scene: Scene) -> Floats:
-    # Rays start above the surface and a little towards the middle of the surrounding triangles, so that rays
-    # from room corners and furniture feet do not start inside or behind the next surface.
+    # Rays start above the surface, shifted slightly towards the middle of the surrounding triangles.
+    # Otherwise, rays from room corners and furniture feet could start inside or behind the next surface.
     centres = scene.vertices[scene.triangles].mean(axis=1)
     total, count = np.zeros_like(scene.vertices), np.zeros(len(scene.vertices), np.float32)
     for corner in range(3):
@@ -129,8 +129,8 @@ def _vertex_colours(scene: Scene) -> tuple[Floats, Floats]:
 
 
 def _frames(normals: Floats) -> tuple[Floats, Floats]:
-    # A branchless basis that turns slowly with the normal, so that neighbours have similar directions (Duff
-    # et al. 2017).
+    # A branchless basis that turns slowly with the normal, so that neighbouring vertices cast rays in similar
+    # directions (Duff et al. 2017).
     sign = np.where(normals[:, 2] >= 0, 1.0, -1.0).astype(np.float32)
     a = -1 / (sign + normals[:, 2])
     b = normals[:, 0] * normals[:, 1] * a
@@ -150,8 +150,8 @@ def _hemispheres(count: int) -> Floats:
 
 def _sets(scene: Scene) -> NDArray[np.intp]:
     # On large plain surfaces, neighbours use different rays, and `_heal` evens out the differences.
-    # Otherwise, the outline of a window would appear as many faint shadows. On fine furniture, neighbours use
-    # the same rays.
+    # Otherwise, a window's outline would show up as many faint shadows. On finely meshed furniture,
+    # neighbours use the same rays.
     edge = np.linalg.norm(
         scene.vertices[scene.triangles[:, 0]] - scene.vertices[scene.triangles[:, 1]], axis=1
     )
@@ -237,7 +237,7 @@ def _one_lamp(tracer: Tracer, scene: Scene, start: Floats, lamp: Lamp, offsets: 
     for offset in offsets:
         rays = towards[near] + offset * lamp.radius
         distance = np.linalg.norm(rays, axis=1)
-        # The body of a lamp does not block its own light.
+        # A lamp's body does not block its own light.
         reach = np.maximum(distance - max(2.5 * lamp.radius, 0.15), 0.02).astype(np.float32)
         blocked = tracer.blocked(start[near], rays / np.maximum(distance, 1e-6)[:, None], reach)
         strength += ~blocked
@@ -247,7 +247,7 @@ def _one_lamp(tracer: Tracer, scene: Scene, start: Floats, lamp: Lamp, offsets: 
 
 
 def _heal(scene: Scene, light: Floats, buried: NDArray[np.bool_]) -> Floats:
-    # Buried vertices take their light from neighbours along the surface, ring by ring. Vertices that no ring
+    # Buried vertices get their light from neighbours on the surface, ring by ring. Vertices that no ring
     # reaches stay dark.
     edges = np.concatenate(
         [scene.triangles[:, [0, 1]], scene.triangles[:, [1, 2]], scene.triangles[:, [2, 0]]]

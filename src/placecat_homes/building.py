@@ -53,7 +53,7 @@ class Building:
     things: tuple[tuple[Placed, ...], ...]
 
     def ground(self) -> Ground:
-        """Work out where a person can walk.
+        """Work out where people can walk.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""Placement of objects at the walls of a room."""
+"""Place objects against the walls of a room."""
 
 from collections.abc import Sequence
 
@@ -14,13 +14,13 @@ GAP = 0.02
 """Gap between a wall and an object that stands against it, in metres."""
 
 TRIES = 40
-"""Maximum number of places to try for an object."""
+"""Maximum number of places tried for an object."""
 
 _FRAME = 0.1
 
 
 class AtWalls(Occupied):
-    """Four walls, with objects that stand against them and hang on them.
+    """Four walls, with objects that stand against them or hang on them.
 
     Attributes
     ----------
@@ -45,18 +45,18 @@ class AtWalls(Occupied):
         corner: bool = False,
         z: float = 0.0,
     ) -> Placed | None:
-        """Place an object with its back to a wall, where it blocks no door, window or other object.
+        """Place an object with its back to a wall so that it does not block any door, window or other object.
 
         Parameters
         ----------
         model
             The object.
         front
-            Depth of the floor in front of it that must stay free, in metres.
+            Depth in metres of the floor space to keep free in front of it.
         wall
-            Number of the wall, 0 to 3; None tries all.
+            Number of the wall, from 0 to 3; if None, all walls are tried.
         at
-            Position of the middle of the object along the wall; drawn at random if None.
+            Position of the object's middle along the wall; drawn at random if None.
         corner
             Whether to prefer corners.
         z
@@ -65,7 +65,7 @@ class AtWalls(Occupied):
         Returns
         -------
         Placed | None
-            The placed object; None if there is no place at which all doors stay within reach.
+            The placed object, or None if every place would leave some door unreachable.
         """
         spots: list[tuple[float, Placed, Floats]] = []
         for number in range(4) if wall is None else (wall,):
@@ -82,14 +82,15 @@ class AtWalls(Occupied):
         Parameters
         ----------
         tall
-            Allow no windows. Otherwise, windows with a sill about 0.9 m or more above the floor are ignored.
+            Do not allow windows. Otherwise, windows whose sill is at least about 0.9 m above the floor are
+            ignored.
         least
             Shortest useful length in metres.
 
         Returns
         -------
         Span | None
-            The stretch; None if all are shorter than `least`.
+            The stretch, or None if all are shorter than `least`.
         """
         best: Span | None = None
         for wall in (int(k) for k in self.rng.permutation(4)):
