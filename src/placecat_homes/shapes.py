@@ -1,6 +1,7 @@
-"""Shapes that furniture is built from.
+"""Shapes from which furniture is built.
 
-They are measured in metres, and most stand on z = 0. Each is a closed body wound outwards, or a thin surface.
+Dimensions are in metres, and most shapes stand on z = 0. Each shape is either a closed body with
+outward-facing triangles or a thin surface.
 """
 
 import math
@@ -16,9 +17,9 @@ from placecat_homes.mesh import Mesh, from_arrays, join
 
 
 def quad(width: float, height: float) -> Mesh:
-    """Build an upright rectangle on z = 0 that faces +y and is centred in x.
+    """Build an upright rectangle on z = 0, facing +y and centred on x = 0.
 
-    Its texture starts at the lower left.
+    Its texture starts in the lower left corner.
 
     Parameters
     ----------
@@ -80,7 +81,7 @@ def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh
 
 
 class _Box(NamedTuple):
-    """The parts of a box that do not depend on its size.
+    """Parts of a box that do not depend on its size.
 
     For each of n vertices, `signs` (n, 3) are the signs of its coordinates. `is_outer` (n, 3) is true for
     coordinates on the surface, and false for those one bevel width further in. The two `columns`, (n,) each,
@@ -166,20 +167,20 @@ def _flat(points: Sequence[tuple[float, ...]], uv: Sequence[tuple[float, ...]]) 
 
 
 def lathe(profile: Sequence[tuple[float, float]], segments: int = 20) -> Mesh:
-    """Revolve a profile around the z axis, as a wood-turner or potter would.
+    """Revolve a profile around the z axis, as on a lathe or a potter's wheel.
 
     Parameters
     ----------
     profile
-        (radius, height) pairs from bottom to top along the outside, in metres. The profile of a vessel goes
-        up on the outside and down again on the inside. Corners of less than 140 degrees stay sharp.
+        (radius, height) pairs from bottom to top along the outside, in metres. For a vessel, the profile goes
+        up on the outside and back down on the inside. Corners of less than 140 degrees stay sharp.
     segments
         Number of segments around the axis.
 
     Returns
     -------
     Mesh
-        A body centred on the axis. u runs around the axis (in metres at the largest radius), v along the
+        A body centred on the axis. u runs around the axis, in metres at the largest radius, and v along the
         profile.
     """
     points = np.asarray(profile, dtype=np.float64)
