@@ -227,24 +227,24 @@ def _turned(points: NDArray[np.float64], segments: int, reach: float) -> Mesh:
 
 @cache
 def _lattice(rows: int, columns: int) -> NDArray[np.int32]:
-    """Triangles of a lattice with vertices stored row by row, facing in the direction of rows x columns."""
+    """Return triangles of a lattice with vertices stored row by row. They face along rows x columns."""
     i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")
     a = (i * columns + j).ravel()
     b, c, d = a + columns, a + columns + 1, a + 1
     triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]).astype(np.int32)
-    # Many meshes share it.
+    # Many meshes share this array.
     triangles.flags.writeable = False
     return triangles
 
 
 def _cross(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the cross product of two vectors, much faster than NumPy."""
+    """Return the cross product of two vectors. This is much faster than NumPy."""
     (a, b, c), (x, y, z) = one.tolist(), other.tolist()
     return np.array([b * z - c * y, c * x - a * z, a * y - b * x])
 
 
 def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.003) -> Mesh:
-    """Build an upright cylinder around the z axis, with closed ends and bevelled rims.
+    """Build an upright cylinder around the z axis, with caps and bevelled rims.
 
     Parameters
     ----------
@@ -256,7 +256,7 @@ def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.
     Returns
     -------
     Mesh
-        Centred on the axis.
+        The cylinder, centred on the axis.
     """
     r = min(bevel, radius / 2, height / 2)
     return lathe(
@@ -268,7 +268,8 @@ def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.
 def superellipsoid(
     width: float, depth: float, height: float, e1: float = 0.5, e2: float = 0.5, segments: int = 20
 ) -> Mesh:
-    """Build a body between a box (exponents near 0) and an ellipsoid (1), such as a pillow or a stone.
+    """Build a body between a box (exponents near 0) and an ellipsoid (exponents of 1), such as a pillow or
+    stone.
 
     Parameters
     ----------
@@ -282,7 +283,7 @@ def superellipsoid(
     Returns
     -------
     Mesh
-        Centred in x and y, standing on z = 0.
+        The body, centred in x and y and standing on z = 0.
     """
 
     def power(value: NDArray[np.float64], e: float) -> NDArray[np.float64]:
@@ -314,18 +315,18 @@ def extrude(
     ----------
     outline
         (x, y) corners in metres, counter-clockwise as seen from above. The outline must not cross itself.
-        Caps are fans from the first corner, so all other corners must be visible from it.
+        Caps are fans around the first corner, so all other corners must be visible from it.
     length
         Height in metres.
     smooth
-        Shade the sides as one rounded surface, without sharp edges.
+        Shade the sides as one smooth surface, without sharp edges.
     caps
-        Close the bottom and the top.
+        Close the top and bottom.
 
     Returns
     -------
     Mesh
-        Standing on z = 0; u runs along the outline, v upwards.
+        A body standing on z = 0. u runs along the outline, and v upwards.
     """
     points = np.asarray(outline, dtype=np.float64)
     n = len(points)
@@ -367,12 +368,12 @@ def extrude(
 
 
 def tube(path: Sequence[tuple[float, float, float]], radius: float, segments: int = 10) -> Mesh:
-    """Build a round bar along a line, for rails, taps, handles, wires and chair frames.
+    """Build a round bar along a path, for rails, taps, handles, wires and chair frames.
 
     Parameters
     ----------
     path
-        Points in metres, at least two.
+        At least two points, in metres.
     radius
         Metres.
     segments
@@ -442,7 +443,7 @@ def sheet(
     Returns
     -------
     Mesh
-        An open surface that is visible from both sides.
+        An open surface, visible from both sides.
     """
     s, t = np.meshgrid(np.linspace(0, 1, rows + 1), np.linspace(0, 1, columns + 1), indexing="ij")
     x, y, z = (np.broadcast_to(np.asarray(value, float), s.shape) for value in surface(s, t))
