@@ -141,7 +141,7 @@ class Viewer:
             points = origins[seen] + distance[seen, None] * d + LIFT * n
             other, *_ = self._surface(points, mirrored, spread * 2, sun=False)
             radiance[seen] += reflection[seen] * other
-        # Follow rays through glass and net curtains, up to three panes deep.
+        # Follow rays through glass and net curtains, through up to three layers.
         share, at = 1 - opacity, distance
         behind = np.flatnonzero(share > 0.01)
         points = origins[behind] + (at[behind, None] + LIFT) * rays[behind]
@@ -180,15 +180,15 @@ class Viewer:
         outside = np.zeros((int((~hit).sum()), 3), np.float32)
         kernels.sky(rays[~hit], day.panorama, outside)
         radiance[~hit] = self._glare * outside
-        # Schlick's approximation; rough surfaces reflect less towards grazing angles.
+        # Schlick's approximation. Rough surfaces reflect less at grazing angles.
         cosine = np.clip(-np.einsum("ij,ij->i", rays, normal), 0, 1)
         grazing = (1 - cosine) ** 5 * (1 - 0.8 * roughness) * (gloss > 0)
         reflection = gloss * (1 - 0.5 * roughness) + (1 - gloss) * grazing
-        # Rays that the smoothed normal would send into the body are left out.
+        # Omit rays that the smoothed normal would send into the body.
         mirrored = rays + 2 * cosine[:, None] * normal
         leaving = np.einsum("ij,ij->i", mirrored, across) * np.einsum("ij,ij->i", rays, across) < 0
         reflection *= hit & leaving
-        # Metals and mirrors colour what they reflect.
+        # Metals and mirrors tint what they reflect.
         tint = np.where((gloss >= METAL)[:, None], colour, np.float32(1))
         return radiance, opacity, reflection[:, None] * tint, normal, distance
 
