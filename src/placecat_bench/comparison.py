@@ -30,8 +30,8 @@ class Comparison:
 
     The target is either `faster`, the minimum speed-up of our code, or `at_most`, the maximum time of our
     code as a multiple of the peer's time. `ours` and `theirs` are the calls to time, and `repeats` is the
-    number of pairs. With `warm_up`, each call is made once before timing; turn this off for calls that take
-    minutes. If the target is missed, the `parts` of our code are timed, to show where the time goes.
+    number of pairs timed. With `warm_up`, each call is made once before timing; turn this off for calls that
+    take minutes. If the target is missed, the `parts` of our code are timed, to show where the time goes.
     """
 
     piece: str

@@ -20,11 +20,11 @@ from placecat.vision.memory import keep_freed_memory
 HOMES = Path("data/homes")
 # Number of regions per frame, as in the thesis.
 REGIONS = 25
-# Number of pairs of calls. Each call describes all frames.
+# Number of pairs of calls. Each call processes all frames.
 REPEATS = 15
 
 Image = NDArray[np.uint8]
-# The maps and the salient regions of a frame.
+# The maps and salient regions of a frame.
 Described = tuple[FrameMaps, NDArray[np.float32]]
 
 

@@ -36,8 +36,8 @@ class Frames:
 def draw_frames(n: int, features: int, homes: Sequence[int]) -> Frames:
     """Walk through homes, visiting each room four times. Each frame lies between two views of its room.
 
-    `homes` are non-negative numbers. Each home has about n / len(homes) frames of D = `features` numbers, and
-    does not depend on the other homes.
+    `homes` lists the numbers of the homes, from 0. Each home has about n / len(homes) frames of D =
+    `features` numbers, and does not depend on the other homes.
     """
     rng = np.random.default_rng(0)
     mixing = rng.normal(size=(_SOURCES, features))

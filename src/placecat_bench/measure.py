@@ -34,9 +34,9 @@ def measure(entry: Entry) -> dict[str, object]:
     """Measure one entry. Return a row with `COLUMNS`; missing values are None.
 
     ``ours`` and ``theirs`` are median seconds. For a `Limit`, ``ours`` is the measured number. ``ratio`` is
-    the median ratio over the pairs, and ``low`` and ``high`` are the smallest and the largest ratio. ``met``
-    is "yes", "no" or `ABSENT`. ``spent`` says where the time goes if the target is missed, or why a peer
-    cannot be measured. Raises PlacecatError if a peer from the ``bench`` extra is not installed.
+    the median ratio over the pairs, and ``low`` and ``high`` are the smallest and largest ratios. ``met`` is
+    "yes", "no" or `ABSENT`. ``spent`` says where the time goes if the target is missed, or why a peer cannot
+    be measured. Raises PlacecatError if a peer from the ``bench`` extra is not installed.
     """
     if isinstance(entry, Absent):
         return _absent(entry.piece, entry.input, entry.peer, entry.reason)

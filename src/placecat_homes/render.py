@@ -38,7 +38,7 @@ def render(names: Sequence[str] = ()) -> None:
     Raises
     ------
     PlacecatError
-        If a video is unknown, the extra is missing, or the current folder is not the project's folder.
+        If a video does not exist, the extra is missing, or the current folder is not the project's folder.
     """
     videos = listed()
     wanted = names or tuple(videos)
@@ -52,7 +52,7 @@ def render(names: Sequence[str] = ()) -> None:
 
 
 def draw_contact_sheet() -> None:
-    """Write data/contact_sheet.jpg, which shows every place in each home."""
+    """Write data/contact_sheet.jpg, which shows every place in every home."""
     dataset = _read(DATASET)
     chosen = _read_settings("contact_sheet")
     views = {}

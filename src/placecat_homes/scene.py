@@ -146,7 +146,7 @@ def subdivide(mesh: Mesh, edge: float) -> Mesh:
     for _ in range(16):
         pairs = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]], axis=2)
         length = np.linalg.norm(vertices[pairs[..., 0]] - vertices[pairs[..., 1]], axis=2)
-        # Bars and bevels are so thin that light varies only along them, and only slowly.
+        # Bars and bevels are so thin that light varies only along their length, and only slowly.
         limit = np.where(_thickness(vertices, faces, length) < THIN, 3 * edge, edge)
         keys = pairs[..., 0] * len(vertices) + pairs[..., 1]
         unique = np.unique(keys[length > limit[:, None]])

@@ -111,7 +111,7 @@ def motion(pose: Pose, following: Pose, lens: Lens, distance: Floats, shutter: f
     Returns
     -------
     numpy.ndarray
-        (height, width, 2) float32, movement in pixels to the right and down.
+        (height, width, 2) float32, movement in pixels, rightwards and downwards.
     """
     forward, right, down = pose.axes()
     x, y = lens.plane()
@@ -126,7 +126,7 @@ def motion(pose: Pose, following: Pose, lens: Lens, distance: Floats, shutter: f
 
 
 def smear(radiance: Floats, flow: Floats, most: int = 9) -> Floats:
-    """Blur a frame along the motion.
+    """Blur a frame along its motion.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def develop(radiance: Floats, factors: Floats, sensor: Sensor, seed: int) -> NDA
     Parameters
     ----------
     radiance
-        (height, width, 3) float32 linear red, green, blue.
+        (height, width, 3) float32, linear red, green and blue.
     factors
         (3,) from `exposures`.
     sensor

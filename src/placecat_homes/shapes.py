@@ -39,7 +39,7 @@ def quad(width: float, height: float) -> Mesh:
 
 
 def slab(width: float, depth: float) -> Mesh:
-    """Build a horizontal rectangle that faces up, with its back edge on y = 0.
+    """Build a horizontal rectangle facing up, with its back edge on y = 0.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh
     Returns
     -------
     Mesh
-        The box. Texture coordinates run along the sides; on upright sides v is the height.
+        The box. Texture coordinates run along the sides; on upright sides, v is the height.
     """
     half = np.array([width, depth, height], dtype=np.float64) / 2
     r = float(min(bevel, half.min() * 0.49))
@@ -83,10 +83,10 @@ def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh
 class _Box(NamedTuple):
     """Parts of a box that do not depend on its size.
 
-    For each of n vertices, `signs` (n, 3) are the signs of its coordinates. `is_outer` (n, 3) is true for
-    coordinates on the surface, and false for those one bevel width further in. The two `columns`, (n,) each,
-    select the coordinates that are used as texture coordinates. On a bevel, the second is `across` times the
-    bevel width.
+    For each of the n vertices, `signs` (n, 3) contains the signs of its coordinates. `is_outer` (n, 3) is
+    true for coordinates on the surface, and false for those one bevel width further in. The two `columns`,
+    each (n,), select the coordinates used as texture coordinates. On a bevel, the second is `across` times
+    the bevel width.
     """
 
     signs: NDArray[np.float64]
@@ -276,7 +276,7 @@ def superellipsoid(
     width, depth, height
         Metres.
     e1, e2
-        Exponents of the outline seen from the side and from above.
+        Exponents of the outline as seen from the side and from above.
     segments
         Number of segments around the body; half as many run from bottom to top.
 

@@ -24,7 +24,7 @@ Hole = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Finish:
-    """The surface finish of a room, drawn from the same distributions for every kind of room.
+    """A room's surface finish, drawn from the same distributions for every kind of room.
 
     Attributes
     ----------

@@ -61,7 +61,7 @@ def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        Accuracy in percent, with a row for each shortcut and classifier, and columns for the homes and
+        Accuracies in percent, with a row for each shortcut and classifier, a column for each home, and
         `average`.
 
     Raises

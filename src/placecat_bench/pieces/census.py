@@ -69,7 +69,7 @@ def entries(*, images: Sequence[Image] | None = None, cells: int = 4) -> Iterato
 
 
 def reduced_frames() -> list[Image]:
-    """Return a frame from each rendered home as a grey image, (180, 320) uint8."""
+    """Return a frame from each rendered home as a (180, 320) uint8 grey image."""
     greys = [cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) for frame in prepared()[1]]
     return [np.asarray(cv2.resize(grey, (320, 180), interpolation=cv2.INTER_AREA)) for grey in greys]
 

@@ -4,12 +4,12 @@ With pgmpy, this takes two steps. ``TreeSearch`` computes the mutual information
 scikit-learn's ``mutual_info_score``) and the maximum spanning tree from the same root (with NetworkX). Then
 ``DiscreteBayesianEstimator`` estimates the probabilities with the K2 prior. Like our code, this adds 1 to
 every count. Both steps use a single process. Our code also checks the codes and splits them by class, while
-pgmpy receives a finished table. The log-likelihoods of all samples agree, so both have learned the same
+pgmpy is given a finished table. The log-likelihoods of all samples agree, so both have learned the same
 model.
 
 deeprob-kit only learns trees of binary variables, in float32, and computes all tables in one matrix product.
 pyAgrum's Chow-Liu classifier uses the first variable, the root of the same tree, as the class. It also
-detects the types of the columns.
+detects column types.
 """
 
 import warnings
@@ -34,7 +34,7 @@ PYAGRUM = Peer("pyAgrum: BNClassifier, Chow-Liu", "pyagrum")
 def entries(
     *, samples: int = 8000, grid: int = 16, clusters: int = 196, few: int = 124, many: int = 496
 ) -> Iterator[Entry]:
-    """Yield comparisons for the tree of codewords in a grid of cells, and for trees of activations.
+    """Yield comparisons for a tree of codewords in a grid of cells, and for trees of activations.
 
     `samples` is the number of samples, and `clusters` is the number of codewords. An activation has two
     values; pgmpy would take too long on many activations.

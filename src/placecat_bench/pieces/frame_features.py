@@ -1,6 +1,6 @@
 """Time to compute all features of a frame, compared with decoding its JPEG.
 
-The first measurement covers the features for the cues of the thesis: 25 salient regions with five
+The first measurement covers the features needed for the thesis's cues: 25 salient regions with five
 descriptors, Gist, Centrist and the information measure. The second covers everything that the `features`
 stage computes, including more regions (Table 22) and descriptor variants for the trials.
 """
@@ -72,7 +72,7 @@ def for_cues(every: Options) -> dict[str, Any]:
 
 
 def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part of the work on the frames: maps, regions and each descriptor.
+    """Create a function for each part of the work on the frames: maps, regions and each descriptor.
 
     `frames` are (H, W, 3) uint8 BGR. Shared work counts towards every descriptor that needs it.
     """

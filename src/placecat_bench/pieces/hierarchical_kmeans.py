@@ -8,7 +8,7 @@ all points to their nearest centres.
 
 Two more peers find the same number of centres without such a tree: the hierarchical mode of superkmeans with
 its default iterations (3 coarse, 5 fine), and the flat k-means of faiss with our number of iterations on all
-points. Their times are comparable if their inertia equals ours.
+points. Their run times are comparable with ours if their inertia is the same.
 
 The points are SIFT descriptors at random positions and scales in frames of rendered homes.
 """
@@ -47,7 +47,7 @@ def entries(
 ) -> Iterator[Comparison | Limit]:
     """Yield comparisons of the run time and inertia of two cuts; `homes` is a folder of videos.
 
-    Our code should be 2.5 times as fast as FLANN for the first number of clusters, and twice as fast for the
+    The target is to be 2.5 times as fast as FLANN for the first number of clusters and twice as fast for the
     second.
     """
     descriptors = draw_descriptors(points, homes)

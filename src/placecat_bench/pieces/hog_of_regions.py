@@ -1,7 +1,7 @@
 """HOG of salient regions, compared with OpenCV's HOG, called once per region.
 
 Our code and OpenCV's are given the maps and regions of the frames. For OpenCV, our function cuts out the
-patches. They are then resized and described one by one. The descriptors are identical.
+patches, which are then resized and described one by one. The descriptors are identical.
 """
 
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,4 @@
-"""nu-SVM, five classes one-vs-rest with probabilities, compared with three variants of scikit-learn.
+"""One-vs-rest nu-SVMs for five classes, with probabilities, compared with three variants in scikit-learn.
 
 For each class, our code and scikit-learn fit one nu-SVM on all frames, and another per fold on the frames
 outside that fold. A sigmoid is then fitted to the decisions for the frames that were left out.
@@ -53,7 +53,7 @@ Predict = Callable[[NDArray[np.float32]], NDArray[np.floating]]
 def entries(*, frames: int = 8000, features: int = 1024, homes: int = 5, new: int = 2000) -> Iterator[Entry]:
     """Yield comparisons of fitting times, prediction times and probabilities.
 
-    `new` is the number of frames to predict, which show another home.
+    `new` is the number of frames to predict, all from another home.
     """
     train, test = draw_frames(frames, features, range(homes)), draw_frames(new, features, [homes])
     scaling = KernelScaling("standard").fit(train.descriptors)

@@ -1,6 +1,6 @@
 """Prediction with the model from the `model` stage: frames arrive one by one and are categorized on one core.
 
-Each decision covers feature extraction, region tracking, all cues, their integration and smoothing.
+Each decision includes feature extraction, region tracking, all cues, their integration and smoothing.
 """
 
 import subprocess
@@ -23,7 +23,7 @@ from placecat_bench.timing import median_seconds
 
 PIECE = "Prediction"
 PEER = Peer("OpenCV: imdecode", "opencv-python-headless")
-# Frame rate of a camera in frames per second.
+# Frame rate of a typical camera in frames per second.
 CAMERA = 30
 PERCENTILES = (50, 95, 99)
 REPEATS = 5

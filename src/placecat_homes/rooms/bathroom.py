@@ -55,7 +55,7 @@ def _tile(room: Room, tiles: Material) -> None:
 
 
 def _bath(room: Room, ceramic: Material, tiles: Material, area: float) -> Placed | None:
-    """Place a bathtub or a shower in a corner."""
+    """Place a bathtub or shower in a corner."""
     rng, style = room.rng, room.style
     if rng.random() < 0.6:
         kind = None if area > 5.0 else "built-in"

@@ -161,7 +161,7 @@ def _corner(room: Room, wall: int, at_start: bool, at_end: bool) -> tuple[str, i
     for side, touching in (("start", at_start), ("end", at_end)):
         if not touching:
             continue
-        # The left end of a wall meets the right end of the next wall.
+        # The left end of each wall meets the right end of the next one.
         neighbour = (wall + 1) % 4 if side == "start" else (wall - 1) % 4
         total = room.length(neighbour)
         free = total - DEEP

@@ -21,7 +21,7 @@ from placecat_homes.rooms.wall_tiles import tile_walls
 
 
 def furnish(room: Room) -> None:
-    """Furnish a room with cubicles, urinals, washbasins and accessories."""
+    """Furnish a room as a lavatory with cubicles, urinals, washbasins and accessories."""
     rng, style = room.rng, room.style
     ceramic = palette.ceramic(rng)
     if rng.random() < 0.8:

@@ -44,7 +44,7 @@ def dress_windows(room: Room, bare: float = 0.15, cloth: float = 0.65) -> None:
 
 
 def _on_sill(room: Room, window: Opening) -> None:
-    """Put plants and ornaments on a window sill, within the thickness of the wall."""
+    """Put plants and ornaments on a window sill, inside the depth of the wall."""
     rng = room.rng
     count = int(rng.integers(1, 4))
     for k in range(count):

@@ -1,4 +1,4 @@
-"""Where a person with a camera looks."""
+"""Where a person with a camera looks during a walk."""
 
 import math
 from collections.abc import Iterator, Sequence

@@ -94,11 +94,11 @@ def draw(
     rng
         Random number generator.
     statistics
-        Statistics of how often rooms follow each other.
+        Statistics on how often one room follows another.
     rooms
         Names of the rooms to stay in, each at least once; by default, the walk may stay in any room.
     shorter
-        Factor for the number of stays.
+        Factor by which to multiply the number of stays.
 
     Raises
     ------

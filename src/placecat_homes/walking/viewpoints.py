@@ -157,7 +157,7 @@ def _far(places: NDArray[np.float64], near: list[NDArray[np.float64]]) -> NDArra
 
 
 def _window(depth: NDArray[np.float64]) -> NDArray[np.float64]:
-    # Averaging over 90 degrees favours the widest view over the longest ray.
+    # Averaging over 90 degrees favours a wide view over a single long ray.
     reach = _DIRECTIONS // 8
     return np.mean([np.roll(depth, shift, axis=1) for shift in range(-reach, reach + 1)], axis=0)
 
