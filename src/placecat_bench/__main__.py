@@ -4,7 +4,7 @@ import argparse
 import os
 from collections.abc import Sequence
 
-import placecat.stages  # noqa: F401 before NumPy: it chooses OpenBLAS's kernels
+import placecat.stages  # noqa: F401 before NumPy: chooses the OpenBLAS kernels
 from placecat import paths
 from placecat.errors import exiting
 

@@ -48,8 +48,7 @@ def jpegs(homes: Path = HOMES) -> list[Image]:
 
 
 def consecutive(count: int, homes: Path = HOMES) -> list[Image]:
-    """Decode `count` consecutive frames of the first rendered home, starting a third of the way into its
-    video.
+    """Decode `count` consecutive frames of the first rendered home, from a third of the way into its video.
 
     Each frame is (H, W, 3) uint8 BGR. Raises the same errors as `jpegs`.
     """

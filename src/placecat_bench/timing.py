@@ -11,7 +11,7 @@ from typing import Any
 def time_in_turn(
     ours: Callable[[], Any], theirs: Callable[[], Any], *, repeats: int, warm_up: bool = True
 ) -> tuple[list[float], list[float]]:
-    """Time pairs of calls in the order A B, B A, A B, ..., so that a temporary slowdown affects both.
+    """Time pairs of calls in the order A B, B A, A B, ..., so that temporary slowdowns affect both equally.
 
     With `warm_up`, each call is made once beforehand without being timed. Returns two lists of `repeats`
     times in seconds, ours and theirs.

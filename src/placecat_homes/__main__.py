@@ -5,7 +5,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-import placecat.stages  # noqa: F401  import before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: F401 before NumPy: chooses the OpenBLAS kernels
 from placecat.errors import PlacecatError, exiting
 
 _EXAMPLES = """examples:

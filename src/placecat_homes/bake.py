@@ -21,11 +21,11 @@ class Daylight:
     ----------
     panorama
         (h, w, 3) float32 linear radiance, with rows from straight up to straight down. A bright overcast sky
-        is 1.
+        has a radiance of 1.
     sun
-        (3,) float32, unit vector towards the sun.
+        (3,) float32, a unit vector towards the sun.
     sunlight
-        (3,) float32, irradiance of a surface that faces the sun, divided by pi; 0 without sun.
+        (3,) float32, irradiance of a surface facing the sun, divided by pi; 0 if there is no sun.
     """
 
     panorama: Floats
@@ -40,13 +40,13 @@ class Quality:
     Attributes
     ----------
     directions
-        Rays from each vertex; a power of two.
+        Number of rays from each vertex; a power of two.
     bounces
-        Number of times that light passes from surface to surface.
+        Number of times that light is passed from surface to surface.
     lamp_rays
-        Shadow rays from each vertex to each lamp.
+        Number of shadow rays from each vertex to each lamp.
     chunk
-        Number of vertices processed at once; fewer need less memory.
+        Number of vertices processed at once. Lower values need less memory.
     """
 
     directions: int = 256
@@ -60,7 +60,7 @@ LIFT = 0.004
 SETS = 8
 """Number of ray sets. Each vertex of a large surface uses one of them."""
 INWARDS = 0.25
-"""How far rays start from the vertex, as a share of the way to the middle of the surrounding triangles."""
+"""How far from the vertex rays start, as a share of the way to the middle of the surrounding triangles."""
 
 
 def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:

@@ -1,4 +1,4 @@
-"""The contact sheet: one picture that shows every place in every home."""
+"""The contact sheet, a single picture that shows every place in every home."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -31,7 +31,7 @@ def only(labels: Sequence[str], chosen: Mapping[str, int]) -> list[str]:
 
 
 def sharpest(frames: Iterable[Frame], labels: Sequence[str], places: Sequence[str]) -> dict[str, Frame]:
-    """Choose the frame with the most detail for each place.
+    """For each place, choose the frame with the most detail.
 
     Parameters
     ----------

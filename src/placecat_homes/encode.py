@@ -1,4 +1,4 @@
-"""Encode frames into a video file that OpenCV decodes on every platform."""
+"""Encode frames into a video file that OpenCV can decode on every platform."""
 
 from collections.abc import Iterable
 from fractions import Fraction

@@ -156,7 +156,7 @@ class Film:
             yield self.frame(number)
 
     def pose(self, number: int) -> Pose:
-        """Return the camera pose in a frame, counted from 0."""
+        """Return the camera pose in a frame; frames are counted from 0."""
         path = self.walk
         x, y, z = (float(value) for value in path.position[number])
         return Pose(x, y, z, float(path.yaw[number]), float(path.pitch[number]), float(path.roll[number]))

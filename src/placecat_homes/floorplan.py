@@ -196,7 +196,7 @@ class FloorPlan:
         return self._corners(door)[0 if self.hinge(door, seed) == "left" else 1]
 
     def _corners(self, door: DoorPlan) -> tuple[float, float]:
-        """Distances in metres from a door to the left and right corners of the room it swings into."""
+        """Return how far, in metres, a door is from the left and right corners of the room it swings into."""
         way, room = self.doorway(door), self.room(door.rooms[-1])
         wall = way.walls[-1]
         start, end = room.along(wall, *extent(way.rect, wall))

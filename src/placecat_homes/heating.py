@@ -1,4 +1,4 @@
-"""Radiators, placed where the furniture leaves space."""
+"""Radiators, placed wherever the furniture leaves space."""
 
 import numpy as np
 

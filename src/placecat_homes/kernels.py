@@ -1,4 +1,4 @@
-"""Compiled loops of the renderer."""
+"""Compiled loops for the renderer."""
 
 # mypy: disallow-untyped-defs=False
 

@@ -8,7 +8,7 @@ Colour = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Texture:
-    """A picture that repeats over a surface, drawn by the module `kind` of `placecat_homes.textures`.
+    """A picture that repeats over a surface, drawn by the module `kind` in `placecat_homes.textures`.
 
     Attributes
     ----------

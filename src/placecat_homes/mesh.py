@@ -37,7 +37,7 @@ class Lamp:
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """Triangles with materials. A mesh is immutable: every method returns a new one.
+    """Triangles with materials. Meshes are immutable: every method returns a new one.
 
     A piece of furniture stands on z = 0 with the middle of its back edge at the origin: it extends from
     -width/2 to width/2 along x and from 0 (its back, at the wall) to its depth along y. Its front faces +y.

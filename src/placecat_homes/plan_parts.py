@@ -1,4 +1,4 @@
-"""The rooms, doors and windows of a floor plan, and their positions.
+"""Rooms, doors and windows of a floor plan, and their positions.
 
 The sides of a room are south (y0), east (x1), north (y1) and west (x0). They correspond to walls 0 to 3 of
 `Room`.

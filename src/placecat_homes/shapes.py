@@ -268,8 +268,7 @@ def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.
 def superellipsoid(
     width: float, depth: float, height: float, e1: float = 0.5, e2: float = 0.5, segments: int = 20
 ) -> Mesh:
-    """Build a body between a box (exponents near 0) and an ellipsoid (exponents of 1), such as a pillow or
-    stone.
+    """Build a shape between a box (exponents near 0) and an ellipsoid (1), such as a pillow or stone.
 
     Parameters
     ----------

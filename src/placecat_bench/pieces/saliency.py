@@ -57,7 +57,7 @@ def saliency_of(frame: Image, own: Mapping[str, Any]) -> Saliency:
 
 
 def parts(frames: Sequence[Image], own: Mapping[str, Any]) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part: the grey pyramid, each kind of map with its pyramids, and the fusion."""
+    """Create a function for each part: the grey pyramid, each kind of map with its pyramids, and fusion."""
     maps = [compute_maps(frame, READ, **own["attention"]) for frame in frames]
 
     def only(*fields: str) -> Callable[[], Any]:

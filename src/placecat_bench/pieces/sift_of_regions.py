@@ -1,8 +1,8 @@
 """SIFT of salient regions, compared with OpenCV's SIFT on full levels and kornia's SIFT on patches.
 
-The regions of a frame lie on several levels of its pyramid. OpenCV is given each level as an 8-bit image,
+The regions of a frame lie on different levels of its pyramid. OpenCV is given each level as an 8-bit image,
 with a keypoint for each region. The cells of the keypoints have the same size as ours. OpenCV needs one call
-of `SIFT.compute` per level, and each call blurs the full level several times before it describes a point. The
+to `SIFT.compute` per level, and each call blurs the full level several times before describing a point. The
 time to prepare the images and keypoints is not counted.
 
 kornia describes patches, so our code cuts out patches the size of the regions.
@@ -87,7 +87,7 @@ def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:
 
 
 def parts(given: Sequence[Described]) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part of our code."""
+    """Create a function for each part of our code."""
     cell = region_side(given[0][0].width) / sift.CELLS
     radius = int(np.ceil((sift.CELLS + 1) / 2 * cell)) - 1
     upright = np.zeros(1)

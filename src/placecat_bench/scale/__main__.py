@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: F401 before NumPy: chooses the OpenBLAS kernels
 from placecat.errors import exiting
 
 

@@ -15,9 +15,9 @@ TRANSITION = "transition"
 
 @dataclass(frozen=True)
 class Stretch:
-    """One or more consecutive frames with one label, on one floor.
+    """One or more consecutive frames with the same label, on the same floor.
 
-    Floors are numbered from 1. The footage of a floor is continuous.
+    Floors are numbered from 1. The footage of each floor is continuous.
     """
 
     floor: int

@@ -26,7 +26,7 @@ def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frame
 
 
 def growths(measured: pd.DataFrame) -> pd.DataFrame:
-    """Fit how the time of each stage, and of all stages together, grows with the number of frames.
+    """Fit how the run time of each stage, and of all stages together, grows with the number of frames.
 
     `measured` has the columns `COLUMNS` and rows for at least two numbers of frames. Returns the columns
     `GROWTH_COLUMNS`. The exponents apply to CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are for the
@@ -52,7 +52,7 @@ def _growth(rows: pd.DataFrame) -> tuple[float, float, float, float, float]:
 
 
 def fit(frames: Sequence[float], values: Sequence[float]) -> tuple[float, float, float]:
-    """Fit values = factor * frames ** exponent by least squares on logarithms.
+    """Fit values = factor * frames ** exponent by least squares on the logarithms.
 
     `frames` and `values` are positive (n,) arrays with n >= 2 and at least two distinct numbers of frames.
     Returns three numbers. The first is the exponent, which is 1 if the values are proportional to the number

@@ -100,7 +100,7 @@ def _two_lists(rng: np.random.Generator, ranges: PlanRanges) -> tuple[list[str],
 
 
 def _in_row(rng: np.random.Generator, ranges: PlanRanges, kind: str, deep: float) -> tuple[float, float]:
-    """Width and depth of a room in a row that is `deep` metres deep."""
+    """Draw the width and depth of a room in a row that is `deep` metres deep."""
     if kind == "corridor":
         return rng.uniform(*ranges.corridor), deep
     area = rng.uniform(*ranges.areas[kind])
@@ -134,7 +134,7 @@ def _corridor(
 
 
 def _shared(a: Rect, b: Rect) -> float:
-    """Overlap of two rooms along x, in metres."""
+    """Return the overlap of two rooms along x in metres."""
     return min(a[2], b[2]) - max(a[0], b[0])
 
 
@@ -215,7 +215,7 @@ def around_living_room(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
 
 
 def angled(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
-    """Draw rooms along a corridor with a corner."""
+    """Draw rooms along a corridor that turns a corner."""
     sketch = Sketch()
     deep, wide = rng.uniform(*ranges.depth), rng.uniform(*ranges.corridor)
     x = 0.0

@@ -11,7 +11,7 @@ from placecat_homes.placing.opening import Opening, Span
 from placecat_homes.placing.placed import Floats, Placed
 
 GAP = 0.02
-"""Gap between a wall and an object that stands against it, in metres."""
+"""Gap in metres between a wall and an object that stands against it."""
 
 TRIES = 40
 """Maximum number of places tried for an object."""
@@ -121,8 +121,8 @@ class AtWalls(Occupied):
         model
             The object.
         bottom
-            Height of its origin in metres. The object is hung a little lower if the ceiling is low, and
-            higher if `above` reaches above this height.
+            Height of the object's origin in metres. The object is hung a little lower if the ceiling is low,
+            and higher if `above` reaches above this height.
         above
             Another object, over the middle of which this one is hung on the same wall.
 

@@ -28,7 +28,7 @@ def drawn(corners: Floats, origin: tuple[float, float], shape: tuple[int, int]) 
     corners
         (n, 2) metres, counter-clockwise.
     origin
-        Position of the first corner of the lattice.
+        Position of the lattice's first corner.
     shape
         Shape of the lattice.
 
