@@ -23,7 +23,7 @@ from placecat_homes.walking.walk_statistics import Statistics
 
 @dataclass(frozen=True)
 class Shot:
-    """Description of what a video shows.
+    """The content of a video.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Shapes from which furniture is built.
+"""Basic shapes for building furniture.
 
 Dimensions are in metres, and most shapes stand on z = 0. Each shape is either a closed body with
 outward-facing triangles or a thin surface.

@@ -10,7 +10,7 @@ from placecat_homes.materials import Colour, Material
 
 @dataclass(frozen=True)
 class Style:
-    """Style that the rooms of a home have in common.
+    """The style shared by all rooms of a home.
 
     Attributes
     ----------

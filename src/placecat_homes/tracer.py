@@ -33,7 +33,7 @@ class Hits(NamedTuple):
 
 
 class Tracer:
-    """Triangles with which rays are intersected.
+    """A set of triangles to intersect with rays.
 
     Parameters
     ----------

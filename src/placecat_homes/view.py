@@ -13,7 +13,7 @@ from placecat_homes.tracer import Tracer
 
 DECODE = linear(np.arange(256) / 255)
 METAL = 0.3
-"""Minimum gloss for a surface to tint its reflection."""
+"""Minimum gloss for a surface to tint reflections."""
 
 
 @dataclass(frozen=True)
@@ -95,8 +95,8 @@ class Viewer:
     daylight
         The daylight used to bake the light.
     glare
-        Factor by which the view outside is brightened, because cameras overexpose it. The light that falls in
-        stays the same.
+        Factor that brightens the view outside, because cameras overexpose it. The light that comes in is
+        unchanged.
     """
 
     def __init__(self, scene: Scene, light: Floats, daylight: Daylight, *, glare: float = 1.0) -> None:

@@ -1,4 +1,4 @@
-"""Arrangements of rooms, that is, their positions and connections. Plans are mirrored and rotated later."""
+"""Positions and connections of rooms. Plans are mirrored and rotated later."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field

@@ -62,7 +62,7 @@ class Video:
 
 @dataclass(frozen=True)
 class Source:
-    """Settings from which homes are drawn.
+    """Settings used to draw homes.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Ranges from which floor plans and lighting are drawn, with checks."""
+"""Validated ranges for drawing floor plans and lighting."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass

@@ -15,7 +15,7 @@ from placecat_homes.style import Style
 
 
 class Room(AtWalls):
-    """A room of a building, in which furniture is placed.
+    """A room in a building, to be filled with furniture.
 
     Attributes
     ----------

@@ -72,7 +72,7 @@ class Gaze:
     def follow(
         self, spans: Sequence[Span], places: Floats, ahead: Floats, tick: float
     ) -> tuple[Floats, Floats]:
-        """Look around along the way.
+        """Look around while following the path.
 
         Parameters
         ----------

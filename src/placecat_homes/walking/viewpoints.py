@@ -25,7 +25,7 @@ class Viewpoint:
     place
         x, y.
     outlook
-        Yaw in radians of the widest view, or of the view of the furniture.
+        Yaw in radians towards the widest view or the furniture.
     focus
         Point x, y, z on the furniture or wall that the camera has approached, if any.
     """

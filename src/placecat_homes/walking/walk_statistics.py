@@ -54,7 +54,7 @@ class Statistics:
         How frames between two stays are labelled: `transition` (transitions all the way) or `rooms` (only
         doorways are transitions, and rooms on the way keep their own labels).
     doorway
-        Distances in metres from a door at which a transition begins in front of it and ends behind it.
+        Distances in metres at which a transition begins before a door and ends after it.
     least_share
         Minimum share of frames for each class.
     """
