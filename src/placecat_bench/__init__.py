@@ -1,6 +1,6 @@
-"""Benchmarks of the pieces of `placecat` against their best alternatives (``make bench``).
+"""Benchmarks of the pieces of `placecat`, compared with their best alternatives (``make bench``).
 
-Each module of `pieces` benchmarks one piece, and `scale` measures the stages at the size of VPC-2009.
-`placecat` imports nothing from here. Only this package imports the alternatives ("peers"). The optional extra
-``bench`` installs most of them.
+Each module of `pieces` benchmarks one piece, and `scale` measures the stages on as many frames as VPC-2009
+has. `placecat` imports nothing from here. Only this package imports the alternatives ("peers"). The optional
+extra ``bench`` installs most of them.
 """

@@ -4,7 +4,7 @@ import argparse
 import os
 from collections.abc import Sequence
 
-import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: F401 before NumPy: chooses the OpenBLAS kernels
 from placecat import paths
 from placecat.errors import exiting
 
@@ -18,7 +18,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     )
     parser.add_argument("pieces", nargs="*", metavar="PIECE", help="a piece to measure; by default all")
     options = parser.parse_args(arguments)
-    # Some libraries, such as the OpenMP of the peers, read this variable on import.
+    # Some libraries, such as the OpenMP that peers use, read this variable on import.
     os.environ["OMP_NUM_THREADS"] = "1"
     from placecat_bench.run import run
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 LEAST_REPEATS = 5
-# The optional extra with the peers that need torch.
+# The optional extra that installs the peers that need torch.
 TORCH = "bench-torch"
 
 
@@ -15,7 +15,7 @@ class Peer:
     """An alternative to our code, such as "scikit-image: local_binary_pattern and histogram".
 
     `package` is the distribution that contains it; its version is recorded. The package may be in a separate
-    `folder`. An `extra` other than ``bench`` need not be installed.
+    `folder`. If `extra` is not ``bench``, the peer may be missing.
     """
 
     name: str
@@ -26,12 +26,12 @@ class Peer:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Our code and a peer, timed in alternation on the same input.
+    """Our code and a peer, timed alternately on the same input.
 
     The target is either `faster`, the minimum speed-up of our code, or `at_most`, the maximum time of our
     code as a multiple of the peer's time. `ours` and `theirs` are the calls to time, and `repeats` is the
-    number of pairs. With `warm_up`, each call is first made once; turn this off if a call takes minutes. If
-    the target is missed, the `parts` of our code are timed, to show where the time goes.
+    number of pairs timed. With `warm_up`, each call is made once before timing; turn this off for calls that
+    take minutes. If the target is missed, the `parts` of our code are timed, to show where the time goes.
     """
 
     piece: str
@@ -65,8 +65,8 @@ class Comparison:
 class Limit:
     """A number with a limit, `at_most` or `at_least`.
 
-    `measure` returns the number, and `quantity` names it, such as "frames/s". `parts` are as for
-    `Comparison`.
+    `measure` returns the number, and `quantity` names it, such as "frames/s". `parts` has the same meaning as
+    in `Comparison`.
     """
 
     piece: str
@@ -92,7 +92,7 @@ class Limit:
 
 @dataclass(frozen=True)
 class Absent:
-    """A peer that cannot be measured on an `input`, and the reason."""
+    """A peer that cannot be measured on an `input`, and the reason why."""
 
     piece: str
     input: str
@@ -100,7 +100,7 @@ class Absent:
     reason: str
 
 
-# What a piece yields.
+# The entries that a piece can yield.
 Entry = Comparison | Limit | Absent
 
 

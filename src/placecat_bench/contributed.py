@@ -24,7 +24,7 @@ FOLDER = Path(sys.prefix) / "contributed"
 
 @contextmanager
 def contributed(name: str, pictures: Sequence[NDArray[np.uint8]]) -> Iterator[Callable[[], None]]:
-    """Make a function that computes the maps of (H, W, 3) images with the class `name` of ``cv2.saliency``.
+    """Create a function that computes maps of (H, W, 3) images with the `name` class in ``cv2.saliency``.
 
     The function raises PlacecatError if the package is missing or its process ends.
     """

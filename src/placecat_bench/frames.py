@@ -20,18 +20,18 @@ from placecat.vision.memory import keep_freed_memory
 HOMES = Path("data/homes")
 # Number of regions per frame, as in the thesis.
 REGIONS = 25
-# Number of pairs of calls. Each call describes all frames.
+# Number of pairs of calls. Each call processes all frames.
 REPEATS = 15
 
 Image = NDArray[np.uint8]
-# The maps and the salient regions of a frame.
+# The maps and salient regions of a frame.
 Described = tuple[FrameMaps, NDArray[np.float32]]
 
 
 def prepared(frames: Sequence[Image] | None = None) -> tuple[list[Image], list[Image]]:
     """Return frames as JPEG files and as pixels; by default, one frame from each rendered home.
 
-    Like the `features` stage, the process keeps freed memory from now on.
+    From now on, the process keeps freed memory, as the `features` stage does.
     """
     keep_freed_memory()
     files = jpegs() if frames is None else [encoded(frame) for frame in frames]
@@ -39,16 +39,16 @@ def prepared(frames: Sequence[Image] | None = None) -> tuple[list[Image], list[I
 
 
 def jpegs(homes: Path = HOMES) -> list[Image]:
-    """Encode one frame from each rendered home as JPEG, with the default quality of OpenCV.
+    """Encode one frame from each rendered home as a JPEG, at OpenCV's default quality.
 
-    The frame is one third into the video. Returns the bytes of each JPEG. Raises PlacecatError if the folder
-    has no videos or a video cannot be read.
+    The frame is taken one third of the way into the video. Returns the bytes of each JPEG. Raises
+    PlacecatError if the folder has no videos or a video cannot be read.
     """
     return [encoded(_frames(path, 1)[0]) for path in _videos(homes)]
 
 
 def consecutive(count: int, homes: Path = HOMES) -> list[Image]:
-    """Decode `count` consecutive frames of the first rendered home, starting one third into its video.
+    """Decode `count` consecutive frames of the first rendered home, from a third of the way into its video.
 
     Each frame is (H, W, 3) uint8 BGR. Raises the same errors as `jpegs`.
     """
@@ -56,12 +56,12 @@ def consecutive(count: int, homes: Path = HOMES) -> list[Image]:
 
 
 def encoded(frame: Image) -> Image:
-    """Encode an (H, W, 3) uint8 BGR frame as JPEG; return the bytes."""
+    """Encode an (H, W, 3) uint8 BGR frame as a JPEG and return its bytes."""
     return np.asarray(cv2.imencode(".jpg", frame)[1])
 
 
 def decoded(jpeg: Image) -> Image:
-    """Decode a JPEG to (H, W, 3) uint8 BGR."""
+    """Decode a JPEG to an (H, W, 3) uint8 BGR frame."""
     return np.asarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR))
 
 

@@ -1,12 +1,12 @@
 """Synthetic frames of walks through homes, as hard to classify as Gist descriptors.
 
-The time that kernel machines take depends on the frames: with few support vectors, there is little to do.
+How long a kernel machine takes depends on the frames: with few support vectors, there is little to compute.
 The constants below are therefore chosen so that 2000 synthetic frames resemble 1978 Gist descriptors from
-five rendered homes (1024 standardised numbers each). The values for the rendered homes are in brackets. The
-first principal component explains 0.23 of the variance (0.22), the first 21 explain 0.74 (0.73), and the
-first 101 explain 0.95 (0.94). In the nu-SVM of a class, 66 % of the frames are support vectors (56 %). The
-RVM of a class has 63 to 82 relevance vectors (51 to 99). In an unseen home, 36 % of the frames are classified
-correctly (36 %).
+five rendered homes (1024 standardised numbers each). The values for the rendered homes are given in brackets.
+The first principal component explains 0.23 of the variance (0.22), the first 21 explain 0.74 (0.73), and the
+first 101 explain 0.95 (0.94). In the nu-SVM for a class, 66 % of the frames are support vectors (56 %). The
+RVM for a class has 63 to 82 relevance vectors (51 to 99). In an unseen home, 36 % of the frames are
+classified correctly (36 %).
 """
 
 from collections.abc import Sequence
@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 CLASSES = 5
-# Number of independent sources of variance, decay of their standard deviations, and factor for the first one.
+# Number of independent sources of variance, decay of their standard deviations, and a factor for the first.
 _SOURCES, _DECAY, _FIRST = 256, 0.6, 1.2
-# Standard deviations of classes, rooms and frames; for views, it is 1.
+# Standard deviations of classes, rooms and frames; that of views is 1.
 _CLASS, _ROOM, _FRAME = 0.12, 0.2, 0.5
 _VIEWS = 20
 _FRAMES_TO_THE_NEXT_VIEW = 5
@@ -34,10 +34,10 @@ class Frames:
 
 
 def draw_frames(n: int, features: int, homes: Sequence[int]) -> Frames:
-    """Walk through homes, visiting each room four times. A frame lies between two views of its room.
+    """Walk through homes, visiting each room four times. Each frame lies between two views of its room.
 
-    `homes` are numbers of 0 or more. Each home has about n / len(homes) frames of D = `features` numbers, and
-    does not depend on the other homes.
+    `homes` lists the numbers of the homes, from 0. Each home has about n / len(homes) frames of D =
+    `features` numbers, and does not depend on the other homes.
     """
     rng = np.random.default_rng(0)
     mixing = rng.normal(size=(_SOURCES, features))

@@ -1,4 +1,4 @@
-"""Measurement of the entries of a benchmark. Each entry makes one row."""
+"""Measure the entries of a benchmark. Each entry produces one row."""
 
 import statistics
 import sys
@@ -33,10 +33,10 @@ _PART_REPEATS = 3
 def measure(entry: Entry) -> dict[str, object]:
     """Measure one entry. Return a row with `COLUMNS`; missing values are None.
 
-    ``ours`` and ``theirs`` are median seconds. For a `Limit`, ``ours`` is its number. ``ratio`` is the median
-    ratio over the pairs, and ``low`` and ``high`` are the smallest and the largest ratio. ``met`` is "yes",
-    "no" or `ABSENT`. ``spent`` says where the time goes if the target is missed, or why a peer cannot be
-    measured. Raises PlacecatError if a peer of the extra ``bench`` is not installed.
+    ``ours`` and ``theirs`` are median seconds. For a `Limit`, ``ours`` is the measured number. ``ratio`` is
+    the median ratio over the pairs, and ``low`` and ``high`` are the smallest and largest ratios. ``met`` is
+    "yes", "no" or `ABSENT`. ``spent`` says where the time goes if the target is missed, or why a peer cannot
+    be measured. Raises PlacecatError if a peer from the ``bench`` extra is not installed.
     """
     if isinstance(entry, Absent):
         return _absent(entry.piece, entry.input, entry.peer, entry.reason)
@@ -70,7 +70,7 @@ def _absent(piece: str, text: str, peer: str, reason: str) -> dict[str, object]:
 
 
 def _version(peer: Peer) -> str | None:
-    """Return the version of a peer, or None if it belongs to the extra `TORCH` and is not installed."""
+    """Return the version of a peer, or None if it is part of the `TORCH` extra and not installed."""
     folders = sys.path if peer.folder is None else [str(peer.folder)]
     for found in distributions(name=peer.package, path=folders):
         return found.version
@@ -83,7 +83,7 @@ def _version(peer: Peer) -> str | None:
 
 
 def _spent(parts: Mapping[str, Callable[[], Any]], whole: float | None) -> str:
-    """List parts, slowest first, with their shares of the total time, or in seconds if `whole` is None."""
+    """List parts, slowest first, with their shares of the total time, or with seconds if `whole` is None."""
     times = {name: median_seconds(part, _PART_REPEATS) for name, part in parts.items()}
     ordered = sorted(times.items(), key=lambda item: -item[1])
     if whole is None:

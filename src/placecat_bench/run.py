@@ -1,4 +1,4 @@
-"""A benchmark run, which measures pieces one by one and writes the measurements to a file."""
+"""Run the benchmark: measure the pieces one by one and write the results to a file."""
 
 import platform
 from collections.abc import Sequence
@@ -19,13 +19,13 @@ _MODULE = "module"
 
 
 def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
-    """Measure pieces on one thread. Write the rows after each piece, and keep those of other pieces.
+    """Measure pieces on one thread. Rows are written after each piece; the rows of other pieces are kept.
 
-    `chosen` are names of modules in :mod:`placecat_bench.pieces`; if empty, all are measured. `target` is the
-    CSV file; facts about the machine and the packages go to a JSON file of the same name. Returns the content
-    of the CSV file, which has the column ``module`` and :data:`placecat_bench.measure.COLUMNS`. Raises
-    PlacecatError for an unknown piece, a missing peer, or kept rows that were measured on another machine or
-    with other packages.
+    `chosen` lists names of modules in :mod:`placecat_bench.pieces`; if empty, all are measured. `target` is
+    the CSV file; facts about the machine and packages go to a JSON file of the same name. Returns the
+    contents of the CSV file, which has the columns ``module`` and :data:`placecat_bench.measure.COLUMNS`.
+    Raises PlacecatError if a piece is unknown, a peer is missing, or kept rows were measured on another
+    machine or with other packages.
     """
     all_names, facts, facts_file = pieces.names(), _facts(), target.with_suffix(".json")
     generators = {name: pieces.load(name) for name in dict.fromkeys(chosen or all_names)}
@@ -41,7 +41,7 @@ def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
     for name, entries in generators.items():
         rows = pd.DataFrame(single_threaded(_measure_piece, (name, entries)), columns=table.columns)
         others = table[table[_MODULE] != name]
-        # Sort by piece, and keep the order of the rows of a piece.
+        # Sort by piece, but keep the order of rows within a piece.
         table = pd.concat([others, rows]) if len(others) else rows
         table = table.sort_values(_MODULE, kind="stable", ignore_index=True)
         files.write_csv(target, table)
@@ -73,7 +73,7 @@ def summary(row: dict[str, object]) -> str:
 
 
 def _facts() -> dict[str, str]:
-    """Return the facts that the numbers depend on, apart from the versions of the peers."""
+    """Return the facts that the numbers depend on, except peer versions."""
     processor = Path("/proc/cpuinfo")
     lines = processor.read_text(encoding="utf-8").splitlines() if processor.exists() else []
     model = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")

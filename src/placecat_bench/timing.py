@@ -1,4 +1,4 @@
-"""Wall times of alternating calls."""
+"""Measure wall times, alternating between two calls."""
 
 import gc
 import statistics
@@ -11,10 +11,10 @@ from typing import Any
 def time_in_turn(
     ours: Callable[[], Any], theirs: Callable[[], Any], *, repeats: int, warm_up: bool = True
 ) -> tuple[list[float], list[float]]:
-    """Time pairs of calls in the order A B, B A, A B, ..., so that a temporary slowdown affects both.
+    """Time pairs of calls in the order A B, B A, A B, ..., so that temporary slowdowns affect both equally.
 
-    With `warm_up`, each call is first made once, untimed. Returns two lists of `repeats` times in seconds:
-    ours and theirs.
+    With `warm_up`, each call is made once beforehand without being timed. Returns two lists of `repeats`
+    times in seconds, ours and theirs.
     """
     if warm_up:
         ours()
@@ -40,16 +40,16 @@ def median_seconds(call: Callable[[], Any], repeats: int) -> float:
 
 
 class Latest:
-    """A call that keeps its last result, so that results can be compared without another call."""
+    """A call that keeps its latest result, so that results can be compared without calling again."""
 
     def __init__(self, call: Callable[..., Any], *args: Any) -> None:
         self._call = partial(call, *args)
 
     def __call__(self) -> Any:
-        """Make the call, and return its result."""
+        """Make the call and return its result."""
         self._result = self._call()
         return self._result
 
     def result(self) -> Any:
-        """Return the result of the last call. If there was none, make the call first."""
+        """Return the latest result. Make the call first if there is none yet."""
         return self._result if hasattr(self, "_result") else self()

@@ -5,7 +5,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-import placecat.stages  # noqa: F401  import before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: F401 before NumPy: chooses the OpenBLAS kernels
 from placecat.errors import PlacecatError, exiting
 
 _EXAMPLES = """examples:
@@ -19,7 +19,7 @@ PLACECAT_WORKERS sets the number of processes; the results do not depend on it."
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command. After a user's mistake, print a message and exit with status 1."""
+    """Run the command. On a user error, print a message and exit with status 1."""
     options = _parser().parse_args(arguments)
     with exiting():
         _run(options)
@@ -62,13 +62,13 @@ def _size(text: str) -> tuple[int, int]:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="placecat-homes",
-        description="Render the videos in data/ again and draw the contact sheet, or render new homes drawn "
+        description="Re-render the videos in data/ and draw the contact sheet, or render new homes drawn "
         "from a seed. Rendering all videos takes an hour or more. Needs the optional extra: "
         "pip install -e '.[render]'.",
         epilog=_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("videos", nargs="*", metavar="VIDEO", help="such as homes/home_1; by default all")
+    parser.add_argument("videos", nargs="*", metavar="VIDEO", help="such as homes/home_1; all by default")
     drawn = parser.add_argument_group(
         "homes drawn from a seed (the ranges are in conf/drawn.yaml of the package)"
     )

@@ -21,11 +21,11 @@ class Daylight:
     ----------
     panorama
         (h, w, 3) float32 linear radiance, with rows from straight up to straight down. A bright overcast sky
-        is 1.
+        has a radiance of 1.
     sun
-        (3,) float32, unit vector towards the sun.
+        (3,) float32, a unit vector towards the sun.
     sunlight
-        (3,) float32, irradiance of a surface that faces the sun, divided by pi; 0 without sun.
+        (3,) float32, irradiance of a surface facing the sun, divided by pi; 0 if there is no sun.
     """
 
     panorama: Floats
@@ -40,13 +40,13 @@ class Quality:
     Attributes
     ----------
     directions
-        Rays from each vertex; a power of two.
+        Number of rays from each vertex; a power of two.
     bounces
-        Number of times that light passes from surface to surface.
+        Number of times that light is passed from surface to surface.
     lamp_rays
-        Shadow rays from each vertex to each lamp.
+        Number of shadow rays from each vertex to each lamp.
     chunk
-        Number of vertices processed at once; fewer need less memory.
+        Number of vertices processed at once. Lower values need less memory.
     """
 
     directions: int = 256
@@ -60,15 +60,15 @@ LIFT = 0.004
 SETS = 8
 """Number of ray sets. Each vertex of a large surface uses one of them."""
 INWARDS = 0.25
-"""How far rays start from the vertex, as a share of the way to the middle of the surrounding triangles."""
+"""How far from the vertex rays start, as a share of the way to the middle of the surrounding triangles."""
 
 
 def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
-    """Compute the light that reaches every vertex, except direct sunlight.
+    """Compute all light that reaches each vertex, except direct sunlight.
 
-    This is radiosity: each vertex sends out one set of rays to find what it sees, and light is then passed on
-    along these rays. Light from the sky and from lamps is included. Vertices inside closed bodies take the
-    light of their neighbours.
+    This is radiosity: each vertex casts one set of rays to find what it sees, and light is then passed along
+    these rays. Light from the sky and from lamps is included. Vertices inside closed bodies are lit like
+    their neighbours.
 
     Parameters
     ----------
@@ -106,8 +106,8 @@ def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
 
 
 def _starts(scene: Scene) -> Floats:
-    # Rays start above the surface and a little towards the middle of the surrounding triangles, so that rays
-    # from room corners and furniture feet do not start inside or behind the next surface.
+    # Rays start above the surface, shifted slightly towards the middle of the surrounding triangles.
+    # Otherwise, rays from room corners and furniture feet could start inside or behind the next surface.
     centres = scene.vertices[scene.triangles].mean(axis=1)
     total, count = np.zeros_like(scene.vertices), np.zeros(len(scene.vertices), np.float32)
     for corner in range(3):
@@ -129,8 +129,8 @@ def _vertex_colours(scene: Scene) -> tuple[Floats, Floats]:
 
 
 def _frames(normals: Floats) -> tuple[Floats, Floats]:
-    # A branchless basis that turns slowly with the normal, so that neighbours have similar directions (Duff
-    # et al. 2017).
+    # A branchless basis that turns slowly with the normal, so that neighbouring vertices cast rays in similar
+    # directions (Duff et al. 2017).
     sign = np.where(normals[:, 2] >= 0, 1.0, -1.0).astype(np.float32)
     a = -1 / (sign + normals[:, 2])
     b = normals[:, 0] * normals[:, 1] * a
@@ -150,8 +150,8 @@ def _hemispheres(count: int) -> Floats:
 
 def _sets(scene: Scene) -> NDArray[np.intp]:
     # On large plain surfaces, neighbours use different rays, and `_heal` evens out the differences.
-    # Otherwise, the outline of a window would appear as many faint shadows. On fine furniture, neighbours use
-    # the same rays.
+    # Otherwise, a window's outline would show up as many faint shadows. On finely meshed furniture,
+    # neighbours use the same rays.
     edge = np.linalg.norm(
         scene.vertices[scene.triangles[:, 0]] - scene.vertices[scene.triangles[:, 1]], axis=1
     )
@@ -237,7 +237,7 @@ def _one_lamp(tracer: Tracer, scene: Scene, start: Floats, lamp: Lamp, offsets: 
     for offset in offsets:
         rays = towards[near] + offset * lamp.radius
         distance = np.linalg.norm(rays, axis=1)
-        # The body of a lamp does not block its own light.
+        # A lamp's body does not block its own light.
         reach = np.maximum(distance - max(2.5 * lamp.radius, 0.15), 0.02).astype(np.float32)
         blocked = tracer.blocked(start[near], rays / np.maximum(distance, 1e-6)[:, None], reach)
         strength += ~blocked
@@ -247,7 +247,7 @@ def _one_lamp(tracer: Tracer, scene: Scene, start: Floats, lamp: Lamp, offsets: 
 
 
 def _heal(scene: Scene, light: Floats, buried: NDArray[np.bool_]) -> Floats:
-    # Buried vertices take their light from neighbours along the surface, ring by ring. Vertices that no ring
+    # Buried vertices get their light from neighbours on the surface, ring by ring. Vertices that no ring
     # reaches stay dark.
     edges = np.concatenate(
         [scene.triangles[:, [0, 1]], scene.triangles[:, [1, 2]], scene.triangles[:, [2, 0]]]

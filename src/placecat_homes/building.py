@@ -1,4 +1,4 @@
-"""A complete building: furnished rooms with walls, doors, windows and radiators."""
+"""A complete building, with furnished rooms, walls, doors, windows and radiators."""
 
 from dataclasses import dataclass
 
@@ -35,7 +35,7 @@ class Building:
     Attributes
     ----------
     mesh
-        The complete building in the frame of the plan.
+        The complete building, in the frame of the plan.
     plan
         The plan with all windows.
     rooms
@@ -53,7 +53,7 @@ class Building:
     things: tuple[tuple[Placed, ...], ...]
 
     def ground(self) -> Ground:
-        """Work out where a person can walk.
+        """Work out where people can walk.
 
         Raises
         ------
@@ -176,7 +176,7 @@ def _rng(plan: FloorPlan, seed: int, *names: str) -> np.random.Generator:
 def _inside(
     rect: tuple[float, float, float, float], origin: tuple[float, float], shape: tuple[int, ...]
 ) -> tuple[slice, slice]:
-    """Cells whose centres lie in a rectangle."""
+    """Return the cells whose centres lie in a rectangle."""
     low = [round((rect[k] - origin[k]) / CELL) for k in (0, 1)]
     high = [round((rect[k + 2] - origin[k]) / CELL) for k in (0, 1)]
     return slice(max(low[0], 0), min(high[0], shape[0])), slice(max(low[1], 0), min(high[1], shape[1]))

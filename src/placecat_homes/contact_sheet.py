@@ -1,4 +1,4 @@
-"""The contact sheet: one picture that shows every place in every home."""
+"""The contact sheet, a single picture that shows every place in every home."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -10,19 +10,19 @@ Frame = NDArray[np.uint8]
 
 
 def only(labels: Sequence[str], chosen: Mapping[str, int]) -> list[str]:
-    """Keep a single labelled frame for some of the places.
+    """Keep only one labelled frame for some places.
 
     Parameters
     ----------
     labels
         Label of each frame.
     chosen
-        Maps a place to the number (from 1) of the frame that keeps its label.
+        Maps each such place to the number (from 1) of the frame that keeps its label.
 
     Returns
     -------
     list of str
-        The labels. All other frames of these places have the label "".
+        The labels, with "" for all other frames of these places.
     """
     return [
         "" if label in chosen and chosen[label] != number else label
@@ -31,7 +31,7 @@ def only(labels: Sequence[str], chosen: Mapping[str, int]) -> list[str]:
 
 
 def sharpest(frames: Iterable[Frame], labels: Sequence[str], places: Sequence[str]) -> dict[str, Frame]:
-    """Choose the frame with the most detail for each place.
+    """For each place, choose the frame with the most detail.
 
     Parameters
     ----------
@@ -66,16 +66,16 @@ def draw(views: Mapping[str, Mapping[str, Frame]], places: Sequence[str], width:
     Parameters
     ----------
     views
-        Maps each home to its views, which map places to (H, W, 3) uint8 BGR.
+        Maps each home to its views, which map places to (H, W, 3) uint8 BGR pictures.
     places
-        Places of the columns, in order.
+        Places shown in the columns, in order.
     width
         Width of one view in pixels.
 
     Returns
     -------
     numpy.ndarray
-        uint8 BGR. If a home lacks a place, its cell stays white.
+        uint8 BGR. The cell of a place that a home lacks stays white.
     """
     height = round(width * 9 / 16)
     head, margin = 30, 4

@@ -39,8 +39,7 @@ def doorway(
     Returns
     -------
     tuple
-        The mesh in the frame of the plan, and the (4, 2) footprint of the leaf. The footprint is None if
-        there is no leaf.
+        The mesh in the frame of the plan, and the (4, 2) footprint of the leaf, or None if there is no leaf.
     """
     place = plan.doorway(way)
     wall, room = place.walls[-1], plan.room(way.rooms[-1])
@@ -84,7 +83,7 @@ def shut(width: float, height: float, style: Style, design: int, hinge: str) -> 
     style
         Style of the building.
     design
-        Seed of the design shared by all doors of the building.
+        Seed of the design that all doors of the building share.
     hinge
         "left" or "right".
 

@@ -1,4 +1,4 @@
-"""Encode frames into a video file that OpenCV decodes on every platform."""
+"""Encode frames into a video file that OpenCV can decode on every platform."""
 
 from collections.abc import Iterable
 from fractions import Fraction
@@ -21,15 +21,15 @@ def write_video(
     path
         The .mp4 file to write.
     frames
-        (height, width, 3) uint8, BGR. All have the same even width and height.
+        (height, width, 3) uint8, BGR. All must have the same size, with even width and height.
     fps
         Frames per second.
     codec
         Name of the encoder in FFmpeg.
     quality
-        Constant rate factor: lower values mean better quality and larger files.
+        Constant rate factor; lower values give better quality and larger files.
     preset
-        Speed preset of the encoder: slower presets make smaller files.
+        Speed preset of the encoder; slower presets give smaller files.
 
     Returns
     -------

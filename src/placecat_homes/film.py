@@ -1,4 +1,4 @@
-"""One video: a lit building, filmed by a camera on a walk through it."""
+"""A video of a lit building, filmed on a walk through it."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -23,7 +23,7 @@ from placecat_homes.walking.walk_statistics import Statistics
 
 @dataclass(frozen=True)
 class Shot:
-    """What a video shows.
+    """The content of a video.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class Shot:
     weather, azimuth, elevation
         See `outside.draw`, but the angles are in degrees.
     lamps
-        Share of the rooms whose lamps are switched on.
+        Share of rooms with the lights on.
     frames, fps
         Number of frames, and frames per second.
     rooms
@@ -65,7 +65,7 @@ class Finish:
     preview
         Width in pixels of the small frames that the automatic exposure measures.
     glare
-        Brightness of the world outside, see `Viewer`.
+        Brightness of the world outside; see `Viewer`.
     light
         Settings for baking the light.
     """
@@ -100,7 +100,7 @@ class Film:
     building
         The furnished building.
     walk
-        The camera pose and the label of each frame.
+        The camera pose and label of each frame.
     """
 
     def __init__(
@@ -156,7 +156,7 @@ class Film:
             yield self.frame(number)
 
     def pose(self, number: int) -> Pose:
-        """Return the camera pose in a frame, counted from 0."""
+        """Return the camera pose in a frame; frames are counted from 0."""
         path = self.walk
         x, y, z = (float(value) for value in path.position[number])
         return Pose(x, y, z, float(path.yaw[number]), float(path.pitch[number]), float(path.roll[number]))
@@ -181,7 +181,7 @@ class Film:
         return Viewer(scene, light, daylight, glare=self._finish.glare)
 
     def _roof(self) -> Mesh:
-        # Otherwise the sky would shine into the hollow walls.
+        # Without a roof, the sky would shine into the hollow walls.
         mesh = self.building.mesh
         (x0, y0, _), (x1, y1, _) = mesh.low - 0.5, mesh.high + 0.5
         lid = shapes.slab(float(x1 - x0), float(y1 - y0)).of(Material((0.2, 0.2, 0.2)))

@@ -1,4 +1,4 @@
-"""Floor plans: rectangular rooms, the doors between them, and windows."""
+"""Floor plans with rectangular rooms, doors between them, and windows."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -37,7 +37,7 @@ class FloorPlan:
     windowless
         Names of rooms to which `windowed` adds no windows.
     glazing
-        Share of the outer walls that `windowed` fills with windows, 0 to 1.
+        Share of the outer walls that `windowed` fills with windows, from 0 to 1.
     """
 
     name: str
@@ -50,7 +50,7 @@ class FloorPlan:
 
     @classmethod
     def from_dict(cls, name: str, plan: Mapping[str, Any]) -> "FloorPlan":
-        """Make a plan from data loaded from YAML, and check it.
+        """Create a plan from YAML data and check it.
 
         Parameters
         ----------
@@ -117,12 +117,12 @@ class FloorPlan:
                 raise PlacecatError(f"{self.name}: no door leads to {room.name}")
 
     def doorway(self, door: DoorPlan) -> Doorway:
-        """Work out where a door is.
+        """Find the position of a door.
 
         Raises
         ------
         PlacecatError
-            If no wall has space for the door.
+            If no wall has room for the door.
         """
         if door.kind == "closed":
             room, wall = self.room(door.rooms[0]), SIDES.index(door.side)
@@ -158,12 +158,12 @@ class FloorPlan:
         name
             Name of the room.
         seed
-            Seed for the hinge sides of the doors.
+            Seed that decides on which side each door is hinged.
 
         Returns
         -------
         tuple[Opening, ...]
-            Doors in the order of the plan, then windows.
+            The doors in the order of the plan, followed by the windows.
         """
         room = self.room(name)
         found = []
@@ -185,7 +185,7 @@ class FloorPlan:
         return tuple(found)
 
     def hinge(self, door: DoorPlan, seed: int) -> str:
-        """Return the hinge side of a door, seen from the room it swings into: the side nearer to a corner."""
+        """Return the hinge side of a door, seen from the room it swings into: the side closer to a corner."""
         left, right = self._corners(door)
         if abs(left - right) < 0.3:
             return ("left", "right")[derive("hinge", self.name, *door.rooms, seed) % 2]
@@ -196,14 +196,14 @@ class FloorPlan:
         return self._corners(door)[0 if self.hinge(door, seed) == "left" else 1]
 
     def _corners(self, door: DoorPlan) -> tuple[float, float]:
-        """Distances in metres from a door to the left and right corners of the room it swings into."""
+        """Return how far, in metres, a door is from the left and right corners of the room it swings into."""
         way, room = self.doorway(door), self.room(door.rooms[-1])
         wall = way.walls[-1]
         start, end = room.along(wall, *extent(way.rect, wall))
         return start, room.size[wall % 2] - end
 
     def windowed(self, seed: int) -> "FloorPlan":
-        """Add windows to the outer walls of rooms for which the plan has none.
+        """Add windows to the outer walls of all rooms that have none in the plan.
 
         Parameters
         ----------
@@ -262,7 +262,7 @@ class FloorPlan:
         return windows
 
     def _outer(self, room: RoomPlan, wall: int) -> list[tuple[float, float]]:
-        """Stretches of a wall that have no building behind them and contain no closed door."""
+        """Return the stretches of a wall that have no room behind them and no closed door in them."""
         low, high, face, outwards = plan_parts.side(room.rect, wall)
         covered = []
         for other in self.rooms:

@@ -1,4 +1,4 @@
-"""Radiators, placed where the furniture leaves space."""
+"""Radiators, placed wherever the furniture leaves space."""
 
 import numpy as np
 
@@ -7,14 +7,14 @@ from placecat_homes.placing.room import Room
 
 
 def heat(room: Room, design: int, rng: np.random.Generator) -> None:
-    """Put a radiator under a window or elsewhere if there is enough space.
+    """Put a radiator under a window, or against another part of the wall, if there is enough space.
 
     Parameters
     ----------
     room
         The furnished room.
     design
-        Seed of the design shared by all radiators of a building.
+        Seed of the design that all radiators of a building share.
     rng
         Random number generator for the size and position.
     """

@@ -1,4 +1,4 @@
-"""Compiled loops of the renderer."""
+"""Compiled loops for the renderer."""
 
 # mypy: disallow-untyped-defs=False
 
@@ -7,7 +7,8 @@ import math
 import numpy as np
 from numba import njit
 
-# Each kernel is one single-precision loop over pixels or vertices; everything else uses array operations.
+# Each kernel is a single loop over pixels or vertices in single precision; all other code uses array
+# operations.
 
 
 @njit(cache=False)
@@ -55,9 +56,9 @@ def surfaces(
     """Look up the surfaces that rays have hit.
 
     Fills `colour` (r, 3) with linear albedo, `normal` (r, 3) turned towards the eye, and `irradiance` (r, c),
-    interpolated from `light` (n, c). The rows of rays that hit nothing stay unchanged. `spread` is the angle
-    between neighbouring pixels in radians. It determines which size of the texture is read. `decode` (256,)
-    converts sRGB to linear light.
+    interpolated from `light` (n, c). Rows for rays that hit nothing are left unchanged. `spread` is the angle
+    between neighbouring pixels in radians. It determines the resolution at which the texture is read.
+    `decode` (256,) converts sRGB to linear light.
     """
     first, second = np.empty(3, np.float32), np.empty(3, np.float32)
     sizes = np.empty(levels, np.int64)
@@ -109,7 +110,7 @@ def surfaces(
 
 @njit(cache=False)
 def sky(directions, picture, out):
-    """Look up directions (r, 3) in a panorama (h, w, 3) whose rows run from straight up to straight down."""
+    """Look up (r, 3) directions in an (h, w, 3) panorama whose rows run from straight up to straight down."""
     height, width = picture.shape[0], picture.shape[1]
     for r in range(len(directions)):
         x, y, z = directions[r, 0], directions[r, 1], directions[r, 2]
@@ -126,7 +127,7 @@ def sky(directions, picture, out):
 
 @njit(cache=False)
 def gather(hits, given, out):
-    """Sum the light (m, 3) that each vertex receives from the triangles that its rays (n, r) have hit."""
+    """Sum the light `given` (m, 3) from the triangles `hits` (n, r) that the rays of each vertex have hit."""
     for i in range(hits.shape[0]):
         for k in range(3):
             out[i, k] = 0

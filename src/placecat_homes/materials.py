@@ -1,25 +1,25 @@
-"""What surfaces are made of."""
+"""Materials and textures of surfaces."""
 
 from dataclasses import dataclass
 
 Colour = tuple[float, float, float]
-"""sRGB red, green, blue in [0, 1], as seen on a screen."""
+"""Red, green and blue in [0, 1], in sRGB."""
 
 
 @dataclass(frozen=True)
 class Texture:
-    """A picture that repeats over a surface, drawn by the module `kind` of `placecat_homes.textures`.
+    """A picture that repeats over a surface, drawn by the module `kind` in `placecat_homes.textures`.
 
     Attributes
     ----------
     kind
         Name of the module that draws it.
     colours
-        Colours to draw with, sRGB.
+        Colours to draw with, in sRGB.
     size
         Width and height of one repetition in metres.
     seed
-        Seed of the random details.
+        Seed for random details.
     """
 
     kind: str
@@ -35,18 +35,20 @@ class Material:
     Attributes
     ----------
     colour
-        sRGB; multiplied with the texture if there is one.
+        In sRGB; multiplied by the texture if there is one.
     texture
         Picture that repeats over the texture coordinates of the mesh, which are in metres.
     gloss
-        Mirror reflection at normal incidence, 0 (matt) to 1 (a mirror); it grows towards grazing angles.
-        Paint has 0, varnish and tiles 0.03 to 0.06, metal 0.5 to 0.8, mirrors 0.9.
+        Mirror reflection at normal incidence, from 0 (matt) to 1 (a mirror); it increases towards grazing
+        angles. Typical values are 0 for paint, 0.03 to 0.06 for varnish and tiles, 0.5 to 0.8 for metal, and
+        0.9 for mirrors.
     roughness
-        0 for a sharp mirror image, 1 for only a hint of one.
+        From 0 for a sharp mirror image to 1 for a mere hint of one.
     emission
         Emitted light as a multiple of the colour; 0 for everything except lamps, screens and the sky.
     opacity
-        1 hides everything behind the surface. Glass has 0.1 to 0.3, and net curtains have 0.5.
+        1 hides everything behind the surface. Typical values are 0.1 to 0.3 for glass and 0.5 for net
+        curtains.
     """
 
     colour: Colour = (1.0, 1.0, 1.0)

@@ -20,13 +20,13 @@ class Lamp:
     Attributes
     ----------
     position
-        Metres, in the frame of the mesh.
+        In metres, in the frame of the mesh.
     colour
         sRGB.
     power
-        Irradiance at one metre; 1.0 is the light of a bright overcast sky at a window.
+        Irradiance at one metre; 1.0 is the light from a bright overcast sky at a window.
     radius
-        Radius of the luminous body in metres; larger bodies cast softer shadows.
+        Radius of the luminous body in metres. Larger bodies make shadows softer.
     """
 
     position: Point
@@ -37,7 +37,7 @@ class Lamp:
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """Triangles with materials. A mesh is immutable: every method returns a new one.
+    """Triangles with materials. Meshes are immutable: every method returns a new one.
 
     A piece of furniture stands on z = 0 with the middle of its back edge at the origin: it extends from
     -width/2 to width/2 along x and from 0 (its back, at the wall) to its depth along y. Its front faces +y.
@@ -55,7 +55,7 @@ class Mesh:
     material
         (m,) int16, index into `materials`.
     materials
-        The materials in use.
+        The materials used.
     lamps
         The lamps in the mesh.
     """
@@ -88,7 +88,7 @@ class Mesh:
         return self.transformed(np.eye(3), (x, y, z))
 
     def turned(self, degrees: float, axis: str = "z") -> "Mesh":
-        """Rotate the mesh about the x, y or z axis, counter-clockwise as seen from the tip of the axis."""
+        """Rotate the mesh around the x, y or z axis, counter-clockwise as seen from the tip of the axis."""
         c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
         if axis == "x":
             matrix = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
@@ -99,7 +99,7 @@ class Mesh:
         return self.transformed(matrix, (0.0, 0.0, 0.0))
 
     def scaled(self, x: float, y: float | None = None, z: float | None = None) -> "Mesh":
-        """Scale the mesh along the axes, equally if only `x` is given. Factors must be positive."""
+        """Scale the mesh along each axis, or uniformly if only `x` is given. Factors must be positive."""
         factors = np.array([x, x if y is None else y, x if z is None else z], dtype=np.float32)
         normals = self.normals / factors
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
@@ -118,7 +118,7 @@ class Mesh:
         return replace(self, vertices=self.vertices @ m.T + s, normals=self.normals @ m.T, lamps=lamps)
 
     def mirrored(self) -> "Mesh":
-        """Swap left and right: x becomes -x."""
+        """Swap left and right by negating x."""
         flip = np.array([-1, 1, 1], dtype=np.float32)
         lamps = tuple(
             replace(lamp, position=(-lamp.position[0], lamp.position[1], lamp.position[2]))
@@ -133,7 +133,7 @@ class Mesh:
         )
 
     def of(self, material: Material) -> "Mesh":
-        """Use one material for the entire mesh."""
+        """Give the entire mesh a single material."""
         return replace(self, material=np.zeros(len(self.triangles), np.int16), materials=(material,))
 
     def lit(self, *lamps: Lamp) -> "Mesh":
@@ -216,14 +216,15 @@ def from_arrays(
     triangles
         (m, 3), counter-clockwise seen from outside.
     normals
-        (n, 3); by default, the area-weighted mean normal of the adjacent triangles, for a smooth surface.
+        (n, 3); by default, the area-weighted mean of the normals of adjacent triangles, so that the surface
+        looks smooth.
     uv
         (n, 2), metres; by default, x and y.
 
     Returns
     -------
     Mesh
-        A mesh of the default material.
+        A mesh with the default material.
     """
     points, faces = np.asarray(vertices, np.float32), np.asarray(triangles, np.int32)
     if normals is None:

@@ -1,4 +1,4 @@
-"""Frame sizes in bytes, read from the index of an MP4 file (ISO/IEC 14496-12)."""
+"""Read frame sizes in bytes from the index of an MP4 file (ISO/IEC 14496-12)."""
 
 import struct
 from pathlib import Path
@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 
 
 def frame_sizes(path: Path) -> NDArray[np.int64]:
-    """Return the size in bytes of each frame of the first video track, in display order."""
+    """Return the size in bytes of each frame in the first video track, in display order."""
     tracks = [
         _boxes(track)[b"mdia"] for kind, track in _walk(_boxes(path.read_bytes())[b"moov"]) if kind == b"trak"
     ]
@@ -25,7 +25,7 @@ def frame_sizes(path: Path) -> NDArray[np.int64]:
 
 
 def _walk(data: bytes) -> list[tuple[bytes, bytes]]:
-    """Split bytes into boxes; return the kind and the content of each."""
+    """Split bytes into boxes, and return the kind and content of each."""
     found, start = [], 0
     while start + 8 <= len(data):
         size, kind = struct.unpack_from(">I4s", data, start)
@@ -43,7 +43,7 @@ def _boxes(data: bytes) -> dict[bytes, bytes]:
 
 
 def _runs(box: bytes, count: int) -> NDArray[np.int64]:
-    """Expand a table of (number of frames, value) to one value per frame."""
+    """Expand a table of (number of frames, value) pairs to one value per frame."""
     table = np.frombuffer(box, ">i4", offset=8).reshape(-1, 2)
     values = np.repeat(table[:, 1], table[:, 0]).astype(np.int64)
     if len(values) != count:

@@ -7,7 +7,7 @@ Field = NDArray[np.floating]
 
 
 def smooth(rng: np.random.Generator, pixels: int, power: float, stretch: float = 1.0) -> Field:
-    """Draw noise with a power-law spectrum that repeats without a seam.
+    """Draw seamlessly repeating noise with a power-law spectrum.
 
     Parameters
     ----------
@@ -16,10 +16,10 @@ def smooth(rng: np.random.Generator, pixels: int, power: float, stretch: float =
     pixels
         Width and height of the field.
     power
-        The amplitude is divided by the frequency to this power: 0 for white noise, 1 for clouds, 2 for soft
-        blots.
+        The amplitude is divided by the frequency raised to this power: 0 gives white noise, 1 clouds, and 2
+        soft blots.
     stretch
-        How many times longer blots are along x than along y.
+        Length of blots along x relative to that along y.
 
     Returns
     -------
@@ -35,7 +35,7 @@ def smooth(rng: np.random.Generator, pixels: int, power: float, stretch: float =
 
 
 def grid(pixels: int) -> tuple[Field, Field]:
-    """Return x and y of the pixel centres in [0, 1), y growing downwards.
+    """Return the x and y coordinates of the pixel centres in [0, 1), with y pointing downwards.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def grid(pixels: int) -> tuple[Field, Field]:
 
 
 def mix(first: NDArray[np.floating], second: NDArray[np.floating], share: Field) -> Field:
-    """Blend two colours by a field.
+    """Blend two colours pixel by pixel.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def mix(first: NDArray[np.floating], second: NDArray[np.floating], share: Field)
 
 
 def cells(pixels: int, columns: int, rows: int, shift: float = 0.0) -> tuple[NDArray[np.intp], Field, Field]:
-    """Divide a picture into cells such as bricks, tiles or planks, with every second row shifted.
+    """Divide a picture into cells, such as bricks, tiles or planks, with every other row shifted.
 
     Parameters
     ----------
@@ -81,13 +81,13 @@ def cells(pixels: int, columns: int, rows: int, shift: float = 0.0) -> tuple[NDA
     columns, rows
         Number of cells; unless `shift` is 0, `rows` must be even to avoid a seam.
     shift
-        Shift of every second row, in cells.
+        Shift of every other row, in cells.
 
     Returns
     -------
     tuple of numpy.ndarray
-        Number of the cell at each pixel, then distances in cells to the nearest vertical and horizontal edge,
-        in [0, 0.5].
+        Number of the cell at each pixel, and the distances to the nearest vertical and horizontal edges in
+        cells, in [0, 0.5].
     """
     x, y = grid(pixels)
     row = np.floor(y * rows).astype(int)

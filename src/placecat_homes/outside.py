@@ -1,4 +1,4 @@
-"""The view through the windows: sky, trees, houses and ground in all directions."""
+"""The view from the windows, with sky, trees, houses and ground in all directions."""
 
 import numpy as np
 

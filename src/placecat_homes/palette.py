@@ -1,7 +1,7 @@
-"""Materials drawn at random, from the same distributions for every kind of room.
+"""Materials drawn at random from distributions that are the same for every kind of room.
 
-A room must be recognized by what stands in it. No function here has access to the kind of room, so no colour
-or pattern can reveal it.
+A room must be recognizable only by what is in it. No function here knows the kind of room, so no colour or
+pattern can reveal it.
 """
 
 import colorsys
@@ -31,9 +31,9 @@ def colour(rng: Rng, saturation: float = 0.5, low: float = 0.15, high: float = 0
     rng
         Random number generator.
     saturation
-        Upper limit of the saturation.
+        Maximum saturation.
     low, high
-        Range of the brightest component.
+        Range of the brightest component, from minimum to maximum.
 
     Returns
     -------
@@ -63,7 +63,7 @@ def shade(base: Colour, factor: float) -> Colour:
 
 
 def paint(rng: Rng) -> Material:
-    """Draw wall or furniture paint: often light and greyish, sometimes strong."""
+    """Draw wall or furniture paint, usually pale or greyish, and sometimes in a strong colour."""
     kind = rng.uniform()
     if kind < 0.45:
         base = colour(rng, 0.12, 0.75, 0.95)
@@ -91,7 +91,7 @@ WOODS: tuple[Colour, ...] = (
 
 
 def wood(rng: Rng) -> Material:
-    """Draw a wood, sometimes painted over."""
+    """Draw a kind of wood, slightly lighter or darker than usual."""
     base = WOODS[int(rng.integers(len(WOODS)))]
     base = shade(base, rng.uniform(0.85, 1.12))
     texture = Texture("wood", (base, shade(base, rng.uniform(0.62, 0.85))), (1.2, 0.4), _seed(rng))
@@ -99,7 +99,7 @@ def wood(rng: Rng) -> Material:
 
 
 def fabric(rng: Rng) -> Material:
-    """Draw cloth: plain, woven, striped, checked or flowered."""
+    """Draw a fabric: plain, woven, striped, checked, floral or damask."""
     first = colour(rng, 0.65, 0.25, 0.92)
     second = colour(rng, 0.65, 0.2, 0.95)
     third = colour(rng, 0.7, 0.15, 0.95)
@@ -122,7 +122,7 @@ def fabric(rng: Rng) -> Material:
 
 
 def plain_fabric(rng: Rng) -> Material:
-    """Draw cloth of one colour, for upholstery, towels or sheets."""
+    """Draw a fabric in a single colour, for upholstery, towels or sheets."""
     first = colour(rng, 0.6, 0.2, 0.95)
     kind = str(rng.choice(["weave", "carpet"]))
     size = 0.1 if kind == "weave" else 0.3
@@ -130,7 +130,7 @@ def plain_fabric(rng: Rng) -> Material:
 
 
 def leather(rng: Rng) -> Material:
-    """Draw leather: black, brown, tan, cream, or another colour."""
+    """Draw leather in black, brown, tan, cream or another colour."""
     choices: list[Colour] = [(0.08, 0.08, 0.08), (0.3, 0.18, 0.11), (0.5, 0.31, 0.17), (0.82, 0.77, 0.68)]
     base = choices[int(rng.integers(4))] if rng.uniform() < 0.8 else colour(rng, 0.7, 0.2, 0.7)
     return Material(texture=Texture("plaster", (base,), (0.4, 0.4), _seed(rng)), gloss=0.04, roughness=0.6)
@@ -151,7 +151,7 @@ def metal(rng: Rng) -> Material:
 
 
 def ceramic(rng: Rng) -> Material:
-    """Draw glazed ceramic: white, sometimes coloured."""
+    """Draw glazed ceramic, which is white or, less often, coloured."""
     base: Colour = (0.92, 0.92, 0.9)
     if rng.uniform() < 0.3:
         base = colour(rng, 0.45, 0.35, 0.9)
@@ -159,7 +159,7 @@ def ceramic(rng: Rng) -> Material:
 
 
 def stone(rng: Rng) -> Material:
-    """Draw worktop stone: granite, marble, concrete, laminate."""
+    """Draw a worktop material: granite, marble, or plain like concrete or laminate."""
     base = colour(rng, 0.2, 0.12, 0.92)
     seed = _seed(rng)
     kind = rng.uniform()
@@ -173,7 +173,7 @@ def stone(rng: Rng) -> Material:
 
 
 def plastic(rng: Rng) -> Material:
-    """Draw plastic of any colour, often black, grey or white."""
+    """Draw plastic in any colour, often black, grey or white."""
     if rng.uniform() < 0.5:
         v = float(rng.choice([0.06, 0.2, 0.55, 0.88]))
         return Material((v, v, v), gloss=0.04, roughness=0.35)
@@ -181,7 +181,7 @@ def plastic(rng: Rng) -> Material:
 
 
 def tiles(rng: Rng) -> Material:
-    """Draw wall tiles of any colour and size."""
+    """Draw wall tiles in any colour and size."""
     base = colour(rng, 0.3, 0.3, 0.95)
     joint = shade(base, float(rng.choice([0.6, 0.8, 1.25])))
     seed = _seed(rng)
@@ -196,7 +196,7 @@ def tiles(rng: Rng) -> Material:
 
 
 def wallpaper(rng: Rng) -> Material:
-    """Draw wallpaper: stripes, flowers, damask or a textured pattern."""
+    """Draw wallpaper with stripes, flowers, damask or a plain texture."""
     first = colour(rng, 0.35, 0.55, 0.93)
     second = shade(first, float(rng.choice([0.86, 0.92, 1.08])))
     third = shade(first, 0.8)
@@ -214,7 +214,7 @@ def wallpaper(rng: Rng) -> Material:
 
 
 def wall(rng: Rng) -> Material:
-    """Draw a wall covering: mostly light paint on plaster, otherwise wallpaper, boards or bricks."""
+    """Draw a wall finish: usually light paint on plaster, otherwise wallpaper, boards or bricks."""
     kind = rng.uniform()
     if kind < 0.84:
         base = colour(rng, 0.28, 0.68, 0.95)
@@ -259,13 +259,13 @@ def flooring(rng: Rng) -> Material:
 
 
 def carpet(rng: Rng) -> Material:
-    """Draw fitted carpet of one colour."""
+    """Draw a fitted carpet in a single colour."""
     base = colour(rng, 0.45, 0.2, 0.85)
     return Material(texture=Texture("carpet", (base, shade(base, 0.8)), (0.9, 0.9), _seed(rng)))
 
 
 def paper(rng: Rng) -> Material:
-    """Draw a printed page; use `sized` to fit it to the quad it lies on."""
+    """Draw a printed page, 21 cm wide and 30 cm high."""
     white: Colour = (0.93, 0.92, 0.88)
     base = white if rng.uniform() < 0.75 else colour(rng, 0.4, 0.75, 0.95)
     return Material(

@@ -1,6 +1,7 @@
-"""The rooms, doors and windows of a floor plan, and their positions.
+"""Rooms, doors and windows of a floor plan, and their positions.
 
-The sides of a room are south (y0), east (x1), north (y1) and west (x0). They are walls 0 to 3 of `Room`.
+The sides of a room are south (y0), east (x1), north (y1) and west (x0). They correspond to walls 0 to 3 of
+`Room`.
 """
 
 from dataclasses import dataclass
@@ -20,13 +21,13 @@ class RoomPlan:
     name
         Unique name of the room.
     kind
-        Kind of room, which determines the furniture.
+        Kind of room, which determines its furniture.
     rect
         x0, y0, x1, y1 of its inner faces in metres.
     label
         Label of the frames in this room.
     part
-        Part of the building that the room is in; "" if the building has no parts.
+        Part of the building where the room is; "" if the building has no parts.
     """
 
     name: str
@@ -57,15 +58,16 @@ class DoorPlan:
     Attributes
     ----------
     rooms
-        Names of the two rooms it connects; the leaf swings into the second. A closed door has only one room.
+        Names of the two rooms that it connects. The leaf swings into the second. A closed door has only one
+        room.
     kind
-        "door", "open" (no leaf), "glass" (a leaf of glass) or "closed" (never opened; leads nowhere).
+        "door", "open" (no leaf), "glass" (a glass leaf) or "closed" (never opened; leads nowhere).
     position
         Position of its middle along the shared wall, from 0 (south or west) to 1.
     width, height
         Metres.
     side
-        For a closed door, the side of the room that it is on.
+        For a closed door, the side of the room where it is.
     """
 
     rooms: tuple[str, ...]
@@ -102,14 +104,14 @@ class WindowPlan:
 
 @dataclass(frozen=True)
 class Doorway:
-    """Where a door is.
+    """Position of a door.
 
     Attributes
     ----------
     rect
         x0, y0, x1, y1 of the opening in the wall, from face to face, in metres.
     walls
-        For each room of the door, the number of the wall that the door is in.
+        For each of the door's rooms, the number of the wall that contains the door.
     """
 
     rect: Rect
@@ -117,13 +119,13 @@ class Doorway:
 
     @property
     def middle(self) -> tuple[float, float]:
-        """World x and y of the middle of the opening."""
+        """World coordinates x and y of the middle of the opening."""
         x0, y0, x1, y1 = self.rect
         return (x0 + x1) / 2, (y0 + y1) / 2
 
 
 def side(rect: Rect, wall: int) -> tuple[float, float, float, int]:
-    """Return the ends of a side, its position on the other axis, and the sign of the outward direction."""
+    """Return both ends of a side, its position on the other axis, and the sign of the outward direction."""
     x0, y0, x1, y1 = rect
     return ((x0, x1, y0, -1), (y0, y1, x1, 1), (x0, x1, y1, 1), (y0, y1, x0, -1))[wall]
 
@@ -140,5 +142,5 @@ def extent(rect: Rect, wall: int) -> tuple[float, float]:
 
 
 def apart(a: Rect, b: Rect) -> float:
-    """Return the gap between two rectangles along an axis; it is negative if they overlap."""
+    """Return the gap between two rectangles along x or y, whichever is larger; negative if they overlap."""
     return max(a[0] - b[2], b[0] - a[2], a[1] - b[3], b[1] - a[3])

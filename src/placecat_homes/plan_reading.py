@@ -1,4 +1,4 @@
-"""Rooms, doors and windows of a floor plan, read from YAML and checked."""
+"""Read rooms, doors and windows of a floor plan from YAML, and check them."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -11,7 +11,7 @@ _DOOR_KINDS = ("door", "open", "glass", "closed")
 
 
 def read_room(plan: str, name: str, value: Mapping[str, Any]) -> RoomPlan:
-    """Read a room of a plan. Raises PlacecatError if it is invalid."""
+    """Read a room from a plan. Raises PlacecatError if it is invalid."""
     where = f"{plan}, room {name}"
     refuse_unknown(value, ["kind", "rect", "label", "part"], where)
     rect = _numbers(value["rect"], where)
@@ -29,7 +29,7 @@ def _numbers(values: Sequence[Any], where: str) -> Rect:
 
 
 def read_door(plan: str, value: Mapping[str, Any]) -> DoorPlan:
-    """Read a door of a plan. Raises PlacecatError if it is invalid."""
+    """Read a door from a plan. Raises PlacecatError if it is invalid."""
     rooms = tuple(str(room) for room in value["rooms"])
     where = f"{plan}, door {' - '.join(rooms)}"
     refuse_unknown(value, ["rooms", "kind", "position", "width", "height", "side"], where)
@@ -37,7 +37,7 @@ def read_door(plan: str, value: Mapping[str, Any]) -> DoorPlan:
     if door.kind not in _DOOR_KINDS:
         raise PlacecatError(f"{where}: kind must be one of {', '.join(_DOOR_KINDS)}")
     if len(rooms) != (1 if door.kind == "closed" else 2):
-        raise PlacecatError(f"{where}: a closed door must have one room, any other door two")
+        raise PlacecatError(f"{where}: a closed door must have one room, and any other door must have two")
     if door.kind == "closed" and door.side not in SIDES:
         raise PlacecatError(f"{where}: side must be one of {', '.join(SIDES)}")
     if not (0.0 <= door.position <= 1.0 and door.width >= 0.7):
@@ -46,7 +46,7 @@ def read_door(plan: str, value: Mapping[str, Any]) -> DoorPlan:
 
 
 def read_window(plan: str, rooms: Mapping[str, RoomPlan], value: Mapping[str, Any]) -> WindowPlan:
-    """Read a window of a plan. Raises PlacecatError if it is invalid."""
+    """Read a window from a plan. Raises PlacecatError if it is invalid."""
     name = str(value["room"])
     where = f"{plan}, window of {name}"
     refuse_unknown(value, ["room", "side", "width", "position", "sill", "top"], where)

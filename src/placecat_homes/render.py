@@ -1,4 +1,4 @@
-"""Render the videos of the project, using the settings in conf/ of this package."""
+"""Render the project's videos, using the settings in this package's conf/ folder."""
 
 import csv
 import tempfile
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 SETTINGS = Path(__file__).with_name("conf")
 DATASET = paths.CONF / "dataset/homes.yaml"
 TEMPORARY = ".rendering-"
-"""Prefix of the temporary folders in which a video is rendered."""
+"""Prefix of the temporary folders that videos are rendered in."""
 
 
 def render(names: Sequence[str] = ()) -> None:
-    """Render videos into data/ in the current folder and draw the contact sheet.
+    """Render videos into the current folder's data/ folder and draw the contact sheet.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def render(names: Sequence[str] = ()) -> None:
     Raises
     ------
     PlacecatError
-        If a video is unknown, the extra is missing, or the current folder is not the project's folder.
+        If a video does not exist, the extra is missing, or the current folder is not the project's folder.
     """
     videos = listed()
     wanted = names or tuple(videos)
@@ -52,7 +52,7 @@ def render(names: Sequence[str] = ()) -> None:
 
 
 def draw_contact_sheet() -> None:
-    """Write data/contact_sheet.jpg, which shows every place in each home."""
+    """Write data/contact_sheet.jpg, which shows every place in every home."""
     dataset = _read(DATASET)
     chosen = _read_settings("contact_sheet")
     views = {}
@@ -73,7 +73,7 @@ def listed() -> dict[str, dict[str, Any]]:
     Returns
     -------
     dict
-        Maps ``data set/name`` to settings.
+        Maps ``data set/name`` to the settings of the video.
     """
     return {
         f"{folder}/{name}": video
@@ -83,7 +83,7 @@ def listed() -> dict[str, dict[str, Any]]:
 
 
 def film(name: str, **changes: Any) -> "Film":
-    """Make the film of one video from its settings.
+    """Make a video's film from its settings.
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ def assemble(
     size: tuple[int, int] | None = None,
     **changes: Any,
 ) -> "Film":
-    """Make a film from a plan and the settings of its video.
+    """Make a film from a plan and a video's settings.
 
     Parameters
     ----------
@@ -127,11 +127,11 @@ def assemble(
     video
         Settings as in conf/videos.yaml, without the plan.
     plan, of_plan
-        Name and content of the plan.
+        Name and contents of the plan.
     where
-        How messages refer to the settings of the video.
+        How messages refer to the video's settings.
     size
-        Width and height of a frame in pixels; by default, those of the camera.
+        Width and height of a frame in pixels; by default, those of the camera's frames.
     **changes
         Values that override settings in conf/finish.yaml.
 
@@ -203,7 +203,7 @@ def write(made: "Film", video: Path, labels: Path, *, fps: int) -> None:
 
 @contextmanager
 def writing(target: Path) -> Iterator[tuple[Path, Path]]:
-    """Yield temporary paths for a video and its labels. On success, rename them, the video last."""
+    """Yield temporary paths for a video and its labels. On success, move both into place, the video last."""
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent, prefix=TEMPORARY) as folder:
         video, labels = Path(folder) / target.name, Path(folder) / f"{target.stem}.csv"

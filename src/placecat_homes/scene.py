@@ -1,4 +1,4 @@
-"""A mesh prepared for rendering: subdivided for the baked light, with its textures drawn."""
+"""Meshes prepared for rendering, that is, subdivided for the baked light and with textures drawn."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ from placecat_homes.materials import Material
 from placecat_homes.mesh import Floats, Lamp, Mesh
 
 LEVELS = 6
-"""Number of sizes in which a texture is stored. Each size is half the previous one."""
+"""Number of sizes in which each texture is stored. Each size is half the previous one."""
 THIN = 0.03
 """Triangles thinner than this, in metres, may have edges three times as long."""
 
@@ -33,7 +33,7 @@ class Scene:
     atlas
         uint8, sRGB: every texture in `LEVELS` sizes, one after another.
     pixels
-        Width of a texture at its largest size.
+        Width of textures at the largest size.
     lamps
         The lamps in the frame of the scene.
     """
@@ -146,7 +146,7 @@ def subdivide(mesh: Mesh, edge: float) -> Mesh:
     for _ in range(16):
         pairs = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]], axis=2)
         length = np.linalg.norm(vertices[pairs[..., 0]] - vertices[pairs[..., 1]], axis=2)
-        # Bars and bevels are so thin that light varies only along them, and only slowly.
+        # Bars and bevels are so thin that light varies only along their length, and only slowly.
         limit = np.where(_thickness(vertices, faces, length) < THIN, 3 * edge, edge)
         keys = pairs[..., 0] * len(vertices) + pairs[..., 1]
         unique = np.unique(keys[length > limit[:, None]])
@@ -181,8 +181,8 @@ def _thickness(vertices: Floats, faces: NDArray[np.int64], length: Floats) -> Fl
 def _split(
     faces: NDArray[np.int64], middle: NDArray[np.int64], length: Floats, material: NDArray[np.int16]
 ) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
-    # Reorder the corners of every triangle so that its longest split edge comes first. The pattern then
-    # depends on which of the other two edges are split.
+    # Reorder each triangle's corners so that its longest split edge comes first. The split pattern then
+    # depends only on which of the other two edges are split.
     rows = np.arange(len(faces))[:, None]
     order = (np.argmax(np.where(middle >= 0, length, -1), axis=1)[:, None] + np.arange(3)) % 3
     f, m = faces[rows, order], middle[rows, order]

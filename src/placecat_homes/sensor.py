@@ -1,4 +1,4 @@
-"""The sensor of a cheap video camera, which turns light into frames."""
+"""Sensor of a cheap video camera, which turns light into frames."""
 
 from dataclasses import dataclass
 
@@ -13,32 +13,33 @@ from placecat_homes.view import Lens, Pose
 
 @dataclass(frozen=True)
 class Sensor:
-    """How a camera records light.
+    """Properties that determine how a camera records light.
 
     Attributes
     ----------
     key
-        Target of the automatic exposure for the logarithmic mean of a frame: a linear grey level, 0 to 1.
+        Linear grey level, from 0 to 1, that automatic exposure aims for as the logarithmic mean of a frame.
     lag
-        Share of the exposure error that is corrected from frame to frame; below 1, exposure lags behind.
+        Share of the exposure error that is corrected in each frame. If it is below 1, exposure lags behind.
     drift
-        Standard deviation of the slow random change of exposure, in stops.
+        Standard deviation of the slow random drift in exposure, in stops.
     balance
         Share of a colour cast that automatic white balance removes.
     gains
         Sensitivity of the camera to red, green and blue.
     saturation
-        1 keeps the colours; lower values fade them.
+        1 keeps the colours as they are; lower values fade them.
     shutter
-        Share of the time between two frames for which the shutter is open. It determines the motion blur.
+        Share of the time between two frames for which the shutter is open. It determines the amount of motion
+        blur.
     blur
-        Blur of the lens, standard deviation in pixels.
+        Standard deviation of the lens blur in pixels.
     sharpen
         Amount of sharpening by the camera's electronics.
     noise
-        Standard deviation of the sensor noise at mid grey, on a scale of 255 grey levels.
+        Standard deviation of the sensor noise at mid-grey, on a scale from 0 to 255.
     vignette
-        Share of the light that is lost in the corners.
+        Share of light lost in the corners.
     """
 
     key: float = 0.16
@@ -64,7 +65,7 @@ def exposures(previews: NDArray[np.floating], sensor: Sensor, seed: int) -> Floa
     sensor
         The camera.
     seed
-        Seed of the drift of the exposure.
+        Seed of the exposure drift.
 
     Returns
     -------
@@ -72,13 +73,13 @@ def exposures(previews: NDArray[np.floating], sensor: Sensor, seed: int) -> Floa
         (frames, 3) float32, factors for red, green and blue in each frame.
     """
     grey = np.maximum(previews.mean(axis=3), 1e-4)
-    # The middle of the frame has more weight.
+    # Give more weight to the middle of the frame.
     h, w = grey.shape[1:]
     weight = np.outer(np.hanning(h + 2)[1:-1] + 0.3, np.hanning(w + 2)[1:-1] + 0.3)
     mean = (np.log(np.minimum(grey, 1.5)) * weight).sum(axis=(1, 2)) / weight.sum()
     wanted = np.log(sensor.key) - mean
     bright = np.percentile(previews.max(axis=3).reshape(len(previews), -1), 90, axis=1)
-    # Large bright windows pull exposure down, though not all the way.
+    # Large bright windows lower the exposure, but only partly.
     wanted = np.minimum(wanted, np.log(1.6 / np.maximum(bright, 1e-3)) + 0.7)
     cast = np.log(np.maximum(previews.mean(axis=(1, 2)), 1e-4))
     cast = cast - cast.mean(axis=1, keepdims=True)
@@ -94,12 +95,12 @@ def exposures(previews: NDArray[np.floating], sensor: Sensor, seed: int) -> Floa
 
 
 def motion(pose: Pose, following: Pose, lens: Lens, distance: Floats, shutter: float) -> Floats:
-    """Compute how far the picture moves while the shutter is open.
+    """Compute how far each part of the picture moves while the shutter is open.
 
     Parameters
     ----------
     pose, following
-        Camera poses of this frame and of the next.
+        Camera poses in this frame and the next.
     lens
         Lens of the camera.
     distance
@@ -110,7 +111,7 @@ def motion(pose: Pose, following: Pose, lens: Lens, distance: Floats, shutter: f
     Returns
     -------
     numpy.ndarray
-        (height, width, 2) float32, movement in pixels to the right and down.
+        (height, width, 2) float32, movement in pixels, rightwards and downwards.
     """
     forward, right, down = pose.axes()
     x, y = lens.plane()
@@ -125,7 +126,7 @@ def motion(pose: Pose, following: Pose, lens: Lens, distance: Floats, shutter: f
 
 
 def smear(radiance: Floats, flow: Floats, most: int = 9) -> Floats:
-    """Blur a frame along the motion.
+    """Blur a frame along its motion.
 
     Parameters
     ----------
@@ -139,7 +140,7 @@ def smear(radiance: Floats, flow: Floats, most: int = 9) -> Floats:
     Returns
     -------
     numpy.ndarray
-        The blurred frame, shaped like `radiance`.
+        The blurred frame, with the same shape as `radiance`.
     """
     reach = float(np.percentile(np.hypot(flow[..., 0], flow[..., 1]), 90))
     count = min(most, round(reach / 1.5))
@@ -165,7 +166,7 @@ def develop(radiance: Floats, factors: Floats, sensor: Sensor, seed: int) -> NDA
     Parameters
     ----------
     radiance
-        (height, width, 3) float32 linear red, green, blue.
+        (height, width, 3) float32, linear red, green and blue.
     factors
         (3,) from `exposures`.
     sensor
@@ -188,7 +189,7 @@ def develop(radiance: Floats, factors: Floats, sensor: Sensor, seed: int) -> NDA
     if sensor.saturation != 1:
         grey = light @ floats(0.299, 0.587, 0.114)
         light = np.maximum(grey[..., None] + sensor.saturation * (light - grey[..., None]), 0)
-    # A soft shoulder replaces hard clipping; then the sRGB curve is applied.
+    # Apply a soft shoulder instead of hard clipping, and then the sRGB curve.
     light = np.minimum(1.25 * light * (1 + light / 9) / (1 + light), 1)
     frame = np.where(light <= 0.0031308, 12.92 * light, 1.055 * np.power(light, 1 / 2.4) - 0.055)
     frame = (frame * 255).astype(np.float32)

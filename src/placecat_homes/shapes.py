@@ -1,6 +1,7 @@
-"""Shapes that furniture is built from.
+"""Basic shapes for building furniture.
 
-They are measured in metres, and most stand on z = 0. Each is a closed body wound outwards, or a thin surface.
+Dimensions are in metres, and most shapes stand on z = 0. Each shape is either a closed body with
+outward-facing triangles or a thin surface.
 """
 
 import math
@@ -16,9 +17,9 @@ from placecat_homes.mesh import Mesh, from_arrays, join
 
 
 def quad(width: float, height: float) -> Mesh:
-    """Build an upright rectangle on z = 0 that faces +y and is centred in x.
+    """Build an upright rectangle on z = 0, facing +y and centred on x = 0.
 
-    Its texture starts at the lower left.
+    Its texture starts in the lower left corner.
 
     Parameters
     ----------
@@ -38,7 +39,7 @@ def quad(width: float, height: float) -> Mesh:
 
 
 def slab(width: float, depth: float) -> Mesh:
-    """Build a horizontal rectangle that faces up, with its back edge on y = 0.
+    """Build a horizontal rectangle facing up, with its back edge on y = 0.
 
     Parameters
     ----------
@@ -68,7 +69,7 @@ def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh
     Returns
     -------
     Mesh
-        The box. Texture coordinates run along the sides; on upright sides v is the height.
+        The box. Texture coordinates run along the sides; on upright sides, v is the height.
     """
     half = np.array([width, depth, height], dtype=np.float64) / 2
     r = float(min(bevel, half.min() * 0.49))
@@ -80,12 +81,12 @@ def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh
 
 
 class _Box(NamedTuple):
-    """The parts of a box that do not depend on its size.
+    """Parts of a box that do not depend on its size.
 
-    For each of n vertices, `signs` (n, 3) are the signs of its coordinates. `is_outer` (n, 3) is true for
-    coordinates on the surface, and false for those one bevel width further in. The two `columns`, (n,) each,
-    select the coordinates that are used as texture coordinates. On a bevel, the second is `across` times the
-    bevel width.
+    For each of the n vertices, `signs` (n, 3) contains the signs of its coordinates. `is_outer` (n, 3) is
+    true for coordinates on the surface, and false for those one bevel width further in. The two `columns`,
+    each (n,), select the coordinates used as texture coordinates. On a bevel, the second is `across` times
+    the bevel width.
     """
 
     signs: NDArray[np.float64]
@@ -166,20 +167,20 @@ def _flat(points: Sequence[tuple[float, ...]], uv: Sequence[tuple[float, ...]]) 
 
 
 def lathe(profile: Sequence[tuple[float, float]], segments: int = 20) -> Mesh:
-    """Revolve a profile around the z axis, as a wood-turner or potter would.
+    """Revolve a profile around the z axis, as on a lathe or a potter's wheel.
 
     Parameters
     ----------
     profile
-        (radius, height) pairs from bottom to top along the outside, in metres. The profile of a vessel goes
-        up on the outside and down again on the inside. Corners of less than 140 degrees stay sharp.
+        (radius, height) pairs from bottom to top along the outside, in metres. For a vessel, the profile goes
+        up on the outside and back down on the inside. Corners of less than 140 degrees stay sharp.
     segments
         Number of segments around the axis.
 
     Returns
     -------
     Mesh
-        A body centred on the axis. u runs around the axis (in metres at the largest radius), v along the
+        A body centred on the axis. u runs around the axis, in metres at the largest radius, and v along the
         profile.
     """
     points = np.asarray(profile, dtype=np.float64)
@@ -226,24 +227,24 @@ def _turned(points: NDArray[np.float64], segments: int, reach: float) -> Mesh:
 
 @cache
 def _lattice(rows: int, columns: int) -> NDArray[np.int32]:
-    """Triangles of a lattice with vertices stored row by row, facing in the direction of rows x columns."""
+    """Return triangles of a lattice with vertices stored row by row. They face along rows x columns."""
     i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")
     a = (i * columns + j).ravel()
     b, c, d = a + columns, a + columns + 1, a + 1
     triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]).astype(np.int32)
-    # Many meshes share it.
+    # Many meshes share this array.
     triangles.flags.writeable = False
     return triangles
 
 
 def _cross(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the cross product of two vectors, much faster than NumPy."""
+    """Return the cross product of two vectors. This is much faster than NumPy."""
     (a, b, c), (x, y, z) = one.tolist(), other.tolist()
     return np.array([b * z - c * y, c * x - a * z, a * y - b * x])
 
 
 def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.003) -> Mesh:
-    """Build an upright cylinder around the z axis, with closed ends and bevelled rims.
+    """Build an upright cylinder around the z axis, with caps and bevelled rims.
 
     Parameters
     ----------
@@ -255,7 +256,7 @@ def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.
     Returns
     -------
     Mesh
-        Centred on the axis.
+        The cylinder, centred on the axis.
     """
     r = min(bevel, radius / 2, height / 2)
     return lathe(
@@ -267,21 +268,21 @@ def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.
 def superellipsoid(
     width: float, depth: float, height: float, e1: float = 0.5, e2: float = 0.5, segments: int = 20
 ) -> Mesh:
-    """Build a body between a box (exponents near 0) and an ellipsoid (1), such as a pillow or a stone.
+    """Build a shape between a box (exponents near 0) and an ellipsoid (1), such as a pillow or stone.
 
     Parameters
     ----------
     width, depth, height
         Metres.
     e1, e2
-        Exponents of the outline seen from the side and from above.
+        Exponents of the outline as seen from the side and from above.
     segments
         Number of segments around the body; half as many run from bottom to top.
 
     Returns
     -------
     Mesh
-        Centred in x and y, standing on z = 0.
+        The body, centred in x and y and standing on z = 0.
     """
 
     def power(value: NDArray[np.float64], e: float) -> NDArray[np.float64]:
@@ -313,18 +314,18 @@ def extrude(
     ----------
     outline
         (x, y) corners in metres, counter-clockwise as seen from above. The outline must not cross itself.
-        Caps are fans from the first corner, so all other corners must be visible from it.
+        Caps are fans around the first corner, so all other corners must be visible from it.
     length
         Height in metres.
     smooth
-        Shade the sides as one rounded surface, without sharp edges.
+        Shade the sides as one smooth surface, without sharp edges.
     caps
-        Close the bottom and the top.
+        Close the top and bottom.
 
     Returns
     -------
     Mesh
-        Standing on z = 0; u runs along the outline, v upwards.
+        A body standing on z = 0. u runs along the outline, and v upwards.
     """
     points = np.asarray(outline, dtype=np.float64)
     n = len(points)
@@ -366,12 +367,12 @@ def extrude(
 
 
 def tube(path: Sequence[tuple[float, float, float]], radius: float, segments: int = 10) -> Mesh:
-    """Build a round bar along a line, for rails, taps, handles, wires and chair frames.
+    """Build a round bar along a path, for rails, taps, handles, wires and chair frames.
 
     Parameters
     ----------
     path
-        Points in metres, at least two.
+        At least two points, in metres.
     radius
         Metres.
     segments
@@ -441,7 +442,7 @@ def sheet(
     Returns
     -------
     Mesh
-        An open surface that is visible from both sides.
+        An open surface, visible from both sides.
     """
     s, t = np.meshgrid(np.linspace(0, 1, rows + 1), np.linspace(0, 1, columns + 1), indexing="ij")
     x, y, z = (np.broadcast_to(np.asarray(value, float), s.shape) for value in surface(s, t))

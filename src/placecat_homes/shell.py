@@ -24,7 +24,7 @@ Hole = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Finish:
-    """The surface finish of a room, drawn from the same distributions for every kind of room.
+    """A room's surface finish, drawn from the same distributions for every kind of room.
 
     Attributes
     ----------
@@ -33,11 +33,11 @@ class Finish:
     walls
         Materials of walls 0 to 3.
     dado
-        Material that covers the lower part of the walls; None if nothing covers it.
+        Material that covers the lower part of the walls, if any.
     dado_height
         Metres.
     skirting, moulding
-        Heights of the boards along the floor and the ceiling in metres; 0 for no board.
+        Heights in metres of the boards along the floor and ceiling; 0 means no board.
     """
 
     floor: Material
@@ -57,12 +57,12 @@ class Finish:
         rng
             Random number generator.
         floor, wall
-            Materials used in most rooms of the building.
+            Materials used in most of the building's rooms.
 
         Returns
         -------
         Finish
-            The finish of one room.
+            The finish of the room.
         """
         if rng.random() < 0.35:
             floor = palette.flooring(rng)
@@ -100,16 +100,16 @@ def shell(room: Room, finish: Finish, corner: tuple[float, float] = (0.0, 0.0)) 
     Parameters
     ----------
     room
-        The room. Only its size and its openings are used.
+        The room. Only its size and openings are used.
     finish
         Finish of the surfaces.
     corner
-        World x and y of the corner of the room. They let floor patterns continue from room to room.
+        World coordinates x and y of the room's corner, so that floor patterns continue from room to room.
 
     Returns
     -------
     Mesh
-        The shell in the frame of the room, without the parts in its door openings.
+        The shell in the frame of the room, without the parts inside door openings.
     """
     w, d, h = room.width, room.depth, room.height
     level = np.array([(0, 0), (w, 0), (w, d), (0, d)], dtype=np.float64)
@@ -129,7 +129,7 @@ def shell(room: Room, finish: Finish, corner: tuple[float, float] = (0.0, 0.0)) 
 
 
 def glaze(room: Room, seed: int) -> Mesh:
-    """Build the windows of a room, all of the same design.
+    """Build the windows of a room, all with the same design.
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ def glaze(room: Room, seed: int) -> Mesh:
 
 
 def passage(width: float, height: float, wall: float, sides: Material | None, floor: Material) -> Mesh:
-    """Build the floor, the sides and the top of an opening in a wall.
+    """Build the floor, sides and top of an opening in a wall.
 
     Parameters
     ----------
@@ -163,7 +163,7 @@ def passage(width: float, height: float, wall: float, sides: Material | None, fl
     wall
         Thickness of the wall.
     sides, floor
-        Materials; `sides` is None if a frame covers the sides.
+        Materials; `sides` is None if a frame covers the sides and top.
 
     Returns
     -------
@@ -179,7 +179,7 @@ def passage(width: float, height: float, wall: float, sides: Material | None, fl
 def _wall(
     length: float, height: float, openings: Sequence[Opening], finish: Finish, material: Material
 ) -> list[Mesh]:
-    """A wall along -x from its left end at the origin, seen from +y."""
+    """Build a wall along -x from its left end, as seen from +y, at the origin."""
     holes = [(opening.start, opening.end, opening.sill, opening.top) for opening in openings]
     along = sorted({0.0, length, *(value for hole in holes for value in hole[:2])})
     heights = {0.0, height, *(value for hole in holes for value in hole[2:])}
@@ -203,7 +203,7 @@ def _wall(
 
 
 def _cells(cells: Sequence[Hole]) -> Mesh:
-    """Rectangles in a wall; neighbours share corners so that the light continues evenly."""
+    """Build rectangles in a wall. Neighbours share corners, so that the light varies smoothly across them."""
     numbers: dict[tuple[float, float], int] = {}
     faces = []
     for a0, a1, z0, z1 in cells:
@@ -222,7 +222,7 @@ def _reveal(opening: Opening, material: Material) -> Mesh:
 
 
 def _tunnel(hole: Hole, depth: float, *, floor: bool) -> Mesh:
-    """The inner sides of a hole (x0, x1, z0, z1) in a wall, from y = 0 to -depth."""
+    """Build the inner sides of a hole (x0, x1, z0, z1) in a wall, from y = 0 to -depth."""
     x0, x1, z0, z1 = hole
     d = -depth
     quads = [
@@ -273,7 +273,7 @@ def _boards(
 
 
 def _strip(start: float, end: float, profile: Sequence[tuple[float, float]], z: float) -> Mesh:
-    """A board along a wall, without a back. Its profile lists (inwards, upwards) points, lowest first."""
+    """Build a backless board along a wall. Its profile lists (inwards, upwards) points, lowest first."""
     parts = []
     for (y0, z0), (y1, z1) in pairwise(profile):
         points = [(-start, y0, z0 + z), (-end, y0, z0 + z), (-end, y1, z1 + z), (-start, y1, z1 + z)]
@@ -302,7 +302,7 @@ def _between(length: float, gaps: Sequence[tuple[float, ...]]) -> list[tuple[flo
 
 
 def _switches(openings: Sequence[Opening]) -> list[Mesh]:
-    """A light switch beside each door, on the handle side."""
+    """Build a light switch beside each door, on the handle side."""
     parts = []
     for opening in openings:
         if opening.kind == "door" and opening.passage:

@@ -1,7 +1,7 @@
-"""Test how well colour, brightness or file size alone can identify the rooms of unseen homes.
+"""Test how well colour, brightness or file size alone can identify rooms in unseen homes.
 
-A room should be recognized by what is in it. ``python -m placecat_homes.shortcuts FOLDER`` prints a table of
-the accuracies for the homes in a folder.
+Rooms should be recognized by what is in them. ``python -m placecat_homes.shortcuts FOLDER`` prints a table of
+accuracies for the homes in a folder.
 """
 
 import argparse
@@ -27,11 +27,11 @@ from placecat_homes.drawn.rendering import dataset
 from placecat_homes.mp4 import frame_sizes
 
 LIMIT = 35
-"""Highest allowed accuracy of a shortcut in percent, averaged over the homes; chance is 20."""
+"""Highest accuracy in percent that a shortcut may reach, averaged over homes; chance level is 20."""
 EVERY = 3
 """Every third labelled frame is used, as in the thesis."""
 AROUND = 25
-"""Number of frames over which the video size is also averaged: 5 s at 5 frames per second."""
+"""Number of frames over which the video size is averaged for one shortcut: 5 s at 5 frames per second."""
 
 Shortcuts = dict[str, NDArray[np.float64]]
 
@@ -45,23 +45,23 @@ CLASSIFIERS: dict[str, Callable[[int], Any]] = {
         100, min_samples_leaf=5, class_weight="balanced", random_state=0
     ),
 }
-"""Functions that make an untrained classifier for a number of classes, with equal weights if possible."""
+"""Functions that create an untrained classifier for a number of classes, weighted equally if possible."""
 
 
 def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
-    """Measure the accuracy of every classifier on every shortcut, with each home left out in turn.
+    """Measure each classifier's accuracy on each shortcut, leaving out one home at a time.
 
     Parameters
     ----------
     dataset
-        Settings as in conf/dataset, with the layout "video", an absolute root and at least two homes.
+        Settings as in conf/dataset, with "video" layout, an absolute root and at least two homes.
     every
-        Step between the labelled frames that are used.
+        Step between labelled frames used.
 
     Returns
     -------
     pandas.DataFrame
-        Accuracy in percent, with a row for each shortcut and classifier, and columns for the homes and
+        Accuracies in percent, with a row for each shortcut and classifier, a column for each home, and
         `average`.
 
     Raises
@@ -85,7 +85,7 @@ def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
 
 
 def _see(dataset: Mapping[str, Any], name: str, every: int) -> tuple[NDArray[np.int16], Shortcuts]:
-    """Return the classes and shortcuts of the labelled frames in a home."""
+    """Return the classes and shortcuts of labelled frames in a home."""
     home = open_home(dataset["layout"], dataset["root"], name, fps=dataset["fps"])
     truth = place_labels(home.frames["label"], dataset["classes"], dataset["ignored"], dataset["aliases"])
     used = np.flatnonzero(truth >= 0)[::every]
@@ -111,7 +111,7 @@ def _look(frame: NDArray[np.uint8]) -> dict[str, Any]:
 
 
 def _mean(image: NDArray[Any]) -> NDArray[np.float64]:
-    """Return the mean of each channel, faster than NumPy. Both sums are exact, so the results are equal."""
+    """Return the mean of each channel. This is faster than NumPy and just as exact."""
     channels = 1 if image.ndim == 2 else image.shape[2]
     return np.array(cv2.sumElems(image)[:channels]) / (image.shape[0] * image.shape[1])
 
@@ -122,7 +122,7 @@ def _leave_one_out(
     n_classes: int,
     make: Callable[[int], Any],
 ) -> list[float]:
-    """Return the mean class accuracy of each home in percent, by a classifier trained on all other homes."""
+    """Return, for each home, the mean class accuracy of a classifier trained on the others, in percent."""
     accuracies = []
     for left, (own, truth) in enumerate(zip(values, truths, strict=True)):
         others = [home for home in range(len(values)) if home != left]
@@ -152,10 +152,10 @@ def report(table: pd.DataFrame) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Test the homes in a folder; exit with status 1 if a shortcut is above `LIMIT`."""
+    """Test the homes in a folder, and exit with status 1 if any shortcut exceeds `LIMIT`."""
     parser = argparse.ArgumentParser(
         prog="python -m placecat_homes.shortcuts",
-        description="Print how well colour, brightness and file size alone identify rooms of unseen homes.",
+        description="Print how well colour, brightness and file size alone identify rooms in unseen homes.",
     )
     parser.add_argument("folder", type=Path, help="folder of videos with labels, laid out like data/homes")
     folder = parser.parse_args(arguments).folder

@@ -1,4 +1,4 @@
-"""The taste of a household, shared by all rooms of its home."""
+"""A household's taste, shared by all rooms of its home."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ from placecat_homes.materials import Colour, Material
 
 @dataclass(frozen=True)
 class Style:
-    """What the rooms of one home have in common.
+    """The style shared by all rooms of a home.
 
     Attributes
     ----------
@@ -21,13 +21,13 @@ class Style:
     trim
         Material of doors, skirting boards and window frames.
     fronts
-        Material of the fronts of fitted kitchens and wardrobes.
+        Material of kitchen cabinet fronts and wardrobe fronts.
     handle
         ``bar``, ``knob`` or ``none``.
     modern
-        From old-fashioned (0) to modern (1).
+        How modern the style is, from old-fashioned (0) to modern (1).
     clutter
-        How cluttered the home is, 0 to 1.
+        How cluttered the home is, from 0 to 1.
     fabrics
         Fabrics used in several rooms.
     """
@@ -54,7 +54,7 @@ class Style:
         Returns
         -------
         Style
-            The style of one household.
+            The style of a household.
         """
         white: Colour = (0.9, 0.89, 0.86)
         trim = (
@@ -76,7 +76,7 @@ class Style:
         )
 
     def any_fabric(self, rng: np.random.Generator) -> Material:
-        """Draw one of the household's fabrics, or a new one.
+        """Pick one of the household's fabrics, or draw a new one.
 
         Parameters
         ----------
@@ -93,7 +93,7 @@ class Style:
         return palette.fabric(rng)
 
     def any_wood(self, rng: np.random.Generator) -> Material:
-        """Draw one of the household's woods, painted wood, or a new one.
+        """Pick one of the household's woods, or draw a new wood or paint.
 
         Parameters
         ----------
@@ -103,7 +103,7 @@ class Style:
         Returns
         -------
         Material
-            Wood for furniture.
+            The material, for use on furniture.
         """
         kind = rng.uniform()
         if kind < 0.4:

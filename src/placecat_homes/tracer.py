@@ -1,4 +1,4 @@
-"""Intersection of rays with triangles, computed by Embree."""
+"""Intersect rays with triangles, using Embree."""
 
 from typing import NamedTuple
 
@@ -20,9 +20,9 @@ class Hits(NamedTuple):
     u, v
         (r,) float32, barycentric weights of the second and third corners.
     distance
-        (r,) float32, metres; very large if nothing is hit.
+        (r,) float32, in metres; very large if nothing is hit.
     across
-        (r, 3) float32, normal of the flat triangle, of any length. It may point to either side.
+        (r, 3) float32, normal of the flat triangle. It can have any length and point to either side.
     """
 
     triangle: NDArray[np.int32]
@@ -33,7 +33,7 @@ class Hits(NamedTuple):
 
 
 class Tracer:
-    """Triangles to intersect with rays.
+    """A set of triangles to intersect with rays.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The view of a lit scene through a pinhole camera."""
+"""View of a lit scene through a pinhole camera."""
 
 import math
 from dataclasses import dataclass
@@ -13,23 +13,23 @@ from placecat_homes.tracer import Tracer
 
 DECODE = linear(np.arange(256) / 255)
 METAL = 0.3
-"""Minimum gloss at which a surface tints its reflection."""
+"""Minimum gloss for a surface to tint reflections."""
 
 
 @dataclass(frozen=True)
 class Pose:
-    """Where a camera is and where it looks.
+    """Position and direction of a camera.
 
     Attributes
     ----------
     x, y, z
         Metres.
     yaw
-        Radians, 0 along +x, counter-clockwise from above.
+        In radians, 0 along +x, and counter-clockwise as seen from above.
     pitch
-        Radians, upwards.
+        In radians, positive upwards.
     roll
-        Radians, clockwise as the camera sees it.
+        In radians, clockwise as seen by the camera.
     """
 
     x: float
@@ -40,7 +40,7 @@ class Pose:
     roll: float = 0.0
 
     def axes(self) -> tuple[Floats, Floats, Floats]:
-        """Return the forward, right and down directions of the camera, (3,) float32 each."""
+        """Return the camera's forward, right and down directions, each (3,) float32."""
         cy, sy, cp, sp = math.cos(self.yaw), math.sin(self.yaw), math.cos(self.pitch), math.sin(self.pitch)
         forward = np.array([cy * cp, sy * cp, sp])
         right = np.array([sy, -cy, 0.0])
@@ -64,8 +64,8 @@ class Lens:
     field
         Horizontal field of view in degrees.
     distortion
-        Radial distortion: the tangent of the angle of a ray is r * (1 - distortion * r**2), where r is the
-        distance from the centre in the image plane. Negative values cause barrel distortion.
+        Radial distortion. The tangent of a ray's angle is r * (1 - distortion * r**2), where r is the
+        distance from the centre of the image plane. Negative values give barrel distortion.
     """
 
     width: int
@@ -74,7 +74,7 @@ class Lens:
     distortion: float = 0.0
 
     def plane(self) -> tuple[Floats, Floats]:
-        """Return x and y in the image plane at distance 1, (height, width) float32 each."""
+        """Return the x and y coordinates in the image plane at distance 1, each (height, width) float32."""
         reach = math.tan(math.radians(self.field) / 2)
         x = ((np.arange(self.width) + 0.5) / self.width * 2 - 1) * reach
         y = ((np.arange(self.height) + 0.5) * 2 - self.height) / self.width * reach
@@ -84,7 +84,7 @@ class Lens:
 
 
 class Viewer:
-    """Renders frames of one lit scene.
+    """Renderer for frames of a lit scene.
 
     Parameters
     ----------
@@ -93,9 +93,10 @@ class Viewer:
     light
         (n, 4) float32 from `bake`.
     daylight
-        The daylight with which the light was baked.
+        The daylight used to bake the light.
     glare
-        Factor that brightens the view outside, because cameras overexpose it. The light stays the same.
+        Factor that brightens the view outside, because cameras overexpose it. The light that comes in is
+        unchanged.
     """
 
     def __init__(self, scene: Scene, light: Floats, daylight: Daylight, *, glare: float = 1.0) -> None:
@@ -111,9 +112,9 @@ class Viewer:
         Parameters
         ----------
         pose
-            Pose of the camera.
+            The camera's pose.
         lens
-            Lens of the camera.
+            The camera's lens.
 
         Returns
         -------
@@ -140,7 +141,7 @@ class Viewer:
             points = origins[seen] + distance[seen, None] * d + LIFT * n
             other, *_ = self._surface(points, mirrored, spread * 2, sun=False)
             radiance[seen] += reflection[seen] * other
-        # Follow rays through glass and net curtains, up to three panes deep.
+        # Follow rays through glass and net curtains, through up to three layers.
         share, at = 1 - opacity, distance
         behind = np.flatnonzero(share > 0.01)
         points = origins[behind] + (at[behind, None] + LIFT) * rays[behind]
@@ -179,15 +180,15 @@ class Viewer:
         outside = np.zeros((int((~hit).sum()), 3), np.float32)
         kernels.sky(rays[~hit], day.panorama, outside)
         radiance[~hit] = self._glare * outside
-        # Schlick's approximation; rough surfaces reflect less towards grazing angles.
+        # Schlick's approximation. Rough surfaces reflect less at grazing angles.
         cosine = np.clip(-np.einsum("ij,ij->i", rays, normal), 0, 1)
         grazing = (1 - cosine) ** 5 * (1 - 0.8 * roughness) * (gloss > 0)
         reflection = gloss * (1 - 0.5 * roughness) + (1 - gloss) * grazing
-        # Rays that the smoothed normal would send into the body are left out.
+        # Omit rays that the smoothed normal would send into the body.
         mirrored = rays + 2 * cosine[:, None] * normal
         leaving = np.einsum("ij,ij->i", mirrored, across) * np.einsum("ij,ij->i", rays, across) < 0
         reflection *= hit & leaving
-        # Metals and mirrors colour what they reflect.
+        # Metals and mirrors tint what they reflect.
         tint = np.where((gloss >= METAL)[:, None], colour, np.float32(1))
         return radiance, opacity, reflection[:, None] * tint, normal, distance
 

@@ -1,4 +1,4 @@
-"""The pieces of the benchmark. Each module has a function ``entries`` that yields what to measure."""
+"""The pieces of the benchmark. Each module has a function ``entries`` that yields the entries to measure."""
 
 from collections.abc import Callable, Iterator
 

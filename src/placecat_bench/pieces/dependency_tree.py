@@ -1,14 +1,15 @@
-"""Dependency tree against three peers: the tree of one class and its conditional probabilities.
+"""Dependency tree of one class, with its conditional probabilities, compared with three peers.
 
-pgmpy needs two steps. ``TreeSearch`` computes the mutual information of all pairs (with scikit-learn's
-``mutual_info_score``) and the maximum spanning tree from the same root (with NetworkX). Then
+With pgmpy, this takes two steps. ``TreeSearch`` computes the mutual information of all pairs (with
+scikit-learn's ``mutual_info_score``) and the maximum spanning tree from the same root (with NetworkX). Then
 ``DiscreteBayesianEstimator`` estimates the probabilities with the K2 prior. Like our code, this adds 1 to
-every count. Both steps run in one process. Our code also checks the codes and splits them by class, while
-pgmpy receives a finished table. The log-likelihoods of all samples agree, so both learn the same model.
+every count. Both steps use a single process. Our code also checks the codes and splits them by class, while
+pgmpy is given a finished table. The log-likelihoods of all samples agree, so both have learned the same
+model.
 
-deeprob-kit learns only trees of binary variables, in float32, and computes all tables with one matrix
-product. pyAgrum's Chow-Liu classifier uses the first variable, the root of the same tree, as the class. It
-also detects the types of the columns.
+deeprob-kit only learns trees of binary variables, in float32, and computes all tables in one matrix product.
+pyAgrum's Chow-Liu classifier uses the first variable, the root of the same tree, as the class. It also
+detects column types.
 """
 
 import warnings
@@ -33,10 +34,10 @@ PYAGRUM = Peer("pyAgrum: BNClassifier, Chow-Liu", "pyagrum")
 def entries(
     *, samples: int = 8000, grid: int = 16, clusters: int = 196, few: int = 124, many: int = 496
 ) -> Iterator[Entry]:
-    """Yield comparisons for the tree of codewords in a grid of cells, and for trees of activations.
+    """Yield comparisons for a tree of codewords in a grid of cells, and for trees of activations.
 
-    `samples` is the number of samples, and `clusters` the number of codewords. An activation has two values;
-    pgmpy would take too long for many activations.
+    `samples` is the number of samples, and `clusters` is the number of codewords. An activation has two
+    values; pgmpy would take too long on many activations.
     """
     codes = chained_codes(samples, grid, clusters)
     text = f"{grid} variables x {clusters} values x {samples}"
@@ -111,9 +112,9 @@ def _comparison(
 
 
 def chained_codes(samples: int, variables: int, n_values: int) -> NDArray[np.int32]:
-    """Draw codes whose dependencies form a tree: (samples, variables) int32 in [0, n_values).
+    """Draw (samples, variables) int32 codes in [0, n_values) whose dependencies form a tree.
 
-    In about half of the samples, a variable repeats the value of one earlier variable.
+    In about half of the samples, each variable repeats the value of one earlier variable.
     """
     rng = np.random.default_rng(0)
     codes = rng.integers(n_values, size=(samples, variables), dtype=np.int32)
@@ -131,7 +132,7 @@ def ours(codes: NDArray[np.int32], n_values: int) -> DependencyTree:
 def theirs(table: pd.DataFrame, n_values: int) -> Any:
     """Learn the same tree with pgmpy, as a ``pgmpy.models.DiscreteBayesianNetwork``."""
     with warnings.catch_warnings():
-        # Importing pgmpy warns about its deprecated parts.
+        # Importing pgmpy triggers warnings about its deprecated parts.
         warnings.simplefilter("ignore")
         from pgmpy.estimators import TreeSearch
         from pgmpy.models import DiscreteBayesianNetwork
@@ -144,7 +145,7 @@ def theirs(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def largest_difference(codes: NDArray[np.int32], n_values: int) -> float:
-    """Return the largest difference between the log-likelihoods from our code and pgmpy."""
+    """Return the largest difference between the log-likelihoods from pgmpy and our code."""
     found = ours(codes, n_values).predict_joint_log_likelihood(codes)[:, 0]
     expected = np.zeros(len(codes))
     for cpd in theirs(pd.DataFrame(codes), n_values).get_cpds():
@@ -184,12 +185,12 @@ def by_pyagrum(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def pyagrum_edges(codes: NDArray[np.int32]) -> set[tuple[int, int]]:
-    """Return the edges of pyAgrum's tree, each as indices (parent, child) of variables."""
+    """Return the edges of pyAgrum's tree, each as a (parent, child) pair of variable indices."""
     network = by_pyagrum(pd.DataFrame(codes), int(codes.max()) + 1).bn_
     places = {"y": 0} | {f"x{number}": number + 1 for number in range(codes.shape[1] - 1)}
     return {tuple(places[network.variable(end).name()] for end in arc) for arc in network.arcs()}  # type: ignore[misc]
 
 
 def edges(model: DependencyTree) -> set[tuple[int, int]]:
-    """Return the edges of our tree, each as (parent, child)."""
+    """Return the edges of our tree, each as a (parent, child) pair."""
     return {(int(parent), child) for child, parent in enumerate(model.parents_[0]) if parent >= 0}

@@ -1,6 +1,6 @@
-"""All features of a frame against the decoding of its JPEG.
+"""Time to compute all features of a frame, compared with decoding its JPEG.
 
-The first measurement covers the features for the cues of the thesis: 25 salient regions with five
+The first measurement covers the features needed for the thesis's cues: 25 salient regions with five
 descriptors, Gist, Centrist and the information measure. The second covers everything that the `features`
 stage computes, including more regions (Table 22) and descriptor variants for the trials.
 """
@@ -24,9 +24,9 @@ Options = Mapping[str, Any]
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | Limit]:
-    """Yield comparisons with decoding, and the frames per second including decoding.
+    """Yield comparisons with decoding, and frame rates that include decoding.
 
-    `frames` have the same size; by default, there is one from each rendered home.
+    `frames` must all have the same size; by default, there is one from each rendered home.
     """
     files, pictures = prepared(frames)
     every = options()
@@ -64,7 +64,7 @@ def _of(
 
 
 def for_cues(every: Options) -> dict[str, Any]:
-    """Leave out descriptor variants, and use the number of regions for the cues."""
+    """Omit the descriptor variants, and use only as many regions as the cues need."""
     kept = {**every, "regions": {**every["regions"], "max_regions": REGIONS}}
     for kind in ("local", "holistic"):
         kept[kind] = {name: own for name, own in every[kind].items() if "descriptor" not in (own or {})}
@@ -72,7 +72,7 @@ def for_cues(every: Options) -> dict[str, Any]:
 
 
 def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part of the work on the frames: maps, regions and each descriptor.
+    """Create a function for each part of the work on the frames: maps, regions and each descriptor.
 
     `frames` are (H, W, 3) uint8 BGR. Shared work counts towards every descriptor that needs it.
     """

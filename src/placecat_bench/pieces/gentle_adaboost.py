@@ -1,10 +1,10 @@
-"""Gentle AdaBoost against three peers: one place against the rest, 50 stumps.
+"""Gentle AdaBoost compared with three peers: one place against the rest, with 50 stumps.
 
-OpenCV boosts in the same way, and also leaves out samples with small weights. It may split a feature between
-any two values, whereas our code splits only at 255 quantiles. If a feature has more values, the stumps differ
-but are equally good. The accuracies on the training frames are therefore compared, too. LightGBM and XGBoost
-minimise a different loss, with the same number of trees (of depth 1) and bins. They use all samples in every
-round, and take full steps.
+OpenCV boosts in the same way, including the omission of samples with small weights. It may split a feature
+between any two values, whereas our code splits only at 255 quantiles. If a feature has more values than that,
+the stumps differ but are equally good. The accuracies on the training frames are therefore compared, too.
+LightGBM and XGBoost minimise a different loss, with the same number of trees (of depth 1) and bins. They use
+all samples in every round and take full steps.
 """
 
 from collections.abc import Callable, Iterator
@@ -32,7 +32,7 @@ _SUM = 256
 
 
 def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Iterator[Entry]:
-    """Yield comparisons of the times and of the final accuracies on the training frames."""
+    """Yield comparisons of run times and of final accuracies on the training frames."""
     drawn = draw_frames(frames, features, HOMES)
     given = drawn.descriptors, drawn.place == 0, rounds
     yield from _beside(PEER, theirs, given, faster=4, repeats=LEAST_REPEATS)

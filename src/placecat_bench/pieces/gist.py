@@ -1,8 +1,8 @@
-"""Gist against torchgist: the descriptor of a frame, including the maps that our code needs.
+"""Gist descriptor of a frame, including the maps that our code needs, compared with torchgist.
 
-Our code averages the maps of visual attention in the cells of a grid (thesis section 3.2), while torchgist
-filters a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The descriptors are
-different, but serve the same purpose.
+Our code averages visual attention maps over the cells of a grid (thesis section 3.2), while torchgist filters
+a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The descriptors differ but
+serve the same purpose.
 """
 
 from collections.abc import Iterator, Sequence
@@ -22,7 +22,7 @@ _SIDE = 256
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison]:
-    """Yield the comparison of the times, by default for one frame from each rendered home."""
+    """Yield the comparison of run times, by default on one frame from each rendered home."""
     _, pictures = prepared(frames)
     attention = options()["attention"]
     maps = [compute_maps(picture, gist.MAPS, **attention) for picture in pictures]
@@ -43,12 +43,12 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison]:
 
 
 def ours(frame: Image, attention: dict[str, Any]) -> NDArray[np.float32]:
-    """Compute the maps and the Gist of a frame; return the Gist, (D,)."""
+    """Compute the maps and the Gist of a frame, and return the (D,) Gist."""
     return np.asarray(gist.describe(frame, compute_maps(frame, gist.MAPS, **attention)))
 
 
 def theirs(squares: Sequence[NDArray[np.uint8]]) -> list[NDArray[np.float32]]:
-    """Compute the torchgist descriptors (512,) of (256, 256, 3) images, on one thread."""
+    """Compute the (512,) torchgist descriptors of (256, 256, 3) images on one thread."""
     import torch
     from torchgist.models.models import GIST
 

@@ -1,14 +1,14 @@
-"""Hierarchical k-means against three peers: the centres of a codebook of SIFT descriptors.
+"""Hierarchical k-means, which finds the centres of a codebook of SIFT descriptors, compared with three peers.
 
 FLANN and our code split each cluster into 16, from k-means++ seeds and with at most 11 Lloyd iterations. They
-cut the tree where the variance falls most. FLANN grows the tree down to cells of fewer than 16 points before
-it cuts. Our code grows it only as far as the cut needs, with the same result. The seeds are drawn in
-different ways, so the inertia is compared, too. This is the sum of the squared distances from all points to
-their nearest centres.
+cut the tree where this reduces the variance most. FLANN first grows the tree down to cells of fewer than 16
+points, and then cuts it. Our code grows it only as far as the cut needs, with the same result. The seeds are
+drawn in different ways, so the inertias are compared, too. Inertia is the sum of the squared distances from
+all points to their nearest centres.
 
 Two more peers find the same number of centres without such a tree: the hierarchical mode of superkmeans with
 its default iterations (3 coarse, 5 fine), and the flat k-means of faiss with our number of iterations on all
-points. Their times are comparable if their inertia equals ours.
+points. Their run times are comparable with ours if their inertia is the same.
 
 The points are SIFT descriptors at random positions and scales in frames of rendered homes.
 """
@@ -45,9 +45,9 @@ _BLOCK = 1 << 14
 def entries(
     *, points: int = 200_000, clusters: tuple[int, int] = (196, 496), homes: Path = HOMES
 ) -> Iterator[Comparison | Limit]:
-    """Yield comparisons of the time and the inertia of two cuts; `homes` is a folder of videos.
+    """Yield comparisons of the run time and inertia of two cuts; `homes` is a folder of videos.
 
-    Our code should be 2.5 times as fast as FLANN for the first number of clusters, and twice as fast for the
+    The target is to be 2.5 times as fast as FLANN for the first number of clusters and twice as fast for the
     second.
     """
     descriptors = draw_descriptors(points, homes)
@@ -78,10 +78,10 @@ def _cut(
 
 
 def draw_descriptors(points: int, homes: Path) -> NDArray[np.float32]:
-    """Describe random positions and scales in every 13th frame of as many videos as necessary.
+    """Describe every 13th frame at random positions and scales, in as many videos as necessary.
 
-    Returns (points, 128) float32 with whole numbers from 0 to 255. Raises PlacecatError if the videos have
-    too few frames.
+    Returns a (points, 128) float32 array of whole numbers from 0 to 255. Raises PlacecatError if the videos
+    have too few frames.
     """
     rng = np.random.default_rng(0)
     parts: list[NDArray[np.float32]] = []
@@ -106,13 +106,13 @@ def _frames(homes: Path) -> Iterator[NDArray[np.uint8]]:
 
 
 def ours(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Grow our tree and return the centres of its cut."""
+    """Grow and cut our tree, and return the centres."""
     tree = HierarchicalKMeans(branching=BRANCHING, max_clusters=n_clusters, max_iter=ITERATIONS)
     return tree.fit(points).centers(n_clusters)
 
 
 def theirs(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Return the centres of FLANN's cut, (n_clusters, D) float32."""
+    """Return the (n_clusters, D) float32 centres of FLANN's cut."""
     from pyflann_ibeis import FLANN
 
     splits = (n_clusters - 1) // (BRANCHING - 1)
@@ -123,7 +123,7 @@ def theirs(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
 
 
 def by_superkmeans(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Return the centres of superkmeans, (n_clusters, D) float32."""
+    """Return the (n_clusters, D) float32 centres that superkmeans finds."""
     from superkmeans import SuperKMeans
 
     model = SuperKMeans(n_clusters, points.shape[1], hierarchical=True, n_threads=1)
@@ -131,7 +131,7 @@ def by_superkmeans(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.f
 
 
 def by_faiss(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Return the centres of faiss, (n_clusters, D) float32."""
+    """Return the (n_clusters, D) float32 centres that faiss finds."""
     import faiss
 
     faiss.omp_set_num_threads(1)

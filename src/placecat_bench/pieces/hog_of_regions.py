@@ -1,7 +1,7 @@
-"""HOG of salient regions against OpenCV's HOG, called region by region.
+"""HOG of salient regions, compared with OpenCV's HOG, called once per region.
 
-Our code and OpenCV receive the maps and regions of the frames. For OpenCV, our function cuts out the patches.
-They are then resized and described one by one. The descriptors are identical.
+Our code and OpenCV's are given the maps and regions of the frames. For OpenCV, our function cuts out the
+patches, which are then resized and described one by one. The descriptors are identical.
 """
 
 from collections.abc import Iterator, Sequence
@@ -24,9 +24,9 @@ DLIB = Absent(
 
 
 def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> Iterator[Entry]:
-    """Yield comparisons of the times and of the descriptors, for `count` regions per frame.
+    """Yield comparisons of run times and descriptors, for `count` regions per frame.
 
-    `frames` have the same size; by default, there is one from each rendered home.
+    `frames` must all have the same size; by default, there is one from each rendered home.
     """
     _, pictures = prepared(frames)
     text = f"{count} regions of {size(pictures[0])}"
@@ -58,7 +58,7 @@ def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> I
 
 
 def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:
-    """Compute the HOG of the regions of each frame, (n, 128)."""
+    """Compute the (n, 128) HOG descriptors of the regions in each frame."""
     return [hog.describe(maps, regions) for maps, regions in given]
 
 
@@ -73,10 +73,10 @@ def theirs(given: Sequence[Described]) -> list[NDArray[np.float32]]:
 
 
 def patches_of(maps: FrameMaps, regions: NDArray[np.float32]) -> Image:
-    """Cut out the patches of the regions, (n, side, side)."""
+    """Cut out the (n, side, side) patches of the regions."""
     return to_bytes(cut(maps.grey, regions, region_side(maps.width)))
 
 
 def resized(patch: Image) -> Image:
-    """Resize a patch to the window of the descriptor."""
+    """Resize a patch to the size of the descriptor's window."""
     return np.asarray(cv2.resize(patch, (hog.WINDOW, hog.WINDOW)))

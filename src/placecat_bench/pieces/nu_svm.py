@@ -1,22 +1,22 @@
-"""nu-SVM against three variants of scikit-learn: each of five classes against the rest, with probabilities.
+"""One-vs-rest nu-SVMs for five classes, with probabilities, compared with three variants in scikit-learn.
 
-For each class, our code and scikit-learn fit one nu-SVM on all frames, and one more per fold on the frames
-outside the fold. A sigmoid is then fitted to the decisions for the frames that were left out.
-``CalibratedClassifierCV`` does this if ``ensemble`` is False and it receives our folds, which are random
-parts of the frames. (By default, it would skip the first nu-SVM and average the predictions over the folds.
-This needs fewer fits, but predictions take five times the work, and the probabilities are different.)
+For each class, our code and scikit-learn fit one nu-SVM on all frames, and another per fold on the frames
+outside that fold. A sigmoid is then fitted to the decisions for the frames that were left out.
+``CalibratedClassifierCV`` does this if ``ensemble`` is False and it is given our folds, which are random
+subsets of the frames. (By default, it would skip the first nu-SVM and average the predictions over the folds.
+This needs fewer fits, but prediction takes five times the work, and the probabilities differ.)
 
-``OneVsRestClassifier`` divides the probabilities of a frame by their sum, like our combination ``certainty``.
-The combination of the thesis, ``parallel``, needs one more small matrix product. gamma, nu, the tolerance,
-the scaling and the cache of libsvm are the same; the cache has space for the full kernel matrix. scikit-learn
-receives float64, because it would otherwise convert the data for every fit.
+``OneVsRestClassifier`` divides the probabilities of a frame by their sum, as our ``certainty`` combination
+does. The combination used in the thesis, ``parallel``, needs one more small matrix product. gamma, nu, the
+tolerance, the scaling and the cache of libsvm are the same; the cache can hold the full kernel matrix.
+scikit-learn is given float64, because it would otherwise convert the data for every fit.
 
-The ratios depend on the number of support vectors, and on how many of them several classes share. For a
-shared vector, our code computes one kernel value, but scikit-learn computes one per class. The frames are as
-hard to classify as Gist descriptors (:mod:`placecat_bench.gist_like`).
+The ratios depend on the number of support vectors and on how many of them are shared by several classes. For
+a shared vector, our code computes one kernel value, but scikit-learn computes one per class. The frames are
+as hard to classify as Gist descriptors (:mod:`placecat_bench.gist_like`).
 
 The same scheme is also measured with a Gram matrix that is computed once (``kernel="precomputed"``), and with
-the ``NuSVC`` of scikit-learn-intelex, which receives float32.
+the ``NuSVC`` of scikit-learn-intelex, which is given float32.
 """
 
 from collections.abc import Callable, Iterator
@@ -46,14 +46,14 @@ THUNDERSVM = Absent(
 )
 BASE = NuSVM(gamma=2.0, nu=0.2)
 
-# Maps descriptors (n, D) to probabilities (n, classes).
+# Maps (n, D) descriptors to (n, classes) probabilities.
 Predict = Callable[[NDArray[np.float32]], NDArray[np.floating]]
 
 
 def entries(*, frames: int = 8000, features: int = 1024, homes: int = 5, new: int = 2000) -> Iterator[Entry]:
-    """Yield comparisons of the times for fitting and prediction, and of the probabilities.
+    """Yield comparisons of fitting times, prediction times and probabilities.
 
-    `new` is the number of frames to predict. They show another home.
+    `new` is the number of frames to predict, all from another home.
     """
     train, test = draw_frames(frames, features, range(homes)), draw_frames(new, features, [homes])
     scaling = KernelScaling("standard").fit(train.descriptors)
@@ -105,12 +105,12 @@ def _beside(
 
 
 def ours(X: NDArray[np.float32], frames: Frames) -> OneAgainstAll:
-    """Fit our scheme. Its folds are random parts of the frames."""
+    """Fit our scheme. Its folds are random subsets of the frames."""
     return OneAgainstAll(BASE, combination="certainty").fit(X, frames.place)
 
 
 def theirs(X: NDArray[np.float32], frames: Frames) -> Predict:
-    """Fit scikit-learn's ``OneVsRestClassifier`` on the same folds; return its prediction function."""
+    """Fit scikit-learn's ``OneVsRestClassifier`` on the same folds and return its prediction function."""
     from sklearn.svm import NuSVC
 
     model = _one_against_all(NuSVC, X.astype(np.float64), frames)
@@ -118,7 +118,7 @@ def theirs(X: NDArray[np.float32], frames: Frames) -> Predict:
 
 
 def on_gram(X: NDArray[np.float32], frames: Frames) -> Predict:
-    """Fit the same scheme on a Gram matrix; return a prediction function for descriptors."""
+    """Fit the same scheme on a Gram matrix and return a function that predicts from descriptors."""
     from sklearn.metrics.pairwise import rbf_kernel
     from sklearn.svm import NuSVC
 
@@ -130,7 +130,7 @@ def on_gram(X: NDArray[np.float32], frames: Frames) -> Predict:
 
 
 def by_onedal(X: NDArray[np.float32], frames: Frames) -> Predict:
-    """Fit the same scheme with the ``NuSVC`` of scikit-learn-intelex; return its ``predict_proba``."""
+    """Fit the same scheme with the ``NuSVC`` of scikit-learn-intelex and return its ``predict_proba``."""
     from sklearnex.svm import NuSVC
 
     predict: Predict = _one_against_all(NuSVC, X, frames).predict_proba

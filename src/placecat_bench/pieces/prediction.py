@@ -1,7 +1,6 @@
-"""Prediction with the model of the `model` stage: frames arrive one by one and are categorized on one core.
+"""Prediction with the model from the `model` stage: frames arrive one by one and are categorized on one core.
 
-A decision includes the features of the frame, its tracked regions, all cues, their integration and the
-smoothing.
+Each decision includes feature extraction, region tracking, all cues, their integration and smoothing.
 """
 
 import subprocess
@@ -24,7 +23,7 @@ from placecat_bench.timing import median_seconds
 
 PIECE = "Prediction"
 PEER = Peer("OpenCV: imdecode", "opencv-python-headless")
-# Frame rate of a camera in frames per second.
+# Frame rate of a typical camera in frames per second.
 CAMERA = 30
 PERCENTILES = (50, 95, 99)
 REPEATS = 5
@@ -38,10 +37,10 @@ categorizer.update(numpy.zeros((height, width, 3), numpy.uint8))
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | Limit]:
-    """Yield the ratio to decoding, the frames per second, the latencies, and the time to the first decision.
+    """Yield the ratio to decoding time, the frame rate, the latencies, and the time to the first decision.
 
-    `frames` are consecutive; by default, 100 from a rendered home. Frames per second and latencies include
-    decoding. Raises PlacecatError if there is no model.
+    `frames` must be consecutive; by default, 100 frames of a rendered home are used. The frame rate and the
+    latencies include decoding. Raises PlacecatError if there is no model.
     """
     if not paths.MODEL.is_file():
         raise PlacecatError(f"{paths.MODEL} does not exist: run `make repro`")
@@ -62,7 +61,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | L
     def decode() -> list[Any]:
         return [decoded(file) for file in files]
 
-    # This limit is our choice. The frames per second below show whether we can keep up with a camera.
+    # This limit is our choice. The frame rate below shows whether we can keep up with a camera.
     yield Comparison(PIECE, text, PEER, decide, decode, at_most=12, parts={"decisions": decide})
     yield Limit(
         PIECE,
@@ -90,7 +89,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | L
 
 
 def _latencies(categorizer: Categorizer, files: Sequence[Image]) -> NDArray[np.float64]:
-    """Decode and categorize frames; return the seconds for each frame."""
+    """Decode and categorize frames, and return the time that each takes in seconds."""
     categorizer.reset()
     times = [time.perf_counter()]
     for file in files:
@@ -100,5 +99,5 @@ def _latencies(categorizer: Categorizer, files: Sequence[Image]) -> NDArray[np.f
 
 
 def first_decision() -> None:
-    """Load the model and categorize a frame, in a new process."""
+    """Load the model and categorize a frame in a new process."""
     subprocess.run([sys.executable, "-c", _FIRST_DECISION, str(paths.MODEL)], check=True)

@@ -1,14 +1,14 @@
-"""Relevance vector machine against fastrvm and sklearn-rvm: one place against the rest.
+"""Relevance vector machine for one place against the rest, compared with fastrvm and sklearn-rvm.
 
 fastrvm and our code maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and
 Faul 2003). Both use the same kernel and a bias, and both compute the Gram matrix. fastrvm updates its
-statistics after every change, our code only after many changes. fastrvm needs thousands of changes, and more
-than 3000 for two of the five places. We therefore use the place that needs the fewest. The evidences cannot
-be compared, since fastrvm has no prior for the bias. The accuracies on the training frames are compared
+statistics after every change, but our code only after many changes. fastrvm needs thousands of changes, and
+more than 3000 for two of the five places. We therefore use the place that needs the fewest. The evidences
+cannot be compared, since fastrvm has no prior on the bias. The accuracies on the training frames are compared
 instead. Only our code is timed on 8000 frames.
 
-sklearn-rvm starts with all basis functions and prunes them (Tipping 2001). Its time grows with the third
-power of the number of frames, so it receives fewer frames.
+sklearn-rvm starts with all basis functions and prunes them (Tipping 2001). Its run time is cubic in the
+number of frames, so it is given fewer frames.
 """
 
 from collections.abc import Callable, Iterator
@@ -36,7 +36,7 @@ PLACE = 1
 def entries(
     *, fewest: int = 400, few: int = 1600, many: int = 8000, features: int = 1024
 ) -> Iterator[Comparison | Limit]:
-    """Yield comparisons of times and accuracies on few frames, and our time for the slowest class on many.
+    """Yield comparisons of run time and accuracy on few frames, and our time for the slowest class on many.
 
     `fewest` is the number of frames for sklearn-rvm, `few` for fastrvm, and `many` for our code alone.
     `features` is the length of a descriptor.
@@ -75,7 +75,7 @@ def _beside(
 
 
 def scaled_frames(n: int, features: int) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
-    """Draw frames and standardise them; return descriptors (n, features) and places (n,)."""
+    """Draw and standardise frames, and return their (n, features) descriptors and (n,) places."""
     drawn = draw_frames(n, features, HOMES)
     return KernelScaling("standard").fit_transform(drawn.descriptors), drawn.place
 

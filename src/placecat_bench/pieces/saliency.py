@@ -1,8 +1,9 @@
-"""The saliency map of a frame against the decoding of its JPEG, and against two saliency maps of OpenCV.
+"""Saliency map of a frame, compared with decoding its JPEG and with two saliency maps from OpenCV.
 
-The maps of OpenCV are in its contributed modules. These come in another build of the same package, so a
-separate process computes the maps. Both maps use only the intensity, and the spectral residual has 64x64
-pixels. Our map fuses intensity, two opponent colours and four orientations at several scales, and a residual.
+OpenCV's maps are part of its contributed modules. These ship in another build of the same package, so a
+separate process computes the maps. Both maps use only intensity, and the spectral residual is computed at
+64x64 pixels. Our map fuses intensity, two opponent colours and four orientations at several scales, and a
+residual.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -24,14 +25,14 @@ CONTRIBUTED = {
     "StaticSaliencySpectralResidual": Peer("OpenCV contributed: spectral residual", PACKAGE, FOLDER),
 }
 VOCUS2 = Absent(PIECE, "", "VOCUS2", "no package, only C++ sources, which we did not try to build")
-# The maps that saliency needs. The colours themselves are used only by descriptors.
+# The maps that saliency needs. Only descriptors use the colours themselves.
 READ = tuple(name for name in FIELDS if name != "color")
 
 
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Entry]:
     """Yield comparisons with decoding and with OpenCV's saliency.
 
-    `frames` have the same size; by default, there is one from each rendered home.
+    `frames` must all have the same size; by default, there is one from each rendered home.
     """
     files, pictures = prepared(frames)
     own = options()
@@ -56,7 +57,7 @@ def saliency_of(frame: Image, own: Mapping[str, Any]) -> Saliency:
 
 
 def parts(frames: Sequence[Image], own: Mapping[str, Any]) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part: the grey pyramid, each kind of map with its pyramids, and the fusion."""
+    """Create a function for each part: the grey pyramid, each kind of map with its pyramids, and fusion."""
     maps = [compute_maps(frame, READ, **own["attention"]) for frame in frames]
 
     def only(*fields: str) -> Callable[[], Any]:

@@ -1,11 +1,11 @@
-"""SIFT of salient regions against OpenCV's SIFT on full levels and kornia's SIFT on patches.
+"""SIFT of salient regions, compared with OpenCV's SIFT on full levels and kornia's SIFT on patches.
 
-The regions of a frame lie on several levels of its pyramid. OpenCV receives each level as an 8-bit image,
+The regions of a frame lie on different levels of its pyramid. OpenCV is given each level as an 8-bit image,
 with a keypoint for each region. The cells of the keypoints have the same size as ours. OpenCV needs one call
-of `SIFT.compute` per level, and each call blurs the full level several times before it describes a point. The
-time for preparing images and keypoints does not count.
+to `SIFT.compute` per level, and each call blurs the full level several times before describing a point. The
+time to prepare the images and keypoints is not counted.
 
-kornia describes patches, so our code cuts out patches as large as the regions.
+kornia describes patches, so our code cuts out patches the size of the regions.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -26,14 +26,14 @@ PEER = Peer("OpenCV: SIFT.compute on each level", "opencv-python-headless")
 KORNIA = Peer("kornia: SIFTDescriptor of cut patches", "kornia", extra=TORCH)
 PIECE = "SIFT of regions"
 
-# A level of a pyramid, and its keypoints.
+# A pyramid level and its keypoints.
 Points = tuple[Image, list[cv2.KeyPoint]]
 
 
 def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> Iterator[Comparison]:
     """Yield comparisons of our time with those of the peers, for `count` regions per frame.
 
-    `frames` have the same size; by default, there is one from each rendered home.
+    `frames` must all have the same size; by default, there is one from each rendered home.
     """
     _, pictures = prepared(frames)
     given = with_regions(pictures, count)
@@ -50,18 +50,18 @@ def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> I
 
 
 def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:
-    """Compute the SIFT descriptors of the regions in each frame, (n, 128)."""
+    """Compute the (n, 128) SIFT descriptors of the regions in each frame."""
     return [sift.describe(maps, regions) for maps, regions in given]
 
 
 def theirs(points: Sequence[Sequence[Points]]) -> list[NDArray[np.float32]]:
-    """Compute the descriptors of each frame with OpenCV, level by level, (n, 128)."""
+    """Compute the (n, 128) descriptors of each frame with OpenCV, level by level."""
     descriptor = cv2.SIFT.create()
     return [np.concatenate([descriptor.compute(level, some)[1] for level, some in frame]) for frame in points]
 
 
 def by_kornia(patches: Sequence[NDArray[np.floating]]) -> list[NDArray[np.float32]]:
-    """Compute the descriptors of the patches in each frame with kornia, (n, 128), on one thread."""
+    """Compute the (n, 128) descriptors of the patches in each frame with kornia, on one thread."""
     import torch
     from kornia.feature import SIFTDescriptor
 
@@ -75,8 +75,8 @@ def by_kornia(patches: Sequence[NDArray[np.floating]]) -> list[NDArray[np.float3
 
 
 def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:
-    """Make the levels as 8-bit images, and upright keypoints whose 4x4 cells cover the regions."""
-    # OpenCV's cells are 1.5 times as large as the keypoint.
+    """Convert the levels to 8-bit images, and make upright keypoints whose 4x4 cells cover the regions."""
+    # OpenCV's cells are 1.5 times the size of the keypoint.
     across = region_side(maps.width) / 6
     found = []
     for scale, level in maps.grey.items():
@@ -87,7 +87,7 @@ def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:
 
 
 def parts(given: Sequence[Described]) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part of our code."""
+    """Create a function for each part of our code."""
     cell = region_side(given[0][0].width) / sift.CELLS
     radius = int(np.ceil((sift.CELLS + 1) / 2 * cell)) - 1
     upright = np.zeros(1)

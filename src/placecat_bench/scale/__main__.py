@@ -1,27 +1,28 @@
-"""The command line: ``python -m placecat_bench.scale``, in the project's folder."""
+"""The command line ``python -m placecat_bench.scale``, to be run in the project's folder."""
 
 import argparse
 from pathlib import Path
 
-import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: F401 before NumPy: chooses the OpenBLAS kernels
 from placecat.errors import exiting
 
 
 def main() -> None:
-    """Run the command. After a user's mistake, print a message and exit with status 1."""
+    """Run the command. On a user error, print a message and exit with status 1."""
     from placecat import paths
 
     parser = argparse.ArgumentParser(
         prog="python -m placecat_bench.scale",
         description="Run the stages on as many frames as the thesis's home database has, with features drawn "
-        "from the outputs of `make repro`. Write the time, its growth, and the memory of each stage.",
+        "from the outputs of `make repro`. Write the time that each stage takes, how it grows, and the "
+        "memory used.",
     )
     parser.add_argument(
         "--sizes",
         nargs="+",
         type=float,
         metavar="PART",
-        help="shares of the number of frames; default: conf/scale.yaml",
+        help="fractions of the number of frames; default: those in conf/scale.yaml",
     )
     parser.add_argument("--stages", nargs="+", metavar="STAGE", help="default: conf/scale.yaml")
     parser.add_argument(

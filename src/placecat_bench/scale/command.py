@@ -36,18 +36,18 @@ def run(
     keep: bool = False,
     output: Path = paths.REPORTS,
 ) -> None:
-    """Measure one size after another, and write scale.csv, scale_growth.csv and scale.json to `output`.
+    """Measure one size at a time, and write scale.csv, scale_growth.csv and scale.json to `output`.
 
-    The files are written after each size, so that an interrupted run leaves results. `sizes` and `stages`
+    The files are written after each size, so an interrupted run still leaves results. `sizes` and `stages`
     override conf/scale.yaml. Each size has its own folder in `folder`, which is removed afterwards unless
-    `keep` is set. `add` keeps the rows of other sizes in `output`/scale.csv. They should come from the same
-    machine and code. Raises PlacecatError for invalid settings, missing features, or a stage that fails.
+    `keep` is set. `add` keeps the rows of other sizes in `output`/scale.csv. Those rows should come from the
+    same machine and code. Raises PlacecatError for invalid settings, missing features, or a stage that fails.
     """
     options = read_settings()
     homes = read_homes(options["homes"])
     wanted = [float(size) for size in (sizes or options["sizes"])]
     if not wanted or min(wanted) <= 0.0:
-        raise PlacecatError(f"{SETTINGS}: sizes are {wanted}, but each must be above 0")
+        raise PlacecatError(f"{SETTINGS}: sizes are {wanted}, but each must be greater than 0")
     parts: list[pd.DataFrame] = []
     if add:
         before = files.read_table(output / paths.SCALE_STAGES.name, TEXT)

@@ -1,4 +1,4 @@
-"""The number of frames per label in a home database, and possible walks with these numbers."""
+"""The number of frames per label in a home database, and plausible walks with those numbers."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -15,9 +15,9 @@ TRANSITION = "transition"
 
 @dataclass(frozen=True)
 class Stretch:
-    """One or more consecutive frames with one label, on one floor.
+    """One or more consecutive frames with the same label, on the same floor.
 
-    Floors are numbered from 1. The footage of a floor is continuous.
+    Floors are numbered from 1. The footage of each floor is continuous.
     """
 
     floor: int
@@ -27,7 +27,7 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Home:
-    """Counts from a label file: the floors, and the frames and stretches per label. All are at least 1."""
+    """Counts from a label file: floors, and frames and stretches per label. All are at least 1."""
 
     name: str
     floors: int
@@ -39,9 +39,9 @@ class Home:
         return sum(frames for frames, _ in self.labels.values())
 
     def scaled(self, size: float) -> "Home":
-        """Return the home with `size` times as many frames for each label, but at least 1.
+        """Return the home with `size` times as many frames per label, but at least one.
 
-        The number of stretches stays the same, unless a label then has fewer frames.
+        The number of stretches stays the same unless a label would then have fewer frames than that.
         """
         labels = {}
         for label, (frames, stretches) in self.labels.items():
@@ -50,7 +50,7 @@ class Home:
         return replace(self, labels=labels)
 
     def walk(self) -> list[Stretch]:
-        """Shuffle stretches of random lengths, with transitions between them. The seed is the home's name."""
+        """Shuffle stretches of random length, with transitions between them. The home's name is the seed."""
         rng = np.random.default_rng(seeds.derive("scale", "walk", self.name))
         places: list[tuple[str, int]] = []
         transitions: list[tuple[str, int]] = []
@@ -68,7 +68,7 @@ class Home:
 
 
 def read_homes(content: Mapping[str, Any]) -> list[Home]:
-    """Read ``floors`` and ``labels`` of the homes in conf/scale.yaml. Invalid values raise PlacecatError."""
+    """Read ``floors`` and ``labels`` of each home in conf/scale.yaml. Invalid values raise PlacecatError."""
     homes = []
     for name, own in content.items():
         try:

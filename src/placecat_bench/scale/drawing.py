@@ -1,4 +1,4 @@
-"""Many features drawn from a few: frames of the same place are repeated with different jitter."""
+"""Draw many features from a few: frames of the same place are repeated with different jitter."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from placecat import files, paths, seeds
 from placecat_bench.scale.database import Stretch
 
-# The second axis of an array lists regions if the array is named REGIONS or its name starts with LOCAL.
+# An array's second axis lists regions if the array is named REGIONS or its name starts with LOCAL.
 REGIONS = "regions"
 LOCAL = "local_"
 COUNT = "count"
@@ -24,13 +24,13 @@ def draw_frames(
     own: Sequence[int],
     home: str,
 ) -> NDArray[np.int64]:
-    """Choose a source frame for every frame of a home; return (frames,) indices.
+    """Choose a source frame for every frame of a home. Return the (frames,) indices.
 
-    A stretch starts at a random source frame with its label and runs through the following ones, wrapping
+    A stretch starts at a random source frame with its label and runs through the ones that follow, wrapping
     around at the end. Frames are repeated, as in a video with a higher frame rate. If no source frame has the
-    label, frames of the same class are used. If there are none of these either, any frames are used. `labels`
-    and `classes` are the label and the class index (-1 if it has no class) of each source frame, both
-    (sources,). `own` is the class index of each stretch. The name of the home is the seed.
+    label, frames of the same class are used. If there are none of those either, any frames are used. `labels`
+    and `classes`, both (sources,), hold the label and class index (-1 for no class) of each source frame.
+    `own` is the class index of each stretch. The home's name is the seed.
     """
     rng = np.random.default_rng(seeds.derive("scale", "frames", home))
     names = np.asarray(labels, dtype=str)
@@ -50,11 +50,11 @@ def draw_frames(
 def draw_regions(
     chosen: NDArray[np.int64], counts: NDArray[np.int64], classes: NDArray[np.int64], wanted: int, home: str
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Choose source regions for every frame: those of its source frame, then others of the same class.
+    """Choose source regions for every frame, first from its source frame, then from others of the same class.
 
-    `chosen`, (frames,), comes from :func:`draw_frames`. `counts` and `classes` are the number of regions and
-    the class index of each source frame, both (sources,). Returns the source frame of each region and its
-    index in that frame, both (frames, wanted).
+    `chosen`, (frames,), comes from :func:`draw_frames`. `counts` and `classes`, both (sources,), hold the
+    number of regions and the class index of each source frame. Returns the source frame of each region and
+    its index in that frame, both (frames, wanted).
     """
     rng = np.random.default_rng(seeds.derive("scale", "regions", home))
     frame = np.repeat(chosen[:, None], wanted, axis=1)
@@ -79,11 +79,11 @@ def write_jittered(
     jitter: float,
     home: str,
 ) -> None:
-    """Write an array of drawn rows, with each value multiplied by a random factor around 1.
+    """Write an array of drawn rows, with each value multiplied by a random factor close to 1.
 
-    Zeros stay zeros, values stay in the range of the source, and the dtype does not change. Both files are
+    Zeros stay zero, values stay within the source's range, and the dtype does not change. Both files are
     ``.npy``. `frame` and `place` are indices into the source: (frames,) and None, or both (frames, regions).
-    `jitter` is the standard deviation of the factors, which depend on the names of the home and the target.
+    `jitter` is the standard deviation of the factors, which depend on the home's name and the target's name.
     """
     array = files.read_array(source, memory_map=False)
     low, high = array.min(), array.max()
@@ -105,11 +105,11 @@ def write_jittered(
 
 
 def arrays_in(folder: Path) -> list[str]:
-    """List the arrays of features or tracks in a folder by name, except region counts and frame numbers."""
+    """List by name the arrays of features or tracks in a folder, except region counts and frame numbers."""
     others = (f"{COUNT}.npy", paths.VARIANT_FRAMES)
     return sorted(path.stem for path in folder.glob("*.npy") if path.name not in others)
 
 
 def has_regions(name: str) -> bool:
-    """Return whether the array of this name has an axis of regions."""
+    """Return whether the array with this name has a region axis."""
     return name == REGIONS or name.startswith(LOCAL)

@@ -1,4 +1,4 @@
-"""The estimated time for a complete run on many frames, with every home tested."""
+"""Estimate the time of a complete run on many frames, with every home tested."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -21,11 +21,11 @@ def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any
     """Estimate the time of a full run by adding up the times of its stages.
 
     For measured stages, the times at the largest size are scaled to a run that tests every home. The times of
-    the other stages come from the last full run of the project (reports/times.csv). Stages that work on
-    frames (sequences, features, tracks) keep their time per frame. All others (further data sets, toy
-    problem, figures, page) keep their total time. `measured` has the columns
+    the other stages come from the project's last full run (reports/times.csv). Stages that work on frames
+    (sequences, features, tracks) are assumed to take the same time per frame. All others (further data sets,
+    toy problem, figures, page) are assumed to take the same total time. `measured` has the columns
     `placecat_bench.scale.measurements.COLUMNS`; `params` are the settings of that measurement. Returns
-    ``hours``, and ``seconds`` by stage.
+    ``hours``, and ``seconds`` for each stage.
     """
     frames = int(measured["frames"].max())
     most = measured[measured["frames"] == frames]
@@ -42,7 +42,7 @@ def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any
 
 
 def times_as_often(stage: str, params: Mapping[str, Any]) -> float:
-    """Return how many times a run that tests every home repeats the measured work of a stage."""
+    """Return how many times the measured work of a stage is repeated in a run that tests every home."""
     homes = list(settings.get(params, "dataset.homes"))
     tested = protocol.tested_homes(homes, settings.get(params, "protocol.test_homes"))
     if stage in PER_TEST_HOME:

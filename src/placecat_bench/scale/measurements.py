@@ -1,4 +1,4 @@
-"""The time and memory of stages, and power laws for the growth of the time."""
+"""Measure the time and memory of stages, and fit power laws to how the time grows."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -8,13 +8,13 @@ import pandas as pd
 
 from placecat_bench.scale.watching import watch
 
-# `item` is always "". Stages once ran per home or cue, and the files in git still have the column.
+# `item` is always "". Stages used to run per home or cue, and the files in git still have the column.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
-    """Run stages in a folder; return a row of `COLUMNS` for each. Raises PlacecatError if one fails."""
+    """Run stages in a folder and return a row of `COLUMNS` for each. Raises PlacecatError if one fails."""
     rows = []
     for stage, command in steps.items():
         watched = watch(command, folder, folder / "logs" / f"{stage}.log")
@@ -26,10 +26,10 @@ def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frame
 
 
 def growths(measured: pd.DataFrame) -> pd.DataFrame:
-    """Fit how the time of each stage, and of all stages together, grows with the number of frames.
+    """Fit how the run time of each stage, and of all stages together, grows with the number of frames.
 
-    `measured` has the columns `COLUMNS` and at least two numbers of frames. Returns the columns
-    `GROWTH_COLUMNS`. The exponents are for CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are for the
+    `measured` has the columns `COLUMNS` and rows for at least two numbers of frames. Returns the columns
+    `GROWTH_COLUMNS`. The exponents apply to CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are for the
     largest number of frames.
     """
     parts = [*measured.groupby("stage", sort=False), ("all", measured)]
@@ -52,12 +52,13 @@ def _growth(rows: pd.DataFrame) -> tuple[float, float, float, float, float]:
 
 
 def fit(frames: Sequence[float], values: Sequence[float]) -> tuple[float, float, float]:
-    """Fit values = factor * frames ** exponent by least squares on logarithms.
+    """Fit values = factor * frames ** exponent by least squares on the logarithms.
 
-    `frames` and `values` are positive, (n,), n >= 2, with at least two different numbers of frames. Returns
-    three numbers. The first is the exponent, which is 1 if the values are proportional to the number of
-    frames. The second, at most 1, is the share of the variance in the logarithms that the fit explains. The
-    third is the exponent between the two largest sizes, where constant costs such as imports matter little.
+    `frames` and `values` are positive (n,) arrays with n >= 2 and at least two distinct numbers of frames.
+    Returns three numbers. The first is the exponent, which is 1 if the values are proportional to the number
+    of frames. The second, at most 1, is the share of the variance in the logarithms that the fit explains.
+    The third is the exponent between the two largest sizes, where constant costs such as imports matter
+    little.
 
     >>> fit([100, 200, 400], [3.0, 12.0, 48.0])[0]
     2.0

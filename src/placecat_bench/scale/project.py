@@ -1,4 +1,4 @@
-"""A project folder of a chosen size: params.yaml, data/sequences, data/features and data/tracks."""
+"""Build a project folder of a given size, with params.yaml, data/sequences, data/features and data/tracks."""
 
 import shutil
 from collections.abc import Mapping, Sequence
@@ -18,7 +18,7 @@ from placecat.sequences import listing
 from placecat_bench.scale import drawing
 from placecat_bench.scale.database import Home, Stretch, classes_of
 
-# Other inputs of the stages. The folder contains links to them.
+# Other inputs of the stages, to which the folder contains links.
 LINKED = (
     paths.CONF,
     paths.SITE_SEQUENCES,
@@ -32,11 +32,11 @@ LINKED = (
 def build(
     folder: Path, homes: Sequence[Home], *, test_homes: Sequence[str], regions: int, jitter: float
 ) -> dict[str, Any]:
-    """Replace a folder with a project that has these homes; return the settings of the project.
+    """Replace a folder with a project that has these homes, and return the project's settings.
 
-    `test_homes` are names of homes, `regions` is the number of regions in every frame, and `jitter` is as for
-    :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this project has not run, or
-    if a home has a label that is not in the data set.
+    `test_homes` lists names of homes, `regions` is the number of regions in every frame, and `jitter` is
+    passed to :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this project has
+    not run, or if a home has a label that is not in the data set.
     """
     params = settings.load()
     sources = list(settings.get(params, "dataset.homes"))
@@ -62,7 +62,7 @@ def build(
 
 
 def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:
-    """Write the settings of this project with other homes and without thesis data; return them."""
+    """Write this project's settings with other homes and without thesis data, and return them."""
     overrides = [
         f"dataset.homes=[{','.join(home.name for home in homes)}]",
         "dataset.name=scale",
@@ -84,7 +84,7 @@ def _plan(
     regions: int,
     jitter: float,
 ) -> list[tuple[Any, ...]]:
-    """Write the small files of a home; return the tasks that write its large arrays."""
+    """Write the small files of a home, and return the tasks that write its large arrays."""
     dataset, frames = params["dataset"], params["region_variants"]["frames"]
     index = classes_of(walk, dataset["classes"], dataset["ignored"])
     _write_sequences(folder / paths.SEQUENCES / home, walk, index, paths.SEQUENCES / source)
@@ -99,7 +99,7 @@ def _plan(
         there = files.read_array(variant / paths.VARIANT_FRAMES, memory_map=False)
         rows = np.arange(frames["offset"], len(chosen), frames["step"])
         files.write_array(target / paths.VARIANT_FRAMES, rows)
-        # Use the last source frame that has the variant and is not after the drawn frame.
+        # Use the last source frame that has the variant and does not come after the drawn frame.
         own = np.maximum(np.searchsorted(there, chosen[rows], side="right") - 1, 0)
         most = files.read_array(variant / f"{drawing.REGIONS}.npy").shape[1]
         tasks += _plan_arrays(variant, target, own, classes[there], most, jitter, home)
@@ -115,9 +115,9 @@ def _plan_arrays(
     jitter: float,
     home: str,
 ) -> list[tuple[Any, ...]]:
-    """Write the small files of a folder; return the tasks that write its arrays.
+    """Write the small files of a folder, and return the tasks that write its arrays.
 
-    `chosen` are indices of source rows, and `classes` are the class indices of all source rows.
+    `chosen` contains indices of source rows, and `classes` the class indices of all source rows.
     """
     counts = files.read_array(source / f"{drawing.COUNT}.npy", memory_map=False)
     frame, place = drawing.draw_regions(chosen, counts.astype(np.int64), classes, regions, home)

@@ -1,4 +1,4 @@
-"""The time and memory of a command and all its processes, measured while it runs."""
+"""Measure the time and memory of a command and all its processes while it runs."""
 
 import os
 import subprocess
@@ -12,7 +12,7 @@ import psutil
 from placecat.errors import PlacecatError
 
 GIB = 2**30
-# Seconds between two samples.
+# Seconds between samples.
 INTERVAL = 0.25
 
 
@@ -20,8 +20,8 @@ INTERVAL = 0.25
 class Watched:
     """The wall time of a command in seconds, and the CPU seconds and peak memory (GiB) of all its processes.
 
-    CPU seconds depend less on the load of the machine. On Linux, which reports the proportional set size,
-    memory that processes share counts only once.
+    CPU seconds depend less on machine load. On Linux, which reports the proportional set size, memory shared
+    by processes is counted only once.
     """
 
     seconds: float
@@ -30,15 +30,15 @@ class Watched:
 
 
 def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
-    """Run a command in a folder, and write its output to `log`. Raises PlacecatError if the command fails.
+    """Run a command in a folder and write its output to `log`.
 
-    The message shows the last line of the output.
+    Raises PlacecatError with the last line of output if the command fails.
     """
     log.parent.mkdir(parents=True, exist_ok=True)
     start, peak = time.perf_counter(), 0
     cpu: dict[int, float] = {}
     with log.open("wb") as output:
-        # Unbuffered, so that the last line in the file is the last output.
+        # Unbuffered, so that the file ends with the last line of output.
         environment = os.environ | {"PYTHONUNBUFFERED": "1"}
         process = subprocess.Popen(
             command, cwd=folder, env=environment, stdout=output, stderr=subprocess.STDOUT
@@ -64,7 +64,7 @@ def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
 
 
 def _look(pid: int, cpu: dict[int, float]) -> int:
-    """Return the memory of a process and its descendants in bytes; write their CPU seconds to `cpu`."""
+    """Return the memory of a process and its descendants in bytes, and store their CPU seconds in `cpu`."""
     try:
         parent = psutil.Process(pid)
         family = [parent, *parent.children(recursive=True)]

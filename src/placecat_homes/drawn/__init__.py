@@ -1,1 +1,1 @@
-"""Homes whose floor plans, light and walks are drawn from a seed."""
+"""Homes whose floor plans, lighting and walks are drawn from a seed."""

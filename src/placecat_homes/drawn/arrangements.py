@@ -1,4 +1,4 @@
-"""Arrangements of rooms: their positions and connections. The plans are mirrored and rotated later."""
+"""Positions and connections of rooms. Plans are mirrored and rotated later."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -22,11 +22,12 @@ class Sketch:
     Attributes
     ----------
     rooms
-        Maps names to x0, y0, x1, y1 in metres.
+        Maps room names to (x0, y0, x1, y1) in metres.
     joined
-        Pairs of rooms, and "door" or "open" for how they are joined. A door leaf swings into the second room.
+        Pairs of rooms, each with "door" or "open" to say how they are joined. A door leaf swings into the
+        second room.
     entrance
-        Corridor with the entrance door of the home.
+        Corridor with the home's front door.
     """
 
     rooms: dict[str, Rect] = field(default_factory=dict)
@@ -34,7 +35,7 @@ class Sketch:
     entrance: str = ""
 
     def add(self, kind: str, x0: float, y0: float, x1: float, y1: float) -> str:
-        """Add a room. Its name is its kind and a number from 1."""
+        """Add a room, named after its kind with a number from 1."""
         number = 1 + sum(name.rpartition("_")[0] == kind for name in self.rooms)
         self.rooms[f"{kind}_{number}"] = (x0, y0, x1, y1)
         return f"{kind}_{number}"
@@ -45,7 +46,7 @@ class Sketch:
 
 
 def two_rows(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
-    """Draw a corridor with a row of rooms on either side."""
+    """Draw a corridor with a row of rooms on each side."""
     sketch = Sketch()
     south, north = _two_lists(rng, ranges)
     deep = [rng.uniform(*ranges.depth) for _ in range(2)]
@@ -73,7 +74,7 @@ def two_rows(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
 
 
 def _two_lists(rng: np.random.Generator, ranges: PlanRanges) -> tuple[list[str], list[str]]:
-    """Draw the kinds of rooms in both rows, in order. A corridor among them is the entrance."""
+    """Draw the kinds of room in both rows, in order. A corridor among them is the entrance."""
     bedrooms, bathrooms = chosen(rng, ranges.bedrooms), chosen(rng, ranges.bathrooms)
     south = ["living_room", "dining_room"]
     north: list[str] = []
@@ -99,7 +100,7 @@ def _two_lists(rng: np.random.Generator, ranges: PlanRanges) -> tuple[list[str],
 
 
 def _in_row(rng: np.random.Generator, ranges: PlanRanges, kind: str, deep: float) -> tuple[float, float]:
-    """Width and depth of a room in a row that is `deep` metres deep."""
+    """Draw the width and depth of a room in a row that is `deep` metres deep."""
     if kind == "corridor":
         return rng.uniform(*ranges.corridor), deep
     area = rng.uniform(*ranges.areas[kind])
@@ -107,7 +108,7 @@ def _in_row(rng: np.random.Generator, ranges: PlanRanges, kind: str, deep: float
     if kind == "bathroom":
         width = rng.uniform(low, high)
         return width, float(np.clip(area / width, low, deep))
-    # The longer side may be up to 1.6 times the upper limit of the shorter side.
+    # The longer side may be up to 1.6 times the upper limit for the shorter side.
     return float(np.clip(area / deep, low, 1.6 * high)), deep
 
 
@@ -133,12 +134,12 @@ def _corridor(
 
 
 def _shared(a: Rect, b: Rect) -> float:
-    """Overlap of two rooms along x, in metres."""
+    """Return the overlap of two rooms along x in metres."""
     return min(a[2], b[2]) - max(a[0], b[0])
 
 
 def _social(rng: np.random.Generator, sketch: Sketch) -> None:
-    """Join neighbouring dining rooms, living rooms and kitchens, and remove some other doors."""
+    """Join neighbouring dining rooms, living rooms and kitchens, and remove some of their other doors."""
     dining = "dining_room_1"
     for other in ("living_room_1", "kitchen_1"):
         if not _adjacent(sketch.rooms[dining], sketch.rooms[other]):
@@ -156,13 +157,13 @@ def _to(way: tuple[str, str, str], room: str) -> bool:
 
 
 def _adjacent(a: Rect, b: Rect) -> bool:
-    """Return whether two rooms are neighbours in a row."""
+    """Return whether two rooms are next to each other in a row."""
     beside = min(abs(a[0] - b[2]), abs(b[0] - a[2])) < WALL + 0.01
     return beside and min(a[3], b[3]) - max(a[1], b[1]) > _DOOR
 
 
 def _own_bathroom(rng: np.random.Generator, sketch: Sketch, row: list[str]) -> None:
-    """Sometimes join the second bathroom to the bedroom beside it instead of to the corridor."""
+    """Sometimes join the second bathroom to the bedroom beside it instead of the corridor."""
     if "bathroom_2" not in row or rng.random() < 0.4:
         return
     place = row.index("bathroom_2")
@@ -191,7 +192,7 @@ def around_living_room(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
     narrow = rng.uniform(1.9, 2.6)
     top = split + WALL + float(np.clip(rng.uniform(*ranges.areas["bathroom"]) / narrow, 1.9, 3.0))
     bathroom = sketch.add("bathroom", wide + WALL, split + WALL, wide + WALL + narrow, top)
-    # The entrance is to the north, beside another bedroom.
+    # The entrance is to the north, beside any second bedroom.
     hall = rng.uniform(*ranges.corridor)
     depth = rng.uniform(3.2, 3.9)
     north = deep + WALL
@@ -214,7 +215,7 @@ def around_living_room(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
 
 
 def angled(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
-    """Draw rooms along a corridor with a corner."""
+    """Draw rooms along a corridor that turns a corner."""
     sketch = Sketch()
     deep, wide = rng.uniform(*ranges.depth), rng.uniform(*ranges.corridor)
     x = 0.0
@@ -227,7 +228,7 @@ def angled(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
     turn = sketch.rooms[dining][0] - rng.uniform(0.1, 0.5)
     low, high = deep + WALL, deep + WALL + wide
     bend = rng.uniform(*ranges.corridor)
-    # East of the second part are the kitchen, behind the dining room, and a bathroom.
+    # The kitchen, behind the dining room, and a bathroom are east of the second part.
     east = turn + bend + WALL
     width = float(np.clip(sketch.rooms[dining][2] - east, *ranges.sides["kitchen"]))
     top = low + float(np.clip(rng.uniform(*ranges.areas["kitchen"]) / width, 2.9, 4.4))
@@ -244,7 +245,7 @@ def angled(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
     sketch.join(dining, kitchen, "open" if rng.random() < 0.6 else "door")
     sketch.join(second, kitchen)
     sketch.join(second, bathroom)
-    # West of it are another bedroom and another bathroom.
+    # Any second bedroom and second bathroom are west of it.
     west = turn - WALL
     if chosen(rng, ranges.bedrooms) > 1:
         depth = rng.uniform(3.2, 4.2)
@@ -264,4 +265,4 @@ ALL: dict[str, Callable[[np.random.Generator, PlanRanges], Sketch]] = {
     "around_living_room": around_living_room,
     "angled": angled,
 }
-"""The arrangements, by their names in conf/drawn.yaml."""
+"""The arrangements, by name in conf/drawn.yaml."""

@@ -1,4 +1,4 @@
-"""Faults in the plan, furniture or walk of a drawn home."""
+"""Find faults in the plan, furniture or walk of a drawn home."""
 
 from collections.abc import Iterator
 
@@ -13,13 +13,13 @@ from placecat_homes.plan_parts import RoomPlan
 from placecat_homes.walking.walk import Walk
 
 LARGEST = {"bedroom": 1.2, "living_room": 0.9, "dining_room": 0.6, "kitchen": 0.3, "bathroom": 0.3}
-"""Minimum floor area of the largest object in a room, such as a bed or a sofa, in square metres."""
+"""Minimum floor area in square metres of the largest object in a room, such as a bed or sofa."""
 STANDING = {"bedroom": 2, "living_room": 3, "dining_room": 1, "kitchen": 3, "bathroom": 3}
 """Minimum number of objects on the floor of a room."""
 COVERED = 0.08
-"""Minimum share of the floor that is covered by furniture."""
+"""Minimum share of a room's floor that furniture must cover."""
 LEAST_FRAMES = 5
-"""Minimum number of frames taken in a room that show one of its two largest objects."""
+"""Minimum number of frames in a room that must show one of its two largest objects."""
 
 _BEYOND = 0.06
 _AIM = np.radians(30)
@@ -54,13 +54,13 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
 
 
 def of_rooms(building: Building) -> Iterator[str]:
-    """List what is wrong with the furniture, regardless of the walk."""
+    """List faults in the furniture, ignoring the walk."""
     for plan, room in zip(building.plan.rooms, building.rooms, strict=True):
         yield from _of_room(building, plan, room)
 
 
 def _looks(walk: Walk, plan: RoomPlan, room: Room) -> NDArray[np.bool_]:
-    """Return, for each frame, whether the camera looks at one of the two largest objects of a room."""
+    """Return, for each frame, whether the camera looks at one of the two largest objects in a room."""
     largest = sorted(room.blocking, key=_area, reverse=True)[:2]
     looks = np.zeros(len(walk.yaw), bool)
     for thing in largest:

@@ -1,4 +1,4 @@
-"""One home drawn from a seed: its floor plan, furniture, light and walk, written to a plain YAML file."""
+"""A home drawn from a seed, with its floor plan, furniture, lighting and walk. It is stored as plain YAML."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -33,11 +33,11 @@ class Video:
     Attributes
     ----------
     width, height
-        Pixels, even, 160 to 4096.
+        Even numbers of pixels from 160 to 4096.
     frames
-        Number of frames per home, 200 to 20,000.
+        Frames per home, from 200 to 20,000.
     fps
-        Frames per second, 1 to 60.
+        Frames per second, from 1 to 60.
     """
 
     width: int
@@ -62,12 +62,12 @@ class Video:
 
 @dataclass(frozen=True)
 class Source:
-    """The settings from which homes are drawn.
+    """Settings used to draw homes.
 
     Attributes
     ----------
     plan, light
-        Ranges of floor plans and light.
+        Ranges for floor plans and lighting.
     walk, carriage, camera
         Names of files in conf/.
     video
@@ -105,8 +105,8 @@ class Home:
     Attributes
     ----------
     content
-        `plan` is structured like the files in conf/plan. `shot` contains the other settings of a video, as in
-        conf/videos.yaml.
+        `plan` has the same structure as the files in conf/plan. `shot` contains the video's other settings,
+        as in conf/videos.yaml.
     building
         The furnished home.
     walk
@@ -134,12 +134,12 @@ def _flow(value: Mapping[str, Any]) -> str:
 
 
 def name_of(number: int, seed: int) -> str:
-    """Name a home, such as "home 7 of seed 1". This name alone seeds everything in the home."""
+    """Return the name of a home, such as "home 7 of seed 1". The name alone seeds everything in the home."""
     return f"home {number} of seed {seed}"
 
 
 def draw(number: int, seed: int, source: Source) -> Home:
-    """Draw a home without faults.
+    """Draw homes until one has no faults.
 
     Parameters
     ----------
@@ -153,12 +153,12 @@ def draw(number: int, seed: int, source: Source) -> Home:
     Returns
     -------
     Home
-        The first draw without faults. It depends only on its name and `source`, not on other homes.
+        The first home drawn without faults. It depends only on its name and `source`, not on other homes.
 
     Raises
     ------
     PlacecatError
-        If every draw has a fault, for example because there are too few frames to show every room.
+        If every home drawn has faults, for example because there are too few frames to show every room.
     """
     name = name_of(number, seed)
     reason = ""
@@ -184,7 +184,7 @@ def draw(number: int, seed: int, source: Source) -> Home:
 
 
 def _walk(name: str, building: Building, rooms: list[str], source: Source) -> Walk:
-    """Walk through a building as `placecat_homes.film.Film` does for a video of that name."""
+    """Walk through a building just as `placecat_homes.film.Film` does for a video with this name."""
     return walk(
         building.ground(),
         np.random.default_rng(derive("walk", name)),
@@ -197,7 +197,7 @@ def _walk(name: str, building: Building, rooms: list[str], source: Source) -> Wa
 
 
 def read(kind: str, name: str) -> dict[str, Any]:
-    """Read a file of conf/."""
+    """Read a file from conf/."""
     return settings.read_yaml(SETTINGS / f"{kind}/{name}.yaml")
 
 
@@ -214,6 +214,6 @@ def _light(name: str, ranges: Mapping[str, LightRanges]) -> dict[str, Any]:
 
 
 def _stays(name: str, attempt: int, rooms: Mapping[str, Mapping[str, Any]]) -> list[str]:
-    """List the rooms in which the walk stays: all rooms except some corridors."""
+    """List the rooms that the walk stays in: all rooms except some corridors."""
     rng = np.random.default_rng(derive("stays", name, attempt))
     return [room for room, of_one in rooms.items() if of_one["kind"] in KINDS or rng.random() < _CORRIDOR]

@@ -1,4 +1,4 @@
-"""A floor plan drawn from the name of a home: rooms are arranged, mirrored, rotated and joined by doors."""
+"""Draw a floor plan from a home's name: rooms are arranged, mirrored, rotated and joined by doors."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -16,7 +16,7 @@ from placecat_homes.plan_parts import SIDES, Rect
 _TALL = 2.65
 _PLACES = ((0.08, 0.25), (0.75, 0.92), (0.35, 0.65))
 _TRIES = 30
-# Maximum share of corridors in the floor area: that of the long corridor in conf/plan/home_2.yaml.
+# Maximum share of the floor area for corridors, which is that of the long corridor in conf/plan/home_2.yaml.
 _CORRIDORS = 0.22
 
 
@@ -26,22 +26,22 @@ def draw(name: str, number: int, ranges: PlanRanges) -> dict[str, Any]:
     Parameters
     ----------
     name
-        Name of the home, such as "home 7 of seed 1". With the same ranges, the plan depends only on the name
-        and the number.
+        Name of the home, such as "home 7 of seed 1". For given ranges, the plan depends only on the name and
+        number.
     number
-        Number of the plan, from 1. Different numbers make different plans.
+        Number of the plan, from 1. Different numbers give different plans.
     ranges
-        Ranges of sizes, and odds of arrangements and numbers of rooms.
+        Ranges for sizes, and odds for arrangements and numbers of rooms.
 
     Returns
     -------
     dict
-        The plan, structured like the files in conf/plan.
+        The plan, with the same structure as the files in conf/plan.
 
     Raises
     ------
     PlacecatError
-        If rooms or doors do not fit the ranges.
+        If no plan fits the ranges.
     """
     arrangement = chosen(np.random.default_rng(derive("arrangement", name, number)), ranges.arrangements)
     for attempt in range(_TRIES):
@@ -97,7 +97,7 @@ def _attempt(
 
 
 def _fits(kind: str, rect: Rect, ranges: PlanRanges) -> bool:
-    """Return whether the size of a room is allowed for its kind."""
+    """Return whether a room's size is allowed for its kind."""
     if kind not in KINDS:
         return True
     x0, y0, x1, y1 = rect
@@ -107,13 +107,13 @@ def _fits(kind: str, rect: Rect, ranges: PlanRanges) -> bool:
 
 
 def _corridors(rooms: Mapping[str, Rect]) -> float:
-    """Return the share of corridors in the floor area."""
+    """Return the share of the floor area that corridors take up."""
     areas = {name: (x1 - x0) * (y1 - y0) for name, (x0, y0, x1, y1) in rooms.items()}
     return sum(area for name, area in areas.items() if name.startswith("corridor")) / sum(areas.values())
 
 
 def _possible(content: Mapping[str, Any]) -> bool:
-    """Return whether a plan is valid, the entrance leads outside, and only corridors lack windows."""
+    """Return whether a plan is valid, its entrance leads outside, and only its corridors lack windows."""
     try:
         plan = read(content)
     except PlacecatError:
@@ -134,7 +134,7 @@ def _possible(content: Mapping[str, Any]) -> bool:
 
 
 def _placed(rng: np.random.Generator, rooms: Mapping[str, Rect]) -> dict[str, Rect]:
-    """Randomly mirror the rooms and swap x and y. Move them to x, y >= 0 and round to centimetres."""
+    """Mirror the rooms and swap x and y at random, shift them to x, y >= 0, and round to centimetres."""
     east, north, turned = rng.random(3) < 0.5
     corners = {}
     for name, (x0, y0, x1, y1) in rooms.items():
@@ -162,7 +162,7 @@ def _door(
     kind: str,
     height: float,
 ) -> dict[str, Any] | None:
-    """Draw the width and position of a door; None if the rooms share too little wall."""
+    """Draw the width and position of a door. Return None if the rooms share too little wall."""
     a, b = sketch.rooms[first], sketch.rooms[second]
     shared = max(min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1]))
     room = shared - 0.2

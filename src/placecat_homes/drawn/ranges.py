@@ -1,4 +1,4 @@
-"""Checked ranges from which floor plans and their light are drawn."""
+"""Validated ranges for drawing floor plans and lighting."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from placecat import settings
 from placecat.errors import SettingError
 
 KINDS = ("bedroom", "bathroom", "kitchen", "living_room", "dining_room")
-"""Kinds of rooms that every home has."""
+"""Kinds of room that every home has."""
 WEATHERS = ("sunny", "cloudy", "dusk", "night")
 
 Range = tuple[float, float]
@@ -18,22 +18,22 @@ Range = tuple[float, float]
 
 @dataclass(frozen=True)
 class PlanRanges:
-    """Ranges (minimum, maximum) for floor plans, in metres and square metres.
+    """Ranges for floor plans, as (minimum, maximum) in metres or square metres.
 
     Attributes
     ----------
     arrangements
         Maps names of functions in :mod:`placecat_homes.drawn.arrangements` to odds.
     bedrooms, bathrooms
-        Map numbers of rooms to odds, for 1 to 3 bedrooms and 1 or 2 bathrooms.
+        Map room counts to odds, for 1 to 3 bedrooms and 1 or 2 bathrooms.
     height
-        Height of ceilings, 2.3 to 4 m.
+        Ceiling height, from 2.3 to 4 m.
     glazing
-        Share of windows in the outer walls (see `FloorPlan`), 0.1 to 0.9.
+        Share of the outer walls that is glazed (see `FloorPlan`), from 0.1 to 0.9.
     depth
-        Depth of a row of rooms, 2.8 to 8 m.
+        Depth of a row of rooms, from 2.8 to 8 m.
     corridor
-        Width of corridors, 1.1 to 3 m.
+        Width of corridors, from 1.1 to 3 m.
     areas, sides
         Floor area and shorter side of each kind of room.
     door, opening
@@ -54,9 +54,9 @@ class PlanRanges:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str, arrangements: Collection[str]) -> "PlanRanges":
-        """Make the ranges from settings. A missing, unknown or invalid setting raises SettingError.
+        """Create the ranges from settings. Missing, unknown or invalid settings raise SettingError.
 
-        `where` is the name of the settings in messages. `arrangements` are the valid names of arrangements.
+        `where` names the settings in messages. `arrangements` contains the valid arrangement names.
         """
         pairs: dict[str, Any] = {
             name: _range(values, name, where, least, most)
@@ -87,7 +87,7 @@ class PlanRanges:
 
 @dataclass(frozen=True)
 class LightRanges:
-    """Ranges for the light in one kind of weather.
+    """Ranges for the lighting in one kind of weather.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ class LightRanges:
     azimuth, elevation
         Position of the sun, in degrees.
     lamps
-        Share of rooms whose lamps are switched on, 0 to 1.
+        Share of rooms with the lights on, from 0 to 1.
     """
 
     odds: float
@@ -106,7 +106,7 @@ class LightRanges:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str) -> dict[str, "LightRanges"]:
-        """Make the ranges for each weather. A missing, unknown or invalid setting raises SettingError."""
+        """Create the ranges for each weather. Missing, unknown or invalid settings raise SettingError."""
         settings.refuse_unknown(values, list(WEATHERS), where)
         _check_odds({name: one.get("odds", -1) for name, one in values.items()}, WEATHERS, f"{where} odds")
         made = {}
@@ -139,12 +139,12 @@ def _check_odds(odds: Mapping[Any, Any], valid: tuple[Any, ...], where: str) -> 
     numbers = [value for value in odds.values() if isinstance(value, (int, float)) and 0 <= value < 1e6]
     if unknown or len(numbers) != len(odds) or not sum(numbers) > 0:
         raise SettingError(
-            f"{where} needs odds for some of {', '.join(map(str, valid))}: numbers of 0 or more, not all 0"
+            f"{where} needs odds for some of {', '.join(map(str, valid))}: non-negative numbers, not all 0"
         )
 
 
 def chosen(rng: np.random.Generator, odds: Mapping[Any, float]) -> Any:
-    """Draw one of the names with probability proportional to its odds."""
+    """Draw a name with a probability proportional to its odds."""
     names = list(odds)
     shares = np.array([odds[name] for name in names], dtype=np.float64)
     return names[int(rng.choice(len(names), p=shares / shares.sum()))]

@@ -1,4 +1,4 @@
-"""Render the homes of a seed into a folder, one by one. A killed run continues where it stopped."""
+"""Render a seed's homes into a folder, one by one. If a run is killed, the next one picks up from there."""
 
 import hashlib
 import shutil
@@ -25,7 +25,7 @@ from placecat_homes.drawn.ranges import KINDS
 RECORD = "homes.yaml"
 """File in the folder that records how the homes were made."""
 PACKAGES = ("numpy", "scipy", "opencv-python-headless", "numba", "embreex", "av")
-"""Libraries whose versions affect the bytes of a video."""
+"""Libraries whose versions can change the bytes of a video."""
 
 _LIMIT = 1000
 
@@ -33,18 +33,19 @@ _LIMIT = 1000
 def render_homes(
     count: int, seed: int, folder: Path, *, only_plans: bool = False, **video: int
 ) -> list[Path]:
-    """Draw homes, and render those that are not yet in the folder.
+    """Draw homes and render those that are not yet in the folder.
 
     Parameters
     ----------
     count
-        Number of homes, 1 to 1000. Home 7 is the same whether 7 or 24 homes are made.
+        Number of homes, from 1 to 1000. Home 7 is the same home whether 7 or 24 homes are made.
     seed
-        Seed of the set of homes, 0 to 2**32 - 1.
+        Seed of the set of homes, from 0 to 2**32 - 1.
     folder
-        Folder for `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
+        Folder for files such as `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and `plans/home_7.png` (a
+        view from above).
     only_plans
-        Draw the floor plans, but render no videos.
+        Draw the floor plans, but do not render videos.
     **video
         Values that override `video` in conf/drawn.yaml: width, height, frames, fps.
 
@@ -95,7 +96,7 @@ def _render(number: int, seed: int, folder: Path, source: Source) -> None:
 
 
 def film(path: Path, source: Source, **changes: Any) -> "render.Film":
-    """Make the film of a drawn home from the file that describes it.
+    """Make the film of a drawn home from its description file.
 
     Parameters
     ----------
@@ -159,7 +160,7 @@ def _draw_contact_sheet(folder: Path, count: int) -> None:
 
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
-    """Lock a folder against other runs during a block, and remove the leftovers of a killed run."""
+    """Lock a folder against other runs for the duration of a block, and clean up after any killed run."""
     with lock.of_folder(folder, "renders into"):
         for left in (*folder.glob(f"{render.TEMPORARY}*"), *folder.glob("**/.*.partial.*")):
             shutil.rmtree(left) if left.is_dir() else left.unlink()
@@ -167,7 +168,7 @@ def _alone(folder: Path) -> Iterator[None]:
 
 
 def _claim(folder: Path, seed: int, source: Source) -> None:
-    """Record how the homes of a folder are made, or check that an existing record agrees."""
+    """Record how the homes in a folder are made, or check that an existing record agrees."""
     record = {
         "seed": seed,
         "video": vars(source.video),
@@ -194,7 +195,7 @@ def _is_installed(name: str) -> bool:
 
 
 def _checksum(package: Path) -> str:
-    """Compute the SHA-256 checksum of the code and the settings of a package."""
+    """Compute the SHA-256 checksum of a package's code and settings."""
     content = hashlib.sha256()
     for path in sorted((*package.rglob("*.py"), *package.rglob("*.yaml"))):
         content.update(f"{path.relative_to(package).as_posix()}\n".encode() + path.read_bytes())
@@ -202,7 +203,7 @@ def _checksum(package: Path) -> str:
 
 
 def dataset(folder: Path) -> Mapping[str, Any]:
-    """Describe a folder of rendered homes as a data set, like the files in conf/dataset.
+    """Describe a folder of rendered homes as a data set, in the format of the files in conf/dataset.
 
     Raises PlacecatError if the folder has no homes.
     """

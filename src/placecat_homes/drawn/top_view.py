@@ -1,4 +1,4 @@
-"""Draw a furnished home from above, with the path of the camera."""
+"""Draw a furnished home from above, with the camera's path."""
 
 from collections.abc import Sequence
 
@@ -24,14 +24,14 @@ _OTHER = (228, 228, 228)
 
 
 def top_view(building: Building, walk: Walk | None = None, *, scale: float = 60.0) -> NDArray[np.uint8]:
-    """Draw rooms, doors, windows, furniture and the path of the camera.
+    """Draw rooms, doors, windows, furniture and the camera's path.
 
     Parameters
     ----------
     building
         The furnished home.
     walk
-        The walk whose path is drawn in red; no path if None.
+        The walk whose path is drawn in red; if None, no path is drawn.
     scale
         Pixels per metre.
 

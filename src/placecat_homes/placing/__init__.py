@@ -1,1 +1,1 @@
-"""Placement of objects in a room, so that people can still walk through it."""
+"""Place objects in a room while leaving space for people to walk through it."""

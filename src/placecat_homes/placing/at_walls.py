@@ -1,4 +1,4 @@
-"""Placement of objects at the walls of a room."""
+"""Place objects against the walls of a room."""
 
 from collections.abc import Sequence
 
@@ -11,16 +11,16 @@ from placecat_homes.placing.opening import Opening, Span
 from placecat_homes.placing.placed import Floats, Placed
 
 GAP = 0.02
-"""Gap between a wall and an object that stands against it, in metres."""
+"""Gap in metres between a wall and an object that stands against it."""
 
 TRIES = 40
-"""Maximum number of places to try for an object."""
+"""Maximum number of places tried for an object."""
 
 _FRAME = 0.1
 
 
 class AtWalls(Occupied):
-    """Four walls, with objects that stand against them and hang on them.
+    """Four walls, with objects that stand against them or hang on them.
 
     Attributes
     ----------
@@ -45,18 +45,18 @@ class AtWalls(Occupied):
         corner: bool = False,
         z: float = 0.0,
     ) -> Placed | None:
-        """Place an object with its back to a wall, where it blocks no door, window or other object.
+        """Place an object with its back to a wall so that it does not block any door, window or other object.
 
         Parameters
         ----------
         model
             The object.
         front
-            Depth of the floor in front of it that must stay free, in metres.
+            Depth in metres of the floor space to keep free in front of it.
         wall
-            Number of the wall, 0 to 3; None tries all.
+            Number of the wall, from 0 to 3; if None, all walls are tried.
         at
-            Position of the middle of the object along the wall; drawn at random if None.
+            Position of the object's middle along the wall; drawn at random if None.
         corner
             Whether to prefer corners.
         z
@@ -65,7 +65,7 @@ class AtWalls(Occupied):
         Returns
         -------
         Placed | None
-            The placed object; None if there is no place at which all doors stay within reach.
+            The placed object, or None if there is no place that keeps all doors reachable.
         """
         spots: list[tuple[float, Placed, Floats]] = []
         for number in range(4) if wall is None else (wall,):
@@ -82,14 +82,15 @@ class AtWalls(Occupied):
         Parameters
         ----------
         tall
-            Allow no windows. Otherwise, windows with a sill about 0.9 m or more above the floor are ignored.
+            Do not allow windows. Otherwise, windows whose sill is at least about 0.9 m above the floor are
+            ignored.
         least
             Shortest useful length in metres.
 
         Returns
         -------
         Span | None
-            The stretch; None if all are shorter than `least`.
+            The stretch, or None if all are shorter than `least`.
         """
         best: Span | None = None
         for wall in (int(k) for k in self.rng.permutation(4)):
@@ -113,22 +114,22 @@ class AtWalls(Occupied):
         return best if best is not None and best.length >= least else None
 
     def hang(self, model: Mesh, *, bottom: float, above: Placed | None = None) -> Placed | None:
-        """Hang an object at a free place on a wall.
+        """Hang an object in a free place on a wall.
 
         Parameters
         ----------
         model
             The object.
         bottom
-            Height of its origin in metres. It is lowered a little under a low ceiling, and raised if `above`
-            is higher.
+            Height of the object's origin in metres. The object is hung a little lower if the ceiling is low,
+            and higher if `above` reaches above this height.
         above
-            Hang the object over the middle of this one, on the same wall.
+            Another object, over the middle of which this one is hung on the same wall.
 
         Returns
         -------
         Placed | None
-            The placed object; None if there is no place.
+            The placed object, or None if there is no free place.
         """
         if above is not None:
             if above.wall is None:
@@ -162,12 +163,12 @@ class AtWalls(Occupied):
         model
             The curtain, whose bottom is at z = 0.
         bottom
-            Height of its origin in metres; if None, it ends 0.15 m above the window.
+            Height of its origin in metres. If None, the curtain's top is 0.15 m above the window's top.
 
         Returns
         -------
         Placed | None
-            The placed curtain; None if it does not fit on the wall, or a door or a tall object is in the way.
+            The placed curtain, or None if it does not fit on the wall or a door or tall object is in the way.
         """
         top = float(model.high[2])
         if bottom is None:
@@ -191,7 +192,7 @@ class AtWalls(Occupied):
         return thing
 
     def _places(self, model: Mesh, wall: int) -> Floats:
-        """Positions for the middle of a model along a wall, where it fits between the corners."""
+        """Return positions along a wall for the middle of a model, such that it fits between the corners."""
         length, width = self.length(wall), float(model.size[0])
         margin = min(GAP, (length - width) / 2)
         if margin < -0.005:
@@ -202,7 +203,7 @@ class AtWalls(Occupied):
     def _stands(
         self, model: Mesh, wall: int, at: float | None, front: float, corner: bool, z: float
     ) -> list[tuple[float, Placed, Floats]]:
-        """Free places at a wall, each with a rating (lower is better) and the floor in front of it."""
+        """Return free places at a wall, each with a rating (lower is better) and the floor in front of it."""
         width, depth = float(model.size[0]), float(model.size[1])
         length = self.length(wall)
         if at is None:
@@ -221,7 +222,7 @@ class AtWalls(Occupied):
         good &= self._clear(bodies, z0, z1, self._fronts)
         if front > 0:
             good &= self._clear(aheads, FLAT, HEAD, self._boxes)
-        # If the caller chooses the exact place, a tap or kettle may stand in front of a window.
+        # If the caller chooses the exact place, allow a tap or kettle to stand in front of a window.
         slack = 0.05 if at is None else 0.4
         good &= ~np.array(
             [self.covers_opening(wall, ends, z0, z1 - slack, 0.02) for ends in zip(left, right, strict=True)]

@@ -1,4 +1,4 @@
-"""The free floor of a room, and whether people can still walk through it."""
+"""Keep track of the free floor of a room, and check whether people can still walk through it."""
 
 import numpy as np
 from scipy import ndimage
@@ -41,7 +41,7 @@ class FreeFloor:
         return np.asarray(distances[_PAD:-_PAD, _PAD:-_PAD])
 
     def allows(self, thing: Placed) -> bool:
-        """Return whether all doors stay connected and enough floor stays reachable if an object is added."""
+        """Return whether adding an object keeps all doors connected and enough floor reachable."""
         if not self._sills:
             return True
         before, _ = self._reached(self._solid)
@@ -83,7 +83,7 @@ class FreeFloor:
         return solid
 
     def _swing(self, door: Opening) -> Floats:
-        """Return the corners of the floor area that the leaf of an open door takes up, counter-clockwise."""
+        """Return the counter-clockwise corners of the floor area that an open door leaf takes up."""
         inwards = 1.0 if door.hinge == "left" else -1.0
         hinge = door.start if door.hinge == "left" else door.end
         tips = [(hinge + inwards * side, door.width) for side in (0.1, -0.1)]

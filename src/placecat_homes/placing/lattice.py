@@ -1,4 +1,4 @@
-"""The floor as a lattice of cells: footprints of objects, and free space for a person."""
+"""The floor as a lattice of cells, with footprints of objects and free space for people."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,28 +7,28 @@ from scipy import ndimage
 from placecat_homes.placing.placed import Floats
 
 CELL = 0.05
-"""Edge length of the cells of the floor lattice in metres."""
+"""Edge length of the floor lattice's cells in metres."""
 
 PERSON = 0.25
-"""Radius of a walking person in metres."""
+"""Radius in metres of a person walking."""
 
 Bools = NDArray[np.bool_]
 
 
 def room_for_person(solid: Bools, radius: float = PERSON) -> Bools:
-    """Return the cells (of edge length `CELL`) where a person of this radius can stand."""
+    """Return the cells, with edge length `CELL`, where a person with this radius can stand."""
     return np.asarray(ndimage.distance_transform_edt(~solid) >= radius / CELL)
 
 
 def drawn(corners: Floats, origin: tuple[float, float], shape: tuple[int, int]) -> Bools:
-    """Draw a convex polygon on a lattice with cells of edge length `CELL`.
+    """Draw a convex polygon on a lattice whose cells have edge length `CELL`.
 
     Parameters
     ----------
     corners
         (n, 2) metres, counter-clockwise.
     origin
-        Position of the first corner of the lattice.
+        Position of the lattice's first corner.
     shape
         Shape of the lattice.
 

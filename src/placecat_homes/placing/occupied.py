@@ -1,4 +1,4 @@
-"""A room with the objects already in it, and whether there is space for another."""
+"""A room with the objects already in it, and checks of whether another fits in."""
 
 from collections.abc import Sequence
 
@@ -19,12 +19,12 @@ _SHALLOW = 0.15
 
 
 class Occupied(Walls):
-    """Four walls and the objects between them.
+    """Four walls with objects between them.
 
     Attributes
     ----------
     placed
-        All objects put into the room so far.
+        All objects placed in the room so far.
     blocking
         The objects that people must walk around.
     """
@@ -60,7 +60,7 @@ class Occupied(Walls):
 
     @staticmethod
     def _clear(rects: Floats, z0: float, z1: float, boxes: Sequence[Floats]) -> Bools:
-        """Return which of the (n, 4) rectangles, from height z0 to z1, touch no box."""
+        """Return which of the (n, 4) rectangles, extended from height z0 to z1, touch no box."""
         if len(boxes) == 0:
             return np.ones(len(rects), bool)
         b = np.array(boxes)
@@ -75,7 +75,7 @@ class Occupied(Walls):
         return np.asarray(~meets.any(axis=1))
 
     def _bulk(self, thing: Placed) -> Floats:
-        """Box of an object. Objects on walls count as at least 0.12 m deep, so that nothing hides them."""
+        """Return an object's box, at least 0.12 m deep for objects on walls, so that nothing hides them."""
         box = thing.box()
         if thing.wall is not None and thing.z > 0.3:
             near = min(max(self.back(thing, thing.wall), 0.0), 0.12)
@@ -88,7 +88,7 @@ class Occupied(Walls):
         return box
 
     def _zone(self, door: Opening) -> Floats:
-        """Floor in front of a door that must stay free."""
+        """Return the floor area in front of a door that must be kept free."""
         deep = 0.1 if not door.passage else (door.width + 0.05 if door.leaf else 0.6)
         start, end = door.start - 0.05, door.end + 0.05
         if door.leaf and door.hinge == "left":
@@ -100,7 +100,7 @@ class Occupied(Walls):
 
     @staticmethod
     def _blocks(thing: Placed) -> bool:
-        """Return whether a person must walk around an object."""
+        """Return whether people must walk around an object."""
         z0, z1 = thing.z + float(thing.model.low[2]), thing.z + float(thing.model.high[2])
         shallow = thing.wall is not None and float(thing.model.size[1]) < _SHALLOW
         return z0 < HEAD and z1 > FLAT and not shallow

@@ -22,7 +22,7 @@ class Opening:
     hinge
         Hinge side of a door leaf, as seen from inside this room: "left" or "right".
     passage
-        Whether people can walk through it; false for windows and for doors that stay closed.
+        Whether people can walk through it; false for windows and doors that stay closed.
     """
 
     wall: int

@@ -1,4 +1,4 @@
-"""An object placed in a room."""
+"""Objects placed in a room."""
 
 import math
 from dataclasses import dataclass
@@ -22,9 +22,9 @@ class Placed:
     x, y, z
         Position of the object's origin in the frame of the room, in metres.
     turn
-        Degrees, counter-clockwise seen from above.
+        Angle in degrees, counter-clockwise as seen from above.
     wall
-        The wall it stands or hangs on; None if it is free-standing.
+        The wall that it stands against or hangs on; None if it is free-standing.
     """
 
     model: Mesh
@@ -39,13 +39,13 @@ class Placed:
         return self.model.turned(self.turn).moved(self.x, self.y, self.z)
 
     def corners(self) -> Floats:
-        """Return the (4, 2) corners of its footprint in the frame of the room, counter-clockwise."""
+        """Return the (4, 2) counter-clockwise corners of its footprint in the frame of the room."""
         (x0, y0), (x1, y1) = self.model.low[:2], self.model.high[:2]
         local = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], dtype=np.float64)
         return local @ rotation(self.turn).T + (self.x, self.y)
 
     def box(self) -> Floats:
-        """Return x0, y0, x1, y1, z0, z1 of its bounding box in the frame of the room."""
+        """Return its bounding box in the frame of the room, as x0, y0, x1, y1, z0, z1."""
         corners = self.corners()
         z0, z1 = float(self.model.low[2]) + self.z, float(self.model.high[2]) + self.z
         return np.array([*corners.min(axis=0), *corners.max(axis=0), z0, z1])

@@ -15,7 +15,7 @@ from placecat_homes.style import Style
 
 
 class Room(AtWalls):
-    """A room of a building, into which furniture is put.
+    """A room in a building, to be filled with furniture.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class Room(AtWalls):
         style: Style,
         rng: np.random.Generator,
     ) -> None:
-        """Make an empty room. `size` is width, depth and height."""
+        """Create an empty room. `size` is width, depth and height."""
         super().__init__(size, openings, rng)
         self.kind, self.name, self.style = kind, name, style
 
@@ -44,16 +44,16 @@ class Room(AtWalls):
         Parameters
         ----------
         model
-            The object; the middle of its footprint is moved to the place.
+            The object. The middle of its footprint is moved to the chosen place.
         clearance
-            Minimum distance from walls and other objects in metres.
+            Minimum distance in metres from walls and other objects.
         turn
-            Degrees; a random multiple of 90 if None.
+            Angle in degrees; a random multiple of 90 if None.
 
         Returns
         -------
         Placed | None
-            The placed object; None if there is no place.
+            The placed object, or None if there is no free place.
         """
         turns = [90.0 * float(k) for k in self.rng.permutation(4)] if turn is None else [turn]
         aim = np.array([self.width, self.depth]) / 2 + self.rng.normal(0, 0.15, 2)
@@ -73,7 +73,7 @@ class Room(AtWalls):
             good &= self._clear(around, FLAT, HEAD, self._boxes)
             distance = np.linalg.norm(centres - aim, axis=1)
             spots += [(distance[k], degrees, centres[k] - offset) for k in np.flatnonzero(good)]
-        # Angles with equally central places are tried in random order.
+        # Angles whose places are equally central are tried in random order.
         for _, degrees, origin in sorted(spots, key=lambda spot: round(float(spot[0]), 1))[:TRIES]:
             thing = Placed(model, float(origin[0]), float(origin[1]), 0.0, degrees)
             if self._walkable_with(thing):
@@ -81,12 +81,12 @@ class Room(AtWalls):
         return None
 
     def beside(self, other: Placed, model: Mesh, *, side: str = "left", gap: float = 0.05) -> Placed | None:
-        """Put an object beside another, facing the same way and with their backs in line.
+        """Put an object beside another one, facing the same way, with their backs aligned.
 
         Parameters
         ----------
         other
-            The other object, which is already in place.
+            The other object, which is already in the room.
         model
             The object.
         side
@@ -97,7 +97,7 @@ class Room(AtWalls):
         Returns
         -------
         Placed | None
-            The placed object; None if there is no place.
+            The placed object, or None if there is no free place.
         """
         if side == "left":
             x = float(other.model.high[0]) + gap - float(model.low[0])
@@ -107,22 +107,22 @@ class Room(AtWalls):
         return self._try(self._in_frame(other, model, x, y, 0.0, 0.0, other.wall))
 
     def facing(self, other: Placed, model: Mesh, *, distance: float) -> Placed | None:
-        """Put an object in front of another, facing it.
+        """Put an object in front of another one and facing it.
 
         Parameters
         ----------
         other
-            The other object, which already stands in the room.
+            The other object, which is already in the room.
         model
             The object.
         distance
-            Metres between their fronts. At 1 m or more, an object that would end up near or behind the wall
-            is put against the wall.
+            Metres between their fronts. If this is 1 m or more and the object would end up close to or behind
+            a wall, it is put against that wall.
 
         Returns
         -------
         Placed | None
-            The placed object; None if there is no place.
+            The placed object, or None if there is no free place.
         """
         x = float(other.model.low[0] + other.model.high[0] + model.low[0] + model.high[0]) / 2
         y = float(other.model.high[1]) + distance + float(model.high[1])
@@ -138,12 +138,12 @@ class Room(AtWalls):
         return self._try(thing)
 
     def on(self, other: Placed, model: Mesh, x: float, y: float, z: float, turn: float = 0.0) -> Placed:
-        """Put an object at a place in the frame of another, regardless of what else is there.
+        """Put an object at a position relative to another one, whatever else may be there.
 
         Parameters
         ----------
         other
-            The other object, which already stands in the room.
+            The other object, which is already in the room.
         model
             The object.
         x, y, z
@@ -169,12 +169,12 @@ class Room(AtWalls):
         model
             A rug or mat.
         under
-            Centre it under this object. If None, lay it where much of the floor is free.
+            Object to centre it under. If None, it is laid where a large part of the floor is free.
 
         Returns
         -------
         Placed | None
-            The placed object; None if the room is too small for it.
+            The placed object, or None if the room is too small for it.
         """
         if under is not None:
             turns = [under.turn, under.turn + 90.0]
@@ -206,14 +206,14 @@ class Room(AtWalls):
         x: float | None = None,
         y: float | None = None,
     ) -> Placed:
-        """Fix an object to the ceiling.
+        """Attach an object to the ceiling.
 
         Parameters
         ----------
         model
-            The object. The ceiling is at its z = 0.
+            The object, whose z = 0 is placed at the ceiling.
         above
-            Hang it over the middle of this object.
+            Object to hang it over, at the middle.
         x, y
             Position if `above` is None; by default, the middle of the room.
 
@@ -251,7 +251,7 @@ class Room(AtWalls):
 
     @staticmethod
     def _extent(model: Mesh, turn: float) -> tuple[Floats, Floats]:
-        """Size of the rotated footprint, and its middle relative to the origin of the model."""
+        """Return the size of the rotated footprint, and its middle relative to the model's origin."""
         corners = Placed(model, 0.0, 0.0, 0.0, turn).corners()
         low, high = corners.min(axis=0), corners.max(axis=0)
         return high - low, (low + high) / 2

@@ -1,6 +1,6 @@
-"""The walls of a room with their openings, and positions along them.
+"""The walls of a room, with their openings and positions along them.
 
-Walls are numbered from 0 to 3. An object with its back to wall k is turned by 90 k degrees. Wall 0 is y = 0,
+Walls are numbered from 0 to 3. An object with its back to wall k is rotated by 90 k degrees. Wall 0 is y = 0,
 wall 1 is x = width, wall 2 is y = depth, and wall 3 is x = 0. Positions along a wall are measured in metres
 from its left end, as seen from inside.
 """
@@ -45,7 +45,7 @@ class Walls:
         return self.width if wall % 2 == 0 else self.depth
 
     def point(self, wall: int, along: float, inwards: float) -> tuple[float, float]:
-        """Return the point (x, y) at a position along a wall, `inwards` metres away from the wall."""
+        """Return the point (x, y) at a position along a wall and `inwards` metres away from it."""
         w, d = self.width, self.depth
         return (
             (w - along, inwards),
@@ -59,18 +59,18 @@ class Walls:
         return float((self.width - x, self.depth - y, x, y)[wall])
 
     def back(self, thing: Placed, wall: int) -> float:
-        """Distance of the back of an object from a wall; negative beyond the wall."""
+        """Return the distance from a wall to an object's back, which is negative beyond the wall."""
         box = thing.box()
         return float((box[1], self.width - box[2], self.depth - box[3], box[0])[wall])
 
     def ends(self, thing: Placed, wall: int) -> tuple[float, float]:
-        """Return the start and end of an object along a wall."""
+        """Return the positions along a wall where an object starts and ends."""
         box = thing.box()
         a, b = self.along(wall, box[0], box[1]), self.along(wall, box[2], box[3])
         return min(a, b), max(a, b)
 
     def strip(self, wall: int, start: Floats, end: Floats, near: float, far: float) -> Floats:
-        """Rectangles (n, 4) in front of a wall."""
+        """Return (n, 4) rectangles in front of a wall."""
         w, d = self.width, self.depth
         low, high = np.full_like(start, near), np.full_like(start, far)
         columns = (
@@ -82,7 +82,7 @@ class Walls:
         return np.stack(columns, axis=1)
 
     def at_wall(self, model: Mesh, wall: int, place: float, z: float, gap: float) -> Placed:
-        """Place an object with its middle at a position along a wall, leaving a gap to the wall in metres."""
+        """Place an object with its middle at a position along a wall, and its back `gap` metres from it."""
         along = place + float(model.low[0] + model.high[0]) / 2
         x, y = self.point(wall, along, gap - float(model.low[1]))
         return Placed(model, x, y, z, 90.0 * wall, wall)

@@ -1,1 +1,1 @@
-"""The furniture of each kind of room."""
+"""Furniture for each kind of room."""

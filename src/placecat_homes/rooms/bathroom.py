@@ -1,4 +1,4 @@
-"""Bathrooms of homes."""
+"""Home bathrooms."""
 
 import numpy as np
 
@@ -47,7 +47,7 @@ def furnish(room: Room) -> None:
 
 
 def _tile(room: Room, tiles: Material) -> None:
-    """Tile all walls to half height, to a greater height, or up to the ceiling."""
+    """Tile all walls to about half height, higher, or up to the ceiling."""
     rng = room.rng
     border = palette.paint(rng) if rng.random() < 0.35 else None
     low, high = ((1.1, 1.5), (1.8, 2.2), (2.2, 3.0))[int(rng.choice(3, p=[0.25, 0.4, 0.35]))]
@@ -55,7 +55,7 @@ def _tile(room: Room, tiles: Material) -> None:
 
 
 def _bath(room: Room, ceramic: Material, tiles: Material, area: float) -> Placed | None:
-    """Place a bathtub or a shower in a corner."""
+    """Place a bathtub or shower in a corner."""
     rng, style = room.rng, room.style
     if rng.random() < 0.6:
         kind = None if area > 5.0 else "built-in"
@@ -83,7 +83,7 @@ def _bath(room: Room, ceramic: Material, tiles: Material, area: float) -> Placed
 
 
 def _toilet(room: Room, ceramic: Material) -> Placed | None:
-    """Place the toilet, with its paper on the wall beside it if there is space."""
+    """Place the toilet, with toilet paper on the wall beside it if there is space."""
     rng, style = room.rng, room.style
     for kind, front in ((None, 0.5), (None, 0.45), ("close-coupled", 0.4), ("close-coupled", 0.3)):
         model = toilet(rng, style, ceramic=ceramic, kind=kind)
@@ -105,7 +105,7 @@ def _toilet(room: Room, ceramic: Material) -> Placed | None:
 
 
 def _basin(room: Room, ceramic: Material) -> Placed | None:
-    """Place the washbasin with a mirror above it. Leave out the mirror only if there is no space for both."""
+    """Place the washbasin with a mirror above it. Only leave out the mirror if there is no space for both."""
     rng, style = room.rng, room.style
     choices: tuple[tuple[str | None, float | None, float], ...] = (
         (None, None, 0.55),

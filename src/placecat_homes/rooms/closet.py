@@ -65,7 +65,7 @@ def furnish(room: Room) -> None:
 
 
 def _walls(room: Room) -> None:
-    """Hang coats and whatever else fits on the remaining walls."""
+    """Hang up coats and whatever else fits in the remaining wall space."""
     rng, style = room.rng, room.style
     if chance(rng, 0.4):
         board = wall_board(rng, style)

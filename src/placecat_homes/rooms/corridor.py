@@ -1,4 +1,4 @@
-"""Corridors of homes."""
+"""Home corridors."""
 
 from placecat_homes import palette
 from placecat_homes.furniture.blocks import between, chance, choose
@@ -22,7 +22,7 @@ from placecat_homes.shapes import box
 
 
 def furnish(room: Room) -> None:
-    """Furnish a room as a corridor of a home."""
+    """Furnish a room as a home corridor."""
     rng, style = room.rng, room.style
     longer, shorter = max(room.width, room.depth), min(room.width, room.depth)
     dress_windows(room, bare=0.4, cloth=0.5)
@@ -65,7 +65,7 @@ def _coats(room: Room) -> None:
         if kind == "hooks":
             rack = coat_rack(rng, style)
             top = between(rng, 1.68, 1.85)
-            # The board is near the upper end of the rack, whatever hangs from it.
+            # The board is near the top of the rack, whatever hangs from it.
             if room.hang(rack, bottom=max(0.3, top - float(rack.high[2]))) is not None:
                 return
         elif kind == "unit":
@@ -115,7 +115,7 @@ def _runner(room: Room, longer: float, shorter: float) -> None:
 
 
 def _lamps(room: Room, longer: float) -> None:
-    """Hang one or more lamps of one design along the corridor."""
+    """Hang one or more identical lamps along the corridor."""
     lamp = ceiling_lamp(room.rng, room.style)
     count = 1 if longer < 3.6 else (2 if longer < 6.5 else 3)
     for k in range(count):

@@ -1,4 +1,4 @@
-"""Dining rooms: a large table with chairs and a lamp above it, a sideboard and a china cabinet."""
+"""Dining rooms with a large table, chairs, a lamp above the table, a sideboard and a china cabinet."""
 
 from placecat_homes.furniture.bar_cart import bar_cart
 from placecat_homes.furniture.blocks import between, chance, choose
@@ -57,7 +57,7 @@ def _table(room: Room) -> Placed | None:
 
 
 def _cabinets(room: Room) -> None:
-    """Place a sideboard and a china cabinet against the walls, or at least one of them if possible."""
+    """Place a sideboard, a china cabinet, or both against the walls if there is space."""
     rng, style = room.rng, room.style
     order = ["china", "board"]
     if chance(rng, 0.5):

@@ -1,4 +1,4 @@
-"""Hallways of a university."""
+"""University hallways."""
 
 import numpy as np
 
@@ -65,7 +65,7 @@ def _sign(room: Room, opening: Opening) -> None:
 
 
 def _shut_doors(room: Room) -> None:
-    """Add closed doors with signs along long walls, away from the other doors."""
+    """Add closed doors with signs along long walls, at some distance from other doors."""
     rng, style = room.rng, room.style
     apart = between(rng, 2.6, 4.2)
     seed = int(rng.integers(1 << 30))
@@ -87,7 +87,7 @@ def _shut_doors(room: Room) -> None:
 
 
 def _exits(room: Room, longer: float) -> None:
-    """Hang lit exit signs across the hallway and over a door."""
+    """Hang illuminated exit signs across the hallway and above a door."""
     rng, style = room.rng, room.style
     if chance(rng, 0.8):
         sign = exit_sign(rng, style, hanging=True)

@@ -1,4 +1,4 @@
-"""Strip lights and notices for all rooms of an office building."""
+"""Strip lights and notices for any room in an office building."""
 
 from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.ceiling_strip import ceiling_strip
@@ -8,14 +8,14 @@ from placecat_homes.placing.room import Room
 
 
 def strip_lights(room: Room, *, apart: float = 2.6) -> None:
-    """Fix strip lights of one design to the ceiling, in one or two rows.
+    """Fix identical strip lights to the ceiling in one or two rows.
 
     Parameters
     ----------
     room
         The room.
     apart
-        Distance between lights along the room in metres.
+        Approximate distance in metres between lights along the room.
     """
     rng, style = room.rng, room.style
     along = room.width >= room.depth

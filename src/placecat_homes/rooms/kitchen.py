@@ -1,4 +1,4 @@
-"""Kitchens: one row of fitted cabinets or two rows in a corner, a fridge, and perhaps a small table."""
+"""Kitchens with one row of fitted cabinets or two that meet in a corner, a fridge, and perhaps a table."""
 
 from collections.abc import Sequence
 
@@ -67,14 +67,14 @@ def furnish(room: Room) -> None:
 
 
 def _best_span(room: Room) -> Span | None:
-    """Find the wall for the main row; it may have windows."""
+    """Find a stretch of wall for the main row. It may have windows."""
     return room.span(least=SMALL) or room.span(least=0.9)
 
 
 def _fridge_at_end(
     room: Room, chill: Mesh, wall: int, start: float, end: float
 ) -> tuple[Placed | None, float, float]:
-    """Place the fridge at one end of a stretch of wall if enough remains. Return it and the rest."""
+    """Place the fridge at one end of a stretch of wall if enough of it remains. Return it and the rest."""
     width = float(chill.size[0])
     if end - start < width + 1.65:
         return None, start, end
@@ -136,7 +136,7 @@ def _rows(room: Room, design: Design, wall: int, start: float, end: float, cold:
 
 
 def _shorter(room: Room, design: Design, wall: int, start: float, end: float) -> None:
-    """Build the longest row that fits into a stretch of wall, or else one at another wall."""
+    """Build the longest row that fits into a stretch of wall or, failing that, one against another wall."""
     stretches = [(wall, start, end)]
     span = room.span(least=0.9)
     if span is not None:
@@ -156,12 +156,12 @@ def _stove_anywhere(room: Room) -> None:
 
 
 def _corner(room: Room, wall: int, at_start: bool, at_end: bool) -> tuple[str, int, float] | None:
-    """Find a wall for a second row. Return the end where it adjoins, its number and its free length."""
+    """Find a wall for a second row. Return the end of the main row it adjoins, its number and free length."""
     found = []
     for side, touching in (("start", at_start), ("end", at_end)):
         if not touching:
             continue
-        # The left end of a wall meets the right end of the next wall.
+        # The left end of each wall meets the right end of the next one.
         neighbour = (wall + 1) % 4 if side == "start" else (wall - 1) % 4
         total = room.length(neighbour)
         free = total - DEEP
@@ -211,7 +211,7 @@ def _row(
 
 
 def _opposite(room: Room, design: Design) -> None:
-    """Build another row of cabinets at a free wall if people can still walk past."""
+    """Build another row of cabinets against a free wall if people can still walk past it."""
     rng = room.rng
     span = room.span(least=0.8)
     if span is None:
@@ -223,7 +223,7 @@ def _opposite(room: Room, design: Design) -> None:
 
 
 def _walls(room: Room, design: Design) -> None:
-    """Put kitchen furniture against the walls that are still bare."""
+    """Put kitchen furniture against walls that are still bare, and hang shelves and rails on them."""
     rng, style = room.rng, room.style
     for _ in range(choose(rng, (1, 1, 2))):
         kind = rng.random()
@@ -246,7 +246,7 @@ def _walls(room: Room, design: Design) -> None:
 
 
 def _middle(room: Room, design: Design) -> None:
-    """Put a table or an island on the free floor if there is enough space."""
+    """Put a table or an island in the room if there is enough space."""
     rng, style = room.rng, room.style
     kind = rng.random()
     if kind < 0.2 and _island(room, design):

@@ -1,4 +1,4 @@
-"""Kitchenettes of offices: a short fitted kitchen, a fridge, a small table, and notices."""
+"""Office kitchenettes with a short fitted kitchen, a fridge, a small table and notices."""
 
 from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.chair import chair
@@ -74,7 +74,7 @@ def _run(room: Room) -> Placed | None:
 
 
 def _top(room: Room, run: Placed, length: float) -> None:
-    """Put a microwave oven and a coffee machine where the worktop is free."""
+    """Put a microwave oven and a coffee machine on free parts of the worktop."""
     rng, style = room.rng, room.style
     for maker, probability in ((microwave, 0.4), (coffee_machine, 0.8)):
         if not chance(rng, probability):
@@ -105,7 +105,7 @@ def _free(model: Mesh, thing: Mesh, length: float) -> float | None:
 
 
 def _table(room: Room) -> None:
-    """Place a small table with chairs, in the middle of the room or at a wall."""
+    """Place a small table with chairs in the middle of the room or against a wall."""
     rng, style = room.rng, room.style
     model = small_table(rng, style)
     seat = chair(rng, style)

@@ -1,4 +1,4 @@
-"""Lavatories of public buildings."""
+"""Lavatories in public buildings."""
 
 from placecat_homes import palette
 from placecat_homes.furniture.basin_row import basin_row
@@ -21,7 +21,7 @@ from placecat_homes.rooms.wall_tiles import tile_walls
 
 
 def furnish(room: Room) -> None:
-    """Furnish a room with cubicles, urinals, washbasins and accessories."""
+    """Furnish a room as a lavatory with cubicles, urinals, washbasins and accessories."""
     rng, style = room.rng, room.style
     ceramic = palette.ceramic(rng)
     if rng.random() < 0.8:
@@ -47,7 +47,7 @@ def furnish(room: Room) -> None:
 
 
 def _free_toilet(room: Room, ceramic: Material) -> Placed | None:
-    """Place a toilet with grab rails and paper, but without a cubicle."""
+    """Place a toilet without a cubicle, usually with toilet paper and grab rails."""
     rng, style = room.rng, room.style
     kind = str(rng.choice(("close-coupled", "wall-hung", "low")))
     model = toilet(rng, style, ceramic=ceramic, kind=kind)
@@ -65,7 +65,7 @@ def _free_toilet(room: Room, ceramic: Material) -> Placed | None:
 
 
 def _cubicles(room: Room, ceramic: Material, area: float) -> Placed | None:
-    """Place as many cubicles as fit. If none fits, place a toilet without a cubicle."""
+    """Place as many cubicles as will fit, or a toilet without a cubicle if none fits."""
     rng, style = room.rng, room.style
     most = 4 if area > 14 else 3 if area > 10 else 2
     for count, width, depth, front in (

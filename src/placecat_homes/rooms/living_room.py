@@ -99,7 +99,7 @@ def _sofa(room: Room, television: Placed | None, area: float) -> Placed | None:
 
 
 def _opposite(room: Room, television: Placed, model: Mesh) -> Placed | None:
-    """Place a sofa that faces the television, against the far wall or, in a large room, away from it."""
+    """Place a sofa facing the television, against the far wall or, in a large room, away from the walls."""
     across = room.depth if television.wall in (0, 2) else room.width
     gap = across - float(television.model.high[1]) - float(model.size[1]) - 0.04
     distances = [gap] if gap < 4.2 else []
@@ -120,7 +120,7 @@ def _before(room: Room, seat: Placed) -> None:
     for width in (between(rng, 0.85, 1.2), 0.75, 0.6):
         model = coffee_table(rng, style, width)
         if len(far):
-            # The table stands in the corner of an L-shaped sofa.
+            # Put the table inside the corner of an L-shaped sofa.
             side = -float(np.sign(far[:, 0].mean()))
             x = side * (float(seat.model.size[0]) / 2 - 0.25 - float(model.size[0]) / 2)
             table = room.on(seat, model, x, 1.3, 0.0)
@@ -135,7 +135,7 @@ def _before(room: Room, seat: Placed) -> None:
 
 
 def _cases(room: Room, area: float) -> None:
-    """Place shelves and one or two large objects against the walls."""
+    """Place bookshelves and perhaps a fireplace, piano or stereo against the walls."""
     rng, style = room.rng, room.style
     if area > 13 and chance(rng, 0.25):
         placed = room.against(fireplace(rng, style), front=0.8)

@@ -1,4 +1,4 @@
-"""Offices in a university or at home."""
+"""University and home offices."""
 
 import numpy as np
 
@@ -62,7 +62,7 @@ def furnish(room: Room) -> None:
 
 
 def _workplace(room: Room) -> Placed | None:
-    """Place a desk with everything on it, and a chair in front of it."""
+    """Place a desk with everything on it and a chair in front of it."""
     rng, style = room.rng, room.style
     for width in (between(rng, 1.4, 1.8), between(rng, 1.2, 1.4), 1.0):
         model = desk(rng, style, width)
@@ -92,7 +92,7 @@ def _workplace(room: Room) -> Placed | None:
 
 
 def _gap_below(rng: np.random.Generator, model: Mesh, case: Mesh) -> float | None:
-    """Find a place under a desk for a computer case that leaves room for knees; None if there is none."""
+    """Find a place for a computer case under a desk that leaves room for knees, or return None."""
     corners = model.vertices[model.triangles]
     low, high = corners.min(axis=1), corners.max(axis=1)
     half = float(case.size[0]) / 2 + 0.01
@@ -107,7 +107,7 @@ def _gap_below(rng: np.random.Generator, model: Mesh, case: Mesh) -> float | Non
 
 
 def _cases(room: Room, area: float) -> None:
-    """Place shelves and cabinets against the walls, and a printer on a low one."""
+    """Place shelves and cabinets against the walls, and perhaps a printer on a low cabinet."""
     rng, style = room.rng, room.style
     width = between(rng, 0.75, 1.2)
     count = int(rng.integers(1, 3)) if area < 11 else int(rng.integers(2, 5))

@@ -1,4 +1,4 @@
-"""Printer areas: copiers, printers, paper and waste-paper bins."""
+"""Printer areas with copiers, printers, paper and waste-paper bins."""
 
 from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.copier import copier

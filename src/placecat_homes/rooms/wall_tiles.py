@@ -1,4 +1,4 @@
-"""Tiles on the lower part of walls."""
+"""Tiles on the lower parts of walls."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -36,9 +36,9 @@ def tile_walls(
     height
         Height in metres up to which walls are tiled.
     walls
-        Numbers of the walls, 0 to 3.
+        Numbers of the walls, from 0 to 3.
     border
-        Material of a strip along the upper edge; None for no strip.
+        Material of a strip along the upper edge; if None, there is no strip.
     """
     for wall in walls:
         length = room.length(wall)
@@ -75,7 +75,7 @@ def _panel(
     levels: tuple[float, float],
     height: float,
 ) -> Mesh:
-    """Build a rectangle of tiles in a frame with its origin at the middle of the lower edge of the wall."""
+    """Build a rectangle of tiles, with the origin at the middle of the wall's lower edge."""
     width = ends[1] - ends[0]
     x = length / 2 - (ends[0] + ends[1]) / 2
     panel = box(width, THICKNESS, levels[1] - levels[0], bevel=0.0)

@@ -1,4 +1,4 @@
-"""Pictures on surfaces. Each kind has a module with its name and a function `draw`."""
+"""Pictures on surfaces. Each kind has a module of the same name with a function `draw`."""
 
 import numpy as np
 from numpy.typing import NDArray

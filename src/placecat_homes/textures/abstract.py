@@ -1,4 +1,4 @@
-"""An abstract picture."""
+"""Abstract pictures."""
 
 import numpy as np
 

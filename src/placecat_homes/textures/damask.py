@@ -1,4 +1,4 @@
-"""Curved ornaments, tone on tone."""
+"""Curved tone-on-tone ornaments."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The picture on a computer screen: windows of text, tables and pictures over a background."""
+"""The picture on a computer screen, with windows showing text, tables and pictures on a background."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     rng
         Random number generator.
     colours
-        Colour of the background, then those of title bars and pictures.
+        Background colour, followed by colours for title bars and pictures.
     pixels
         Side length of the picture.
 

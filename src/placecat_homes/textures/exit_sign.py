@@ -1,4 +1,4 @@
-"""The green sign at an emergency exit: a running person, an arrow and a door."""
+"""The green sign at an emergency exit, with a running person, an arrow and a door."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +14,9 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     rng
         Random number generator, which chooses the direction.
     colours
-        Colours of the background and of the figures.
+        Colours of the background and the figures.
     pixels
-        Side length; the picture is stretched over a sign twice as wide as it is high.
+        Side length. The picture is stretched over a sign that is twice as wide as it is high.
 
     Returns
     -------

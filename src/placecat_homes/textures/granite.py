@@ -1,4 +1,4 @@
-"""Granite, terrazzo and speckled laminate: specks of the other colours on the first."""
+"""Granite, terrazzo and speckled laminate, with specks in the other colours on the first."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw specks of several sizes."""
+    """Draw specks in several sizes."""
     picture = np.broadcast_to(colours[0], (pixels, pixels, 3)).astype(np.float32)
     for k, colour in enumerate(colours[1:]):
         specks = smooth(rng, pixels, 0.55 + 0.25 * k) > 1.15

@@ -1,4 +1,4 @@
-"""Parquet in a herringbone pattern."""
+"""Herringbone parquet."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, mix, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw slanted blocks in columns that mirror each other."""
+    """Draw slanted blocks in columns that are mirror images of each other."""
     x, y = grid(pixels)
     columns, rows = 6, 12
     column = (x * columns).astype(int)

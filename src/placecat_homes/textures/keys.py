@@ -16,9 +16,9 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     rng
         Random number generator.
     colours
-        Colours of the case and of the keys.
+        Colours of the case and the keys.
     pixels
-        Side length; the picture is stretched over the keyboard.
+        Side length. The picture is stretched over the keyboard.
 
     Returns
     -------

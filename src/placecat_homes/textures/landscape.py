@@ -1,4 +1,4 @@
-"""A painted or photographed landscape."""
+"""Painted or photographed landscapes."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, mix, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw sky, ranges of hills, and a lake or meadow, tinted with the colours."""
+    """Draw a sky, ranges of hills, and a lake or meadow, tinted with the first colour."""
     x, y = grid(pixels)
     tint = colours[0]
     sky = mix(np.array([0.45, 0.6, 0.85]), np.array([0.95, 0.88, 0.78]), y * 1.6)

@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, mix, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw clouds, and veins where two smooth fields cross zero."""
+    """Draw clouds, with veins where two smooth fields cross zero."""
     vein = np.exp(-np.abs(smooth(rng, pixels, 1.9)) * 14) + 0.5 * np.exp(
         -np.abs(smooth(rng, pixels, 1.7)) * 20
     )

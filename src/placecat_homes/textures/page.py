@@ -1,4 +1,4 @@
-"""A printed sheet: a heading, lines of text, and sometimes a picture or a table."""
+"""Printed sheets with headings, lines of text, and sometimes pictures or tables."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     rng
         Random number generator.
     colours
-        Colours of the paper and the ink, then those of pictures.
+        Colours of the paper and ink, followed by colours for pictures.
     pixels
         Side length of the picture.
 

@@ -1,4 +1,4 @@
-"""Parquet in a basket-weave pattern."""
+"""Basket-weave parquet."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Floor boards along u."""
+"""Floorboards that run along u."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, cells, grid, mix, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw eight rows of boards of different tones, with dark joints."""
+    """Draw eight rows of boards in different tones, with dark joints."""
     number, _, dv = cells(pixels, 1, 8)
     tone = rng.uniform(-0.13, 0.13, 8)[number]
     x, _ = grid(pixels)

@@ -1,4 +1,4 @@
-"""A portrait or family photograph."""
+"""Portraits and family photographs."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw one to three heads and shoulders against a plain background."""
+    """Draw the heads and shoulders of one to three people against a plain background."""
     x, y = grid(pixels)
     picture = colours[0] * (1.1 - 0.5 * np.hypot(x - 0.5, y - 0.4))[..., None]
     count = int(rng.integers(1, 4))

@@ -1,4 +1,4 @@
-"""A large printed poster: a coloured heading over columns of boxes with text, plots and pictures."""
+"""Large printed posters, with a coloured heading above columns of boxes with text, plots and pictures."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     rng
         Random number generator.
     colours
-        Colours of the paper and the heading, then those of pictures.
+        Colours of the paper and heading, followed by colours for pictures.
     pixels
         Side length of the picture.
 

@@ -1,4 +1,4 @@
-"""An oriental or modern rug, with a border and a field."""
+"""Oriental and modern rugs, with a border around a central field."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw borders around a field of diamonds, bands, circles or plain pile."""
+    """Draw borders around a central field of diamonds, bands, circles or plain pile."""
     x, y = grid(pixels)
     edge = np.minimum(np.minimum(x, 1 - x), np.minimum(y, 1 - y))
     u, v = np.abs(x - 0.5), np.abs(y - 0.5)

@@ -1,4 +1,4 @@
-"""The formulas, diagrams, lists and plots that a working group leaves on its whiteboard."""
+"""Formulas, diagrams, lists and plots left behind on a whiteboard."""
 
 import itertools
 
@@ -18,7 +18,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     rng
         Random number generator.
     colours
-        Colours of the board, then of the pens.
+        Colour of the board, followed by those of the pens.
     pixels
         Side length of the picture.
 

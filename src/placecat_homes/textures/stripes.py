@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw stripes of several widths."""
+    """Draw stripes of various widths."""
     x, _ = grid(pixels)
     widths = rng.uniform(0.4, 1.6, 2 * len(colours))
     ends = np.cumsum(widths) / widths.sum()

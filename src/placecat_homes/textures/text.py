@@ -1,4 +1,4 @@
-"""A printed page or poster: headings, lines of text, and perhaps a picture."""
+"""Printed pages and posters, with a heading, lines of text, and perhaps a picture."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Square tiles with joints in the second colour and, if there is a third colour, accents."""
+"""Square tiles, with joints in the second colour and accents in the third, if there is one."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, cells, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw four by four tiles of slightly different tones."""
+    """Draw a grid of four by four tiles in slightly different tones."""
     number, du, dv = cells(pixels, 4, 4)
     tone = rng.uniform(-0.035, 0.035, 16)[number]
     tile = (

@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, mix, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw interwoven threads in the first colour and the second."""
+    """Draw interwoven threads in the first and second colours."""
     x, y = grid(pixels)
     threads = 48
     over = ((x * threads).astype(int) + (y * threads).astype(int)) % 2

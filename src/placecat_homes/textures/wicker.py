@@ -4,18 +4,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 STRANDS = 8
-"""Number of strands per repetition in each direction."""
+"""Number of canes per repetition in each direction."""
 
 
 def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: int) -> NDArray[np.float32]:
-    """Draw canes woven over and under upright canes.
+    """Draw horizontal canes woven over and under upright ones.
 
     Parameters
     ----------
     rng
         Random number generator.
     colours
-        Colours of the canes and of the gaps.
+        Colours of the canes and the gaps.
     pixels
         Side length of the picture.
 

@@ -1,4 +1,4 @@
-"""Wood grain, running along u."""
+"""Wood grain that runs along u."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, mix, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw grain in shades between the first colour and the second, with pores."""
+    """Draw grain in shades between the first and second colours, with fine fibres."""
     _, y = grid(pixels)
     bend = 0.06 * smooth(rng, pixels, 1.8, 6.0)
     rings = 0.5 + 0.5 * np.sin(

@@ -1,1 +1,1 @@
-"""Walks through a building: the order of the rooms, the path, and the gaze of the camera."""
+"""Walks through a building, with the order of the rooms, the path, and where the camera looks."""

@@ -1,4 +1,4 @@
-"""What carries the camera, and how steadily."""
+"""What carries the camera and how steadily."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ class Carriage:
     turn_rate
         Maximum turning rate in degrees per second.
     turn_acceleration
-        Maximum change of the turning rate in degrees per second squared.
+        Maximum turning acceleration in degrees per second squared.
     pitch
         Mean tilt in degrees; negative looks down.
     pitch_spread
@@ -30,12 +30,12 @@ class Carriage:
     pitch_wander, roll_wander, yaw_wander
         Standard deviations of slow wandering, in degrees.
     shake
-        Standard deviation of the tremor in each angle, in degrees.
+        Standard deviation of the shaking in each angle, in degrees.
     step
-        Height in metres by which the camera bobs with each step; 0 on wheels.
+        Height in metres by which the camera bobs up and down with each step; 0 on wheels.
     steers
-        Whether the camera looks where it drives and turns on the spot, like that of a robot. Otherwise, it
-        looks around.
+        Whether the camera faces the direction of travel and turns on the spot, like that of a robot.
+        Otherwise, it looks around.
     """
 
     height: float
@@ -55,7 +55,7 @@ class Carriage:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str = "rendering.carriage") -> "Carriage":
-        """Make a carriage from settings.
+        """Create a carriage from settings.
 
         Raises
         ------

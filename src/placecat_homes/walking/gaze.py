@@ -1,4 +1,4 @@
-"""Where a person with a camera looks."""
+"""Where a person with a camera looks during a walk."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -23,7 +23,7 @@ _SHORTEST = 0.4
 
 @dataclass(frozen=True)
 class Act:
-    """What the camera does for a while. Without `turn` and `point`, it looks ahead.
+    """What the camera does for some time. With neither `turn` nor `point`, it looks ahead.
 
     Attributes
     ----------
@@ -32,9 +32,9 @@ class Act:
     turn
         Angle to turn by at a constant rate, in radians.
     point
-        x, y, z of the point to look at.
+        Coordinates x, y, z of the point to look at.
     aside
-        Angle between the view and the way ahead, in radians.
+        Angle between the viewing direction and the way ahead, in radians.
     tilt
         Angle added to the usual pitch, in radians.
     """
@@ -47,7 +47,7 @@ class Act:
 
 
 class Gaze:
-    """Decides what to look at, and turns the camera there no faster than a person would.
+    """Decides what to look at and turns the camera towards it, no faster than a person would.
 
     Parameters
     ----------
@@ -72,14 +72,14 @@ class Gaze:
     def follow(
         self, spans: Sequence[Span], places: Floats, ahead: Floats, tick: float
     ) -> tuple[Floats, Floats]:
-        """Look around on the way.
+        """Look around while following the path.
 
         Parameters
         ----------
         spans
             The timetable.
         places
-            (n, 2), position of the camera at each tick.
+            (n, 2), the camera's position at each tick.
         ahead
             (n,), direction of the path in radians.
         tick
@@ -88,7 +88,7 @@ class Gaze:
         Returns
         -------
         tuple of arrays
-            Yaw and pitch (n,) in radians.
+            Yaw and pitch in radians, each (n,).
         """
         count = len(places)
         yaws, pitches = np.empty(count), np.empty(count)
@@ -178,7 +178,7 @@ class Gaze:
         return self._sweep(view, left)
 
     def _sweep(self, view: Viewpoint, left: float) -> Act:
-        # Turn to the far end of an arc around the widest view, so that the view is seen on the way.
+        # Turn to the far end of an arc around the outlook, so that the camera sweeps across it.
         half = 0.5 * self._between(*_SWEEP)
         beside = _wrapped(view.outlook - self._yaw)
         turn = beside + half if beside >= 0 else beside - half
@@ -188,7 +188,7 @@ class Gaze:
         return Act(seconds, turn=turn, tilt=self._tilt())
 
     def _wall(self, view: Viewpoint) -> tuple[float, float, float]:
-        # Of a few points on the walls, take the one farthest from furniture, windows and doors.
+        # Try a few points on the walls, and take the one farthest from furniture, windows and doors.
         x0, y0, x1, y1 = self.ground.rects[view.room]
         things = [item[:2] for item in self._items(view.room) + self._windows(view.room)]
         things += [(x, y) for a, b, x, y in self.ground.doors if view.room in (a, b)]
@@ -206,7 +206,7 @@ class Gaze:
         return [(x, y, 0.8 * height) for index, x, y, height in self.ground.items if index == room]
 
     def _choice(self, items: list[tuple[float, float, float]]) -> tuple[float, float, float]:
-        # The objects that a room is used for are placed first.
+        # Objects that are typical of a room are placed first, so prefer those.
         odds = (1.0 + np.arange(len(items))) ** -1.5
         return items[int(self.rng.choice(len(items), p=odds / odds.sum()))]
 
@@ -214,7 +214,7 @@ class Gaze:
         return [(x, y, 1.4) for index, x, y in self.ground.windows if index == room]
 
     def _tilt(self) -> float:
-        # Sometimes look down at the objects.
+        # Occasionally look down at objects.
         return math.radians(-16.0 if self.rng.random() < 0.1 else self.rng.normal(0.0, 3.0))
 
     def _between(self, low: float, high: float) -> float:

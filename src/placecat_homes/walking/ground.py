@@ -1,4 +1,4 @@
-"""The floor of a building as a lattice, with the cells where a person or a robot can be."""
+"""The floor of a building as a lattice, including which cells a person or robot can be in."""
 
 from dataclasses import dataclass
 
@@ -18,19 +18,19 @@ class Ground:
     cell
         Width of a lattice cell in metres.
     origin
-        World x, y of the corner of cell (0, 0). The centre of cell (i, j) is origin + (i + 0.5, j + 0.5) *
-        cell.
+        World coordinates x, y of the corner of cell (0, 0). The centre of cell (i, j) is origin + (i + 0.5, j
+        + 0.5) * cell.
     free
-        (nx, ny), cells where a person with a radius of 0.25 m can stand. All free cells are
+        (nx, ny), true for cells where a person with a radius of 0.25 m can stand. All free cells are
         connected.
     room
         (nx, ny), index into `names`; -1 outside and in walls, -2 in door openings.
     names
-        Names of the rooms, unique.
+        Unique names of the rooms.
     kinds
         Labels of the rooms.
     rects
-        x0, y0, x1, y1 of each room.
+        Coordinates x0, y0, x1, y1 of each room.
     doors
         For each opening: room, other room, and world x and y of its middle.
     windows
@@ -51,26 +51,26 @@ class Ground:
     items: tuple[tuple[int, float, float, float], ...] = ()
 
     def cells(self, points: NDArray[np.float64]) -> NDArray[np.int64]:
-        """Return the cells (n, 2) of points (n, 2). Points outside the lattice are moved to its border."""
+        """Return the (n, 2) cells of (n, 2) points. Points outside the lattice are moved to its border."""
         indices = np.floor((np.asarray(points) - self.origin) / self.cell).astype(np.int64)
         return np.clip(indices, 0, np.array(self.free.shape) - 1)
 
     def points(self, cells: NDArray[np.int64]) -> NDArray[np.float64]:
-        """Return the centres (n, 2) of cells (n, 2)."""
+        """Return the (n, 2) centres of (n, 2) cells."""
         return np.asarray(self.origin) + (np.asarray(cells) + 0.5) * self.cell
 
     def is_free(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Return, for points (n, 2), whether a person can be there."""
+        """Return, for each of the (n, 2) points, whether a person can stand there."""
         i, j = self.cells(points).T
         return self.free[i, j]
 
     def room_at(self, points: NDArray[np.float64]) -> NDArray[np.int16]:
-        """Return the room index of points (n, 2)."""
+        """Return the room index of each of the (n, 2) points."""
         i, j = self.cells(points).T
         return self.room[i, j]
 
     def nearest_free(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Move points (n, 2) that are not free to the centre of the nearest free cell."""
+        """Move those of the (n, 2) points that are not free to the centre of the nearest free cell."""
         moved = np.array(points, dtype=np.float64)
         blocked = np.flatnonzero(~self.is_free(moved))
         if len(blocked):

@@ -1,4 +1,4 @@
-"""The rooms in which a walk stays, in order."""
+"""The rooms that a walk stays in, in order."""
 
 import heapq
 import math
@@ -35,14 +35,15 @@ class Stop:
 
 @dataclass(frozen=True)
 class Way:
-    """The way from one room to another.
+    """Route from one room to another.
 
     Attributes
     ----------
     length
-        Metres from the door out of the first room to the door into the second; 0 for neighbours.
+        Distance in metres from the door out of the first room to the door into the second; 0 for adjacent
+        rooms.
     out, into
-        x, y of these doors.
+        Coordinates x, y of these doors.
     """
 
     length: float
@@ -51,7 +52,7 @@ class Way:
 
 
 def ways(ground: Ground) -> dict[tuple[int, int], Way]:
-    """Find the shortest way from each room to every other room."""
+    """Find the shortest route from each room to every other room."""
     doors = [door for door in ground.doors if min(door[:2]) >= 0]
     result: dict[tuple[int, int], Way] = {}
     for room in range(len(ground.names)):
@@ -84,7 +85,7 @@ def draw(
     rooms: Sequence[str] | None = None,
     shorter: float = 1.0,
 ) -> list[Stop]:
-    """Draw the stays of a walk.
+    """Draw the stays that make up a walk.
 
     Parameters
     ----------
@@ -93,16 +94,16 @@ def draw(
     rng
         Random number generator.
     statistics
-        Statistics of how often rooms follow each other.
+        Statistics on how often one room follows another.
     rooms
         Names of the rooms to stay in, each at least once; by default, the walk may stay in any room.
     shorter
-        Factor for the number of stays.
+        Factor by which to multiply the number of stays.
 
     Raises
     ------
     PlacecatError
-        If no room is of a known kind, or no order visits all required rooms.
+        If no room is of a known kind, or no order of stays visits all required rooms.
     """
     allowed = [
         room
@@ -116,7 +117,7 @@ def draw(
     way = ways(ground)
     count = max(len(must), len(must_kinds), round(statistics.count.draw(rng, 1.2) * shorter))
     for attempt in range(_DRAWS):
-        # Each attempt makes the walk longer and more reluctant to return to a room.
+        # Later attempts make the walk longer and more reluctant to return to a room.
         boost, longer = 1.0 + attempt / 10, count + attempt // 30
         order = _chain(ground, rng, statistics, allowed, way, longer, boost)
         if must_kinds <= {ground.kinds[room] for room in order} and must <= set(order):
@@ -150,7 +151,7 @@ def _chain(
             near = 1.0 if here is None or again else math.exp(-way[here, room].length / _NEAR)
             rooms.append((kind, room, fresh * near))
             weights.append(odds.get(kind, 0.0))
-        # The odds apply to kinds of rooms. Within a kind, nearby rooms and rooms not yet seen are preferred.
+        # The odds apply to kinds of room. Within a kind, nearby and unvisited rooms are preferred.
         sums: defaultdict[str, float] = defaultdict(float)
         for kind, _, liking in rooms:
             sums[kind] += liking

@@ -1,4 +1,4 @@
-"""The path of a walk, divided into stays, transitions and rooms passed through on the way."""
+"""The path of a walk, divided into stays, transitions, and rooms that are passed through on the way."""
 
 import math
 from dataclasses import dataclass, field
@@ -16,7 +16,7 @@ from placecat_homes.walking.walk_statistics import Statistics
 
 TRANSITION = "transition"
 
-# Kind of room that may consist of several parts without doorways between them.
+# Kind of room that may consist of several parts with no doorways between them.
 _HALL = "corridor"
 
 _WALKED = 0.5
@@ -32,9 +32,9 @@ class Piece:
     Attributes
     ----------
     start, end
-        Metres from the start of the path; equal for a pause.
+        Distances in metres from the start of the path; equal for a pause.
     viewpoint
-        Place for looking around during a pause; None for a part of the path or a pause on the way.
+        Place to look around from during a pause; None for a part of the path or a pause on the way.
     """
 
     start: float
@@ -49,7 +49,7 @@ class Piece:
 
 @dataclass
 class Section:
-    """Successive frames with one label.
+    """A run of frames with the same label.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Section:
     room
         Index of the room; -1 for a transition.
     weight
-        Length relative to other sections of the same type; 0 for a room that is only passed through.
+        Length relative to other sections of the same type; 0 for a room that is merely passed through.
     pieces
         The parts and pauses of the section.
     """
@@ -88,7 +88,7 @@ class Journey:
     path
         (n, 2), metres.
     along
-        (n,), length of the path up to each of its points.
+        (n,), length of the path up to each point.
     sections
         The sections in order.
     """
@@ -107,7 +107,7 @@ def lay_out(
     seconds: float,
     transition_share: float,
 ) -> Journey:
-    """Choose the places for looking around, and connect them.
+    """Choose places to look around from, and connect them.
 
     Parameters
     ----------
@@ -124,7 +124,7 @@ def lay_out(
     seconds
         Length of the walk.
     transition_share
-        Share of the time that is spent in transitions.
+        Share of the time spent in transitions.
     """
     ground = router.ground
     way = ways(ground)
@@ -260,8 +260,8 @@ class _Tour:
         there: int,
         weight: float,
     ) -> list[tuple[float, int]]:
-        # End and room of each part of the path; the room of a transition is -1. The first part belongs to
-        # `here`, the last to `there`.
+        # Return the end and room of each part of the path, where the room is -1 for a transition. The first
+        # part is in `here`, and the last is in `there`.
         rooms = self.ground.room_at(path)
         before, after = (value * self.rng.uniform(0.7, 1.3) for value in self.statistics.doorway)
         total = float(along[-1])

@@ -1,4 +1,4 @@
-"""Shortest paths that keep away from walls and furniture."""
+"""Shortest paths that keep clear of walls and furniture."""
 
 import heapq
 import itertools
@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 from placecat_homes.walking.ground import Ground
 
 STEP = 0.05
-"""Distance between the points of a path in metres."""
+"""Distance in metres between the points of a path."""
 
 _COMFORT = 0.3
 _NARROW = 2.0
@@ -19,7 +19,7 @@ _ROUNDS = 80
 
 
 def clearance(free: NDArray[np.bool_], most: int) -> NDArray[np.int16]:
-    """Count the cells (at most `most`) from each free cell to the nearest cell that is not free."""
+    """Count the cells from each free cell to the nearest cell that is not free, up to `most`."""
     distance = np.zeros(free.shape, dtype=np.int16)
     left = free.copy()
     for round_ in range(most):
@@ -50,12 +50,12 @@ class Router:
         self._costs: list[float] = np.pad(costs, 1).ravel().tolist()
 
     def path(self, *stations: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Find a path through points (2,) on free ground.
+        """Find a path through the given (2,) points over free ground.
 
         Returns
         -------
         NDArray[np.float64]
-            (n, 2) points of a smooth path, about 5 cm apart and all free.
+            (n, 2) points of a smooth path, all free and about 5 cm apart.
 
         Raises
         ------
@@ -118,7 +118,7 @@ class Router:
 
 
 def lengths(path: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the length (n,) of a path (n, 2) up to each of its points."""
+    """Return the length of an (n, 2) path up to each of its points, (n,)."""
     return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
 
 

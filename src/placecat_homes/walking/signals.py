@@ -1,4 +1,4 @@
-"""Signals over time: smoothing and slow random wandering."""
+"""Smoothing and slow random wandering of signals over time."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,7 +7,7 @@ Floats = NDArray[np.float64]
 
 
 def smoothed(values: Floats, width: int) -> Floats:
-    """Average twice over `width` neighbours. The first and last values are repeated beyond the ends."""
+    """Average over `width` neighbours, twice. Beyond the ends, the first and last values are repeated."""
     width |= 1
     kernel = np.full(width, 1.0 / width)
     for _ in range(2):
@@ -16,7 +16,7 @@ def smoothed(values: Floats, width: int) -> Floats:
 
 
 def wander(rng: np.random.Generator, count: int, deviation: float, slowness: float) -> Floats:
-    """Draw a smooth random signal that is correlated over about `slowness` steps."""
+    """Draw a smooth random signal with a correlation length of about `slowness` steps."""
     width = max(1, round(slowness)) | 1
     noise = rng.normal(size=count + 2 * (width - 1))
     kernel = np.convolve(np.ones(width), np.ones(width))
@@ -25,7 +25,7 @@ def wander(rng: np.random.Generator, count: int, deviation: float, slowness: flo
 
 
 def limited(values: Floats, most: float) -> Floats:
-    """Follow a signal in steps of at most `most`."""
+    """Follow a signal in steps no larger than `most`."""
     result = values.copy()
     for index in range(1, len(result)):
         result[index] = result[index - 1] + np.clip(values[index] - result[index - 1], -most, most)

@@ -1,4 +1,4 @@
-"""How a robot drives: it looks where it goes and turns on the spot where it stops."""
+"""How a robot drives. It faces the direction of travel, and turns on the spot where it stops."""
 
 import itertools
 import math
@@ -16,7 +16,7 @@ _BRISK = 0.85
 
 
 class Steering:
-    """Headings along a journey, and the turns at its pauses.
+    """Headings along a journey, and turns during its pauses.
 
     Parameters
     ----------
@@ -45,14 +45,14 @@ class Steering:
             self.runs.append((low, high, where, smoothed(heading, 5)))
 
     def heading(self, along: float, *, before: bool) -> float | None:
-        """Return the heading just before or after a place on the path; None at the ends of the path."""
+        """Return the heading just before or after a place on the path, or None beyond the path's ends."""
         for low, high, where, headings in self.runs:
             if (low < along <= high + 1e-9) if before else (low - 1e-9 <= along < high):
                 return float(np.interp(along, where, headings))
         return None
 
     def least_seconds(self, pieces: Sequence[Piece]) -> float:
-        """Compute how long a section takes at full speed, including the turns that the path requires."""
+        """Compute how long a section takes at full speed, including any turns that the path requires."""
         total = 0.3
         for piece in pieces:
             if piece.length:
@@ -62,7 +62,7 @@ class Steering:
         return total
 
     def timed(self, spans: Sequence[Span], rng: np.random.Generator) -> tuple[Floats, Floats, Floats]:
-        """Return times, path lengths and yaws along a timetable. The times of its sections do not change."""
+        """Return times, path lengths and yaws along a timetable. Its section times are left unchanged."""
         times, way, yaws = [0.0], [spans[0].piece.start], [0.0]
         begin = 0
         first = True
@@ -107,7 +107,7 @@ class Steering:
         return clock * (seconds / max(clock[-1], 1e-9)), np.array(s), np.array(a)
 
     def _turns(self, needed: float, spare: float, rng: np.random.Generator) -> list[float]:
-        # Turn a full circle if there is time, otherwise to one side and then to the other.
+        # Turn a full circle if there is time; otherwise, turn to one side and then to the other.
         side = 1.0 if rng.random() < 0.5 else -1.0
         if spare >= 2 * math.pi:
             around = math.copysign(2 * math.pi, -needed if abs(needed) > 1.5 else side)

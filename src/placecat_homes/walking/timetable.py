@@ -1,4 +1,4 @@
-"""The timetable of a walk: the frames of its sections and the seconds of their pieces."""
+"""Timetables of walks, with the frames of sections and the seconds of their pieces."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ _SLOW = 0.35
 
 @dataclass(frozen=True)
 class Span:
-    """A piece of a section, with its time.
+    """A piece of a section and when it takes place.
 
     Attributes
     ----------
@@ -25,7 +25,7 @@ class Span:
     piece
         The part of the path, or the pause.
     section
-        The section to which the piece belongs.
+        The section that the piece belongs to.
     """
 
     begin: float
@@ -54,27 +54,27 @@ def allot(
     most_transitions: float,
     floors: dict[str, float],
 ) -> list[int] | None:
-    """Allot frames to each section, in proportion to the weights.
+    """Allot frames to sections in proportion to their weights.
 
     Parameters
     ----------
     sections
-        Sections of a journey.
+        The sections of a journey.
     least
-        Minimum number of frames of each section.
+        Minimum number of frames for each section.
     usual
-        Number of frames of a section that only passes through a room, if there is time.
+        Number of frames for each section that merely passes through a room, if there is time.
     frames
         Total number of frames.
     transition_share, most_transitions
-        Intended share of transitions among the frames, and the maximum share if they need more.
+        Intended share of frames for transitions, and the maximum share if they need more.
     floors
-        Minimum number of frames of each label.
+        Minimum number of frames for each label.
 
     Returns
     -------
     list of int or None
-        Frames of each section; None if `frames` is too small.
+        Number of frames for each section, or None if `frames` is too small.
     """
     weights = np.array([section.weight for section in sections])
     needed = np.array(least, dtype=np.float64)
@@ -111,7 +111,7 @@ def allot(
 
 
 def fill(weights: NDArray[np.float64], least: NDArray[np.float64], total: float) -> NDArray[np.float64]:
-    """Divide `total` in proportion to the weights, but into parts of at least `least`."""
+    """Divide `total` in proportion to the weights, but into parts no smaller than `least`."""
     low, high = 0.0, (total + 1.0) / weights.min()
     for _ in range(60):
         middle = 0.5 * (low + high)
@@ -131,7 +131,7 @@ def spans(
     speed: float,
     top_speed: float,
 ) -> list[Span]:
-    """Allot seconds to each piece. If possible, keep the usual speed and leave the rest to pauses."""
+    """Allot seconds to each piece. If possible, keep to the usual speed and spend the rest on pauses."""
     result: list[Span] = []
     frame = 0
     for section, count in zip(sections, counts, strict=True):

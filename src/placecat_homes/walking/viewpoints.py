@@ -1,4 +1,4 @@
-"""Places in a room from which a camera looks around."""
+"""Places in a room for a camera to look around from."""
 
 import math
 from dataclasses import dataclass
@@ -25,9 +25,9 @@ class Viewpoint:
     place
         x, y.
     outlook
-        Yaw of the camera at the middle of the widest view, in radians.
+        Yaw in radians towards the widest view or the furniture.
     focus
-        x, y, z of the object that the camera has approached; None if it has approached nothing.
+        Point x, y, z on the furniture or wall that the camera has approached, if any.
     """
 
     room: int
@@ -37,7 +37,7 @@ class Viewpoint:
 
 
 def sight(ground: Ground, room: int, places: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the distances (n, 24) from places (n, 2) to the walls of a room in 24 directions."""
+    """Return the (n, 24) distances from (n, 2) places to the walls of a room, in 24 directions."""
     angles = np.arange(_DIRECTIONS) * (2 * math.pi / _DIRECTIONS)
     steps = np.arange(1, round(_FAR / (2 * ground.cell)) + 1) * 2 * ground.cell
     rays = steps[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1)[:, None, :]
@@ -67,13 +67,13 @@ def choose(
     room
         Index of the room.
     near
-        Points (2,) to stay near, such as those at which the walk enters and leaves the room.
+        Points, each (2,), to stay near, such as those where the walk enters and leaves the room.
     reach
-        Maximum sum of the distances to these points in metres, if any place is that near.
+        Maximum sum of the distances to these points in metres, if any place is that close.
     close
-        Go close to a piece of furniture or a wall.
+        Go up close to a piece of furniture or a wall.
     amid
-        Go where there is space on all sides, rather than where the view to one side is widest.
+        Go where there is space on all sides, rather than where the view in one direction is widest.
     """
     cells = np.argwhere(ground.free & (ground.room == room))
     if close:
@@ -99,7 +99,7 @@ def choose(
     if focus is None or amid:
         best = int(np.argmax(liking))
         return Viewpoint(room, _pair(places[best]), _outlook(wide[best]))
-    # Prefer a place with a complete view of the furniture.
+    # Prefer a place from which the furniture is in full view.
     away_ = np.hypot(*(places - focus).T)
     best = int(np.argmax(liking * np.minimum(away_, 3.0)))
     x, y = focus - places[best]
@@ -107,7 +107,7 @@ def choose(
 
 
 def _main(ground: Ground, room: int) -> NDArray[np.float64] | None:
-    # The objects that a room is used for are placed first.
+    # Objects that are typical of a room are placed first, so give those more weight.
     items = [(x, y) for index, x, y, _ in ground.items if index == room]
     if not items:
         return None
@@ -157,7 +157,7 @@ def _far(places: NDArray[np.float64], near: list[NDArray[np.float64]]) -> NDArra
 
 
 def _window(depth: NDArray[np.float64]) -> NDArray[np.float64]:
-    # Averaging over 90 degrees favours the widest view over the longest ray.
+    # Averaging over 90 degrees favours a wide view over a single long ray.
     reach = _DIRECTIONS // 8
     return np.mean([np.roll(depth, shift, axis=1) for shift in range(-reach, reach + 1)], axis=0)
 

@@ -1,4 +1,4 @@
-"""The walk of a camera through a building."""
+"""A camera's walk through a building."""
 
 import math
 from collections.abc import Sequence
@@ -28,16 +28,16 @@ _STEPS_A_SECOND = 1.8
 
 @dataclass(frozen=True, eq=False)
 class Walk:
-    """The pose of the camera and the label in each frame.
+    """The camera's pose and the label in each frame.
 
     Attributes
     ----------
     position
         (n, 3), metres.
     yaw
-        (n,), radians; 0 along +x, counter-clockwise.
+        (n,), in radians; 0 along +x, and counter-clockwise.
     pitch
-        (n,), radians, up is positive.
+        (n,), in radians, positive upwards.
     roll
         (n,), radians.
     label
@@ -68,7 +68,7 @@ def walk(
     ground
         The building.
     rng
-        Random number generator. A different one makes a different walk through the same rooms.
+        Random number generator. A different one gives a different walk through the same rooms.
     statistics
         Statistics of the order of rooms and the length of stays.
     carriage
@@ -175,7 +175,7 @@ def _along(tour: Journey, way: Floats) -> Floats:
 
 
 def _ahead(tour: Journey, way: Floats, places: Floats) -> Floats:
-    """Return the direction of the path half a metre ahead. It is constant while the camera stands still."""
+    """Return the direction half a metre ahead on the path. It is constant while the camera stands still."""
     offsets = _along(tour, np.minimum(way + _AHEAD, tour.along[-1])) - places
     far = np.hypot(*offsets.T) > 0.15
     if not far.any():
@@ -187,7 +187,7 @@ def _ahead(tour: Journey, way: Floats, places: Floats) -> Floats:
 
 
 def _shaken(rng: np.random.Generator, carriage: Carriage, way: Floats) -> list[Floats]:
-    """Draw random additions to yaw, pitch and roll, and the sway and rise caused by steps."""
+    """Draw random offsets for yaw, pitch and roll, as well as the sway and rise caused by steps."""
     count = len(way)
     slow = 2.0 / _TICK
     angles = []

@@ -1,4 +1,4 @@
-"""Statistics of walks: the order of rooms and the length of stays."""
+"""Statistics of walks, such as the order of rooms and the length of stays."""
 
 import math
 from collections.abc import Mapping
@@ -24,18 +24,18 @@ class LogNormal:
     sigma: float
 
     def draw(self, rng: np.random.Generator, spread: float) -> float:
-        """Draw a number at most `spread` sigmas from the mean."""
+        """Draw a number whose logarithm is at most `spread` sigmas from the mean."""
         return math.exp(self.mean + self.sigma * float(np.clip(rng.normal(), -spread, spread)))
 
 
 @dataclass(frozen=True)
 class Statistics:
-    """Statistics of the order and the length of stays.
+    """Statistics of the order and length of stays.
 
     Attributes
     ----------
     classes
-        Kinds of rooms that must occur in a walk if the building has them, each in at least `least_share` of
+        Kinds of room that must occur in a walk if the building has them, each in at least `least_share` of
         the frames.
     starts
         How often walks start in each kind of room.
@@ -44,19 +44,19 @@ class Statistics:
     count
         Number of stays in a walk.
     stays
-        Length of a stay in a kind of room, as a multiple of the mean stay of the walk.
+        Length of a stay in each kind of room, as a multiple of the walk's mean stay.
     transitions
-        Length of a transition, as a multiple of the mean transition of the walk.
+        Length of a transition, as a multiple of the walk's mean transition.
     transition_share
         Mean, standard deviation, minimum and maximum of the share of frames that are transitions; all 0 if
         there are no transitions.
     between
-        How the frames between two stays are labelled: `transition` (the whole way) or `rooms` (doorways are
-        transitions; rooms on the way have their own labels).
+        How frames between two stays are labelled: `transition` (transitions all the way) or `rooms` (only
+        doorways are transitions, and rooms on the way keep their own labels).
     doorway
-        Distances in metres from a door: where a transition begins in front of it, and ends behind it.
+        Distances in metres at which a transition begins before a door and ends after it.
     least_share
-        Minimum share of the frames for each class.
+        Minimum share of frames for each class.
     """
 
     classes: tuple[str, ...]
@@ -72,12 +72,12 @@ class Statistics:
 
     @property
     def kinds(self) -> tuple[str, ...]:
-        """Kinds of rooms in which a walk can stay."""
+        """Kinds of room that a walk can stay in."""
         return tuple(self.stays)
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str = "rendering.walk") -> "Statistics":
-        """Make the statistics from settings.
+        """Create the statistics from settings.
 
         Raises
         ------
@@ -99,6 +99,6 @@ class Statistics:
         )
 
     def draw_transition_share(self, rng: np.random.Generator) -> float:
-        """Draw the share of transitions among the frames of a walk."""
+        """Draw the share of a walk's frames that are transitions."""
         mean, deviation, least, most = self.transition_share
         return float(np.clip(rng.normal(mean, deviation), least, most))

@@ -96,7 +96,7 @@ def test_arrangements_are_drawn_with_the_odds_in_the_settings():
         ({"height": [2.0, 2.5]}, "plan height"),
         ({"height": 2.5}, r"plan height must be \[minimum, maximum\], not 2.5"),
         ({"dpeth": [3, 4]}, "no setting 'dpeth'; did you mean 'depth'"),
-        ({"bedrooms": {4: 1}}, "plan bedrooms needs odds for some of 1, 2, 3: numbers of 0 or more"),
+        ({"bedrooms": {4: 1}}, "plan bedrooms needs odds for some of 1, 2, 3: non-negative numbers"),
         ({"bedrooms": {2: 0}}, "plan bedrooms"),
         ({"arrangements": {"tower": 1}}, "plan arrangements"),
         ({"areas": {"kitchen": [8, 14]}}, r"plan areas bedroom must be \[minimum, maximum\], not None"),
