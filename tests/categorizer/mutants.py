@@ -125,7 +125,7 @@ def outcome(path, frames, expected, *, is_forged):
     except PlacecatError as error:
         said = str(error)
         # A forged file may be for frames of another size.
-        is_clear = (str(path) in said or said.startswith("a frame has")) and "\n" not in said
+        is_clear = (str(path) in said or said.startswith("a frame is")) and "\n" not in said
         return "refused" if is_clear else f"unclear: {said}"
     except Exception as error:
         return f"traceback: {error!r}"

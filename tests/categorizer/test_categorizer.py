@@ -112,7 +112,7 @@ def test_invalid_frames_are_rejected_and_skipped(categorizer):
     ("times", "message"),
     [
         ({"time": 0.5}, "a frame is 1.5 s older than the previous one"),
-        ({"time": float("inf")}, "time of a frame is inf"),
+        ({"time": float("inf")}, "frame time is inf"),
         ({"seconds": -0.1}, "the time between two frames is"),
         ({"seconds": 0.1, "time": 3.0}, "not both"),
         ({"seconds": "0.1"}, "'0.1': pass a number of seconds"),

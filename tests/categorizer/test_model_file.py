@@ -63,7 +63,7 @@ def test_the_card_has_the_facts_for_a_reader(file):
     for part in (
         "bedroom, kitchen, bathroom",
         "320x180",
-        "noise (version v), homes a, without c, d.",
+        "noise (version v), homes a, excluding c, d.",
         "It hums.",
         "`unknown` if its confidence is below 0.400. Above this confidence, at most 10% of",
         "| 10 % | 0.400 | 62.5 % | 12.5 % | 25.0 % |",
@@ -292,7 +292,7 @@ def test_the_output_path_is_checked_before_training(tmp_path, monkeypatch):
     monkeypatch.setattr(train, "train", lambda *_, **__: pytest.fail("it trains"))
     (tmp_path / "README.md").write_text("text")
     with pytest.raises(
-        PlacecatError, match=r"README\.md exists and is not a model, so it will not be replaced"
+        PlacecatError, match=r"README\.md already exists and is not a model, so it will not be overwritten"
     ):
         train.train_command("das_551_best", [], None, tmp_path / "README.md")
     with pytest.raises(PlacecatError, match="a file is where a folder should be"):

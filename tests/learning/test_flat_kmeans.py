@@ -35,7 +35,9 @@ def test_clusterings_depend_on_the_seed_but_not_on_each_other(points):
 def test_too_few_points_and_unknown_numbers():
     model = FlatKMeans(**FlatKMeans.settings_for([46, 3, 3])).fit(np.eye(4))
     assert model.numbers == (3, 46)
-    with pytest.raises(NotComputable, match="46 clusters need at least as many points, but there are only 4"):
+    with pytest.raises(
+        NotComputable, match="46 clusters need at least that many points, but there are only 4"
+    ):
         model.centers(46)
     with pytest.raises(PlacecatError, match="n_clusters=5 was not computed: use one of 3, 46"):
         model.assign(np.eye(4), 5)

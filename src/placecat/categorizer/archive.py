@@ -43,7 +43,10 @@ def write(path: Path, members: Mapping[str, bytes]) -> None:
 
 @contextmanager
 def opened(path: Path) -> Iterator["Archive"]:
-    """Open an archive. Raises PlacecatError if it cannot be opened, is not an archive, or was modified."""
+    """Open an archive.
+
+    Raises PlacecatError if it cannot be opened, is not an archive, or has been modified.
+    """
     try:
         if not path.is_file():
             raise PlacecatError(
@@ -136,7 +139,7 @@ def _check_seal(path: Path, file: BinaryIO) -> None:
     if not end.startswith(_MARK):
         if zipfile.is_zipfile(file):
             raise PlacecatError(
-                f"{path} does not end with its checksum, so it was modified, or written by an earlier "
+                f"{path} does not end with its checksum, so it was either modified or written by an earlier "
                 f"version: {TRAIN_AGAIN}"
             )
         raise PlacecatError(f"{path} is not a placecat model, or is truncated: {TRAIN_AGAIN}")

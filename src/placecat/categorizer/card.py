@@ -19,8 +19,8 @@ def make_card(**known: Any) -> dict[str, Any]:
     The facts contain only JSON types. ``title`` is the name of the system. ``data`` contains the ``title`` of
     the data set, its ``note`` (or None), and its ``version``, which is DVC's checksum. It also contains the
     training ``homes``, the ``left_out`` homes, and the number of training ``frames`` used for the cues and
-    for the integration. ``classes`` lists the names of the places. ``frame_sizes`` lists every (width,
-    height) in the training footage, and ``fps`` lists every frame rate.
+    for integration. ``classes`` lists the names of the places. ``frame_sizes`` lists every (width, height) in
+    the training footage, and ``fps`` lists every frame rate.
 
     ``accuracy`` maps each home to a percentage, measured with a system that has the same settings but was not
     trained on that home. It may be empty. ``unknown`` comes from
@@ -36,7 +36,7 @@ def unknown_text(card: Mapping[str, Any]) -> str:
     unknown = card.get("unknown")
     if unknown is None:
         return "It never says `unknown`, because its errors in unseen homes were not measured."
-    risk = f"at most {100 * unknown['risk']:g}% of its decisions in left-out training homes were wrong"
+    risk = f"at most {100 * unknown['risk']:g}% of its decisions in held-out training homes were wrong"
     if unknown["threshold"] is None:
         return (
             f"It always says `unknown`, because there is no confidence above which {risk}. The most probable "

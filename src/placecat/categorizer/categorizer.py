@@ -143,7 +143,7 @@ class Categorizer:
 
     @property
     def frame_rate(self) -> float:
-        """Frame rate of the footage that the smoothing was trained on, in frames per second."""
+        """Frame rate of the footage that the smoothing model was trained on, in frames per second."""
         return self._system.smoothing.frame_rate
 
     def reset(self) -> None:
@@ -161,7 +161,7 @@ class Categorizer:
         """Categorize the next frame.
 
         If neither `seconds` nor `time` is given, the frame is assumed to come 1 / `frame_rate` seconds after
-        the previous one. A frame at the same time as the previous one adds no evidence.
+        the previous one. A frame with the same time as the previous one adds no evidence.
 
         Parameters
         ----------
@@ -199,7 +199,7 @@ class Categorizer:
         """Return the time of the frame and its duration, both in seconds."""
         for given in (seconds, time):
             if given is not None and not isinstance(given, Real):
-                raise PlacecatError(f"the time of a frame is {given!r}: pass a number of seconds")
+                raise PlacecatError(f"the frame time is {given!r}: pass a number of seconds")
         if seconds is not None and time is not None:
             raise PlacecatError(
                 "pass either the time since the previous frame or the time of this one, not both"
@@ -209,7 +209,7 @@ class Categorizer:
             step = 1.0 / self.frame_rate if seconds is None else seconds
             return 0.0 if self._last is None else self._last + step, seconds
         if not math.isfinite(time):
-            raise PlacecatError(f"the time of a frame is {time:g}: pass a finite number of seconds")
+            raise PlacecatError(f"the frame time is {time:g}: pass a finite number of seconds")
         if self._last is None:
             return time, None
         if time < self._last:
@@ -272,7 +272,7 @@ class Categorizer:
         if not self._resize:
             known = " or ".join(f"{width}x{height}" for width, height in self.frame_sizes)
             raise PlacecatError(
-                f"a frame has {size[0]}x{size[1]} pixels, but the model was trained on {known}: scale frames "
+                f"a frame is {size[0]}x{size[1]} pixels, but the model was trained on {known}: scale frames "
                 "to that size, load the model with resize=True, or train on footage of this size"
             )
         return fit(size, self.frame_sizes, resize=True)(frame)

@@ -112,7 +112,7 @@ def check_card(card: Mapping[str, Any]) -> None:
 
 
 def check_content(content: Any) -> None:
-    """Raise an error for content that :func:`placecat.categorizer.model_file.write` cannot have written."""
+    """Raise an error if :func:`placecat.categorizer.model_file.write` could not have written the content."""
     if not isinstance(content, dict):
         raise PlacecatError("its content is not a mapping")
     schema.check(content, _Content)

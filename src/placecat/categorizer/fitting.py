@@ -59,14 +59,14 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
     sizes = " or ".join(_text(size) for size in known)
     if not resize:
         raise PlacecatError(
-            f"the footage has {_text(source)} pixels, but the model was trained on {sizes}: add --resize to "
+            f"the footage is {_text(source)} pixels, but the model was trained on {sizes}: add --resize to "
             "scale it, or train on footage of this size"
         )
     fits = [Fit(source, _middle(source, size), size) for size in known]
     best = max(fits, key=lambda one: (_share(one), -abs(np.log(_area(one.target) / _area(one.kept)))))
     if _share(best) < LEAST:
         raise PlacecatError(
-            f"the footage has {_text(source)} pixels: cropping it to the aspect ratio of the model's frames, "
+            f"the footage is {_text(source)} pixels: cropping it to the aspect ratio of the model's frames, "
             f"{_text(best.target)}, would leave only {_share(best):.0%} of it; film in that format, or train "
             "a model on such frames"
         )

@@ -87,7 +87,7 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
 def _rebuild(name: str, state: dict[str, Any]) -> Any:
     kind = _classes(name.partition(":")[0]).get(name)
     if kind is None:
-        raise PlacecatError(f"part of the model is a {name}, which this version of placecat does not have")
+        raise PlacecatError(f"part of the model is a {name}, which this version of placecat lacks")
     if not all(attribute.isidentifier() and not attribute.startswith("__") for attribute in state):
         raise PlacecatError(f"part of the model, a {name}, has an invalid attribute name")
     fields.check(kind, state)

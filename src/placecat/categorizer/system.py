@@ -27,7 +27,7 @@ class TrainedCue:
 
 @dataclass(frozen=True)
 class TrainedSystem:
-    """The cues, their integration, and the smoothing, in order of use.
+    """The cues, their integration, and smoothing, in order of use.
 
     `card` contains facts about the system, in JSON types only; see :mod:`placecat.categorizer.card`.
     `vision` contains the settings of :func:`placecat.vision.frame.describe_frame` for regions that are not

@@ -35,7 +35,8 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
     files.check_writable(output)
     if output.exists() and not model_file.is_model(output):
         raise PlacecatError(
-            f"{output} exists and is not a model, so it will not be replaced: choose another --output"
+            f"{output} already exists and is not a model, so it will not be overwritten: choose another "
+            "--output"
         )
     check_data(params)
     for home in settings.get(params, "dataset.homes"):
@@ -43,8 +44,8 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
             raise PlacecatError(f"{paths.FEATURES / home} is missing: run `placecat repro` first")
     trained = train(params, name, without=without, seed=seed)
     print(
-        "The system is trained. To measure it in unseen homes, training is now repeated with each home left "
-        "out.",
+        "The system has been trained. To measure it in unseen homes, training is now repeated with each home "
+        "left out.",
         flush=True,
     )
     trained = measured(
@@ -62,9 +63,9 @@ def train(
 ) -> TrainedSystem:
     """Train the system `name` on all homes not in `without`. For `seed`, see :func:`train_command`.
 
-    If `without` has one home, the system is identical to the one that the stages apply to that home. Its card
-    has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system,
-    home or seed, for too few homes, and for missing features.
+    If `without` contains a single home, the system is identical to the one that the stages apply to that
+    home. Its card has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown
+    system, home or seed, for too few homes, and for missing features.
     """
     seed = int(settings.get(params, "model.seed")) if seed is None else seed
     seeds = settings.get(params, "protocol.seeds")

@@ -2,7 +2,7 @@
 
 Each module defines one model, such as `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8,
 modified nearest neighbours) and `joint_probability` (Figure 10). The setting ``classifier.model`` of a cue
-names its module. A new module needs no registration.
+names its module. New modules do not need to be registered.
 """
 
 import logging
@@ -51,7 +51,7 @@ def fit(
     if missing:
         raise PlacecatError(
             f"the training homes {', '.join(sorted(set(homes.tolist())))} have no training frames of "
-            f"{classes[missing[0]]}: remove this place from dataset.classes, or add homes that show it"
+            f"{classes[missing[0]]}: remove this place from dataset.classes, or add homes that contain it"
         )
     module = _load(str(settings.get(classifier, "model")))
     options = {name: value for name, value in classifier.items() if name != "model"}
@@ -83,8 +83,8 @@ def cross_validate(
         folds = make_folds(index, homes, CENTRED, _PARTS)
     else:
         logger.warning(
-            "%s: homes cannot be left out, because too few of them show every place; consecutive frames are "
-            "left out instead",
+            "%s: homes cannot be left out, because too few of them contain every place; consecutive frames "
+            "are left out instead",
             ", ".join(names.tolist()),
         )
         folds = make_folds(index, None, CONSECUTIVE, _PARTS)

@@ -103,7 +103,7 @@ class FlatKMeans(BaseEstimator):
             return self.centers_[n_clusters]
         if n_clusters in self.numbers:
             raise NotComputable(
-                f"{n_clusters} clusters need at least as many points, but there are only {self.n_points_}"
+                f"{n_clusters} clusters need at least that many points, but there are only {self.n_points_}"
             )
         raise PlacecatError(
             f"n_clusters={n_clusters} was not computed: use one of {', '.join(map(str, self.numbers))}"

@@ -37,7 +37,8 @@ class StumpEnsembles:
         result = np.empty((len(X), len(self.feature)))
         for k in range(len(self.feature)):
             above = np.take(X, self.feature[k], axis=1) > self.threshold[k]
-            # Add the stumps one by one, as `decide_rows` does. A sum along the axis might use another order.
+            # Add the stumps one by one, as `decide_rows` does. A sum along the axis might use a different
+            # order.
             result[:, k] = np.cumsum(np.where(above, self.high[k], self.low[k]), axis=1)[:, -1]
         return result
 

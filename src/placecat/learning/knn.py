@@ -44,8 +44,8 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     class_weighting : {"once", "per_region"}
         "once" divides by f(l) once, as in equations (2) and (4) and the thesis text. "per_region"
         divides by f(l)^n, which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). The two agree
-        for single points and for balanced classes. Otherwise, "once" favours frequent classes. The more
-        regions a frame has, the stronger this effect is.
+        for single points and for balanced classes. Otherwise, "once" favours frequent classes. This effect
+        grows with the number of regions in the frame.
     codebook : HierarchicalKMeans or FlatKMeans, optional
         A fitted codebook. By default, a new tree is grown to `n_clusters` on the training points.
     seed : int
@@ -152,8 +152,8 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         `x` is the (D,) point, and `label` is one of `classes_`. If the point is at least as close to its
         nearest centre as the two closest centres are to each other, it joins that centre's cluster, and the
         centre moves to the cluster's mean. Otherwise the two closest clusters merge and the point starts a
-        new cluster. The number of clusters and the codebook do not change. Only the distances to centres that
-        moved are recomputed.
+        new cluster. The number of clusters and the codebook are left unchanged. Only the distances to centres
+        that moved are recomputed.
 
         Raises PlacecatError if the class is unknown or D differs from that of the training data.
         """

@@ -121,7 +121,8 @@ class MultiClass:
     def _uses_own_sigmoid(self, base: TwoClass) -> bool:
         if self.sigmoid == "own" and base.own_sigmoid is None:
             raise PlacecatError(
-                "sigmoid 'own' needs a base classifier with its own sigmoid, unlike a nu-SVM: use 'platt'"
+                "sigmoid 'own' needs a base classifier with its own sigmoid, which a nu-SVM lacks: "
+                "use 'platt'"
             )
         if self.sigmoid == "auto":
             return base.own_sigmoid is not None and base.prefers_own_sigmoid

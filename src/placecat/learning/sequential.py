@@ -35,7 +35,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     order
         How to measure the strength of a class's one-against-all classifier from held-out decisions.
         ``balanced_accuracy`` is the mean of its two per-class accuracies. ``error`` is the share of wrong
-        decisions (lowest first), which favours rare classes. Ties keep the order of `classes_`. The
+        decisions (lowest first), which favours rare classes. Ties are ordered as in `classes_`. The
         thesis says only "strongest".
     training
         Training samples of each node. With ``all``, this scheme uses the same classifiers as `OneAgainstAll`,

@@ -23,7 +23,7 @@ def toy_circles(
     n
         Number of points, at least 1.
     seed
-        Seed of the random generator.
+        Seed of the random number generator.
     radius
         Radius of each circle, above 0.
     inside

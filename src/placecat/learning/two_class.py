@@ -67,7 +67,7 @@ class TwoClass:
     ) -> Self:
         """Fit on some of the prepared samples.
 
-        Raises PlacecatError if the training samples have only one class.
+        Raises PlacecatError if the training samples belong to only one class.
 
         Parameters
         ----------

@@ -130,7 +130,7 @@ class Folder(Source):
                 height, width, _ = image.shape
                 if (width, height) != self.size:
                     raise PlacecatError(
-                        f"{self._path / name}: the image has {width}x{height} pixels, but the first image "
-                        f"has {self.size[0]}x{self.size[1]}; convert or remove it"
+                        f"{self._path / name}: the image is {width}x{height} pixels, but the first image "
+                        f"is {self.size[0]}x{self.size[1]}; convert or remove it"
                     )
                 yield Frame(number, (number - 1) / self.fps, name, image)
