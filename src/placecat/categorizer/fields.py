@@ -65,7 +65,7 @@ def _probabilities(*sides: str) -> PlainValidator:
 
 
 def _in_order(numbers: np.ndarray) -> np.ndarray:
-    """Require the class numbers 0, 1, ..., K - 1 in this order, because they index probability columns."""
+    """Require the class numbers 0, 1, ..., K - 1 in that order, because they index probability columns."""
     if not np.array_equal(numbers, np.arange(len(numbers))):
         raise ValueError("it must contain the numbers 0, 1, 2, ...")
     return numbers

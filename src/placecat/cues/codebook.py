@@ -116,7 +116,7 @@ class Codebook:
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, np.ndarray]) -> Codebook:
-        """Restore a codebook from the arrays of :meth:`to_arrays`."""
+        """Restore a codebook from the arrays that :meth:`to_arrays` returns."""
         trees = []
         for number in range(int(arrays["n_trees"])):
             prefix = f"{number:02d}/"

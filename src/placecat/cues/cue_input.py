@@ -20,9 +20,10 @@ SETTINGS = {
 def check(descriptor: Mapping[str, Any]) -> None:
     """Raise an error that names the valid choices if a descriptor has an unknown kind or setting.
 
-    A descriptor has ``kind`` (local or holistic) and ``name``. A local descriptor also has ``y_pos``,
-    ``y_weight``, ``color`` (the colour descriptor to append, or None) and ``max_regions``. If its regions are
-    tracked, ``tracked`` is true. If they come from a variant in conf/region_variants, ``variant`` names it.
+    A descriptor has the keys ``kind`` (local or holistic) and ``name``. A local descriptor also has
+    ``y_pos``, ``y_weight``, ``color`` (the colour descriptor to append, or None) and ``max_regions``. If its
+    regions are tracked, ``tracked`` is true. If they come from a variant in conf/region_variants, ``variant``
+    names it.
     """
     kind, name = descriptor["kind"], descriptor["name"]
     if kind not in SETTINGS:

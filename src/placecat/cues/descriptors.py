@@ -23,7 +23,7 @@ class Descriptors:
         return len(self.x)
 
     def take(self, frames: NDArray[np.intp]) -> "Descriptors":
-        """Return the descriptors of the frames at these indices, in this order."""
+        """Return the descriptors of the frames at these indices, in the given order."""
         return Descriptors(self.x[frames], None if self.counts is None else self.counts[frames])
 
     @property

@@ -187,7 +187,7 @@ def fit_problems(
 
 
 def _fit_all(base: TwoClass, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
-    """Fit a machine for each task. Inside `remembering`, fit identical tasks on the same samples once."""
+    """Fit a machine for each task. Inside `remembering`, identical tasks on the same samples share a fit."""
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
         return _fit_missing(base, shared, tasks, n_jobs)

@@ -54,8 +54,8 @@ class HierarchicalKMeans(BaseEstimator):
 
     A node can be split only if it has at least `branching` distinct points. An empty cluster receives the
     point that is farthest from its cluster's centre. A node's centre is the mean of its points. Distances are
-    computed in float32 relative to the node's centre, so a split resolves distances of about 1/1000 of the
-    node's radius.
+    computed in float32 relative to the node's centre, so a split can resolve distances down to about 1/1000
+    of the node's radius.
 
     The tree is grown lazily, which does not change the result. A split gains at most the node's sum of
     squares, so a node is split only when this bound reaches the best known gain. A node's random draws depend

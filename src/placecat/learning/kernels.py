@@ -59,7 +59,7 @@ def rbf_gram(
     Parameters
     ----------
     X
-        (n, D) finite samples, converted to float32. Raises PlacecatError for other input.
+        (n, D) finite samples, converted to float32. Raises PlacecatError for any other input.
     gamma
         Inverse squared width, > 0, in units of 1 / X^2. Thesis 4.2 uses 2.0, but does not specify the scale
         of X.

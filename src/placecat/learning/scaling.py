@@ -93,7 +93,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
-        """Scale finite (n, D) samples to (n, D) float32. Raises PlacecatError for other input."""
+        """Scale finite (n, D) samples to (n, D) float32. Raises PlacecatError for any other input."""
         check_is_fitted(self)
         samples = check_samples(X)
         check_width(samples, self)

@@ -121,7 +121,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
         """Project finite (n, D) samples to (n, cells * components) float32, ordered by cell.
 
-        Raises PlacecatError for other input.
+        Raises PlacecatError for any other input.
         """
         check_is_fitted(self)
         samples = check_samples(X)
