@@ -64,7 +64,7 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 
 
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
-    """Write a PNG with all matrices of a table: one line per row, and one matrix per column or home.
+    """Write a PNG of all of a table's matrices: one line per row, with one matrix per column or home.
 
     `rows` comes from :func:`placecat.thesis.decisions.decisions_of`. If there are no rows, the function
     writes nothing and returns False.

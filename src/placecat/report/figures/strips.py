@@ -48,8 +48,8 @@ def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
     """Draw one strip per panel, from top to bottom, each with all homes side by side.
 
     All results must have been tested on all `homes`. `panels` maps the title of each strip to its result. The
-    figure shows the first seed. The greys of a strip span its range of values. Raises PlacecatError if a
-    result is missing.
+    figure shows the first seed. Each strip's grey scale spans its range of values. Raises PlacecatError if
+    a result is missing.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
     truths = {home: run.labels(listed[home]) for home in homes}
