@@ -205,7 +205,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """Make the cell for a number in the text; a number that is not a percentage may have more decimals."""
+    """Build the cell for a number in the text; a number that is not a percentage may have more decimals."""
     cell, values = make_cell(record), (record["measured"], record["published"])
     if all(pd.isna(value) or value == round(value, 2) for value in values):
         return cell

@@ -96,7 +96,7 @@ class Comparison:
 
     @property
     def sides(self) -> tuple[Side, ...]:
-        """The one or two sides."""
+        """The left side and, if there is one, the right side."""
         return (self.left,) if self.right is None else (self.left, self.right)
 
 

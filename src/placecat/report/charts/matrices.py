@@ -1,6 +1,6 @@
 """Draw confusion matrices as images: one table row with numbers, or a whole table in colours only.
 
-The images are made with NumPy, because Matplotlib takes ten times as long.
+The images are built with NumPy, because Matplotlib takes ten times as long.
 """
 
 from collections.abc import Mapping

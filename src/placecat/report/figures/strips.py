@@ -143,7 +143,7 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
     parts = stretches(row)
     starts = [part.start for part in parts]
     levels = row[starts]
-    # A white rim separates the line from dark rows, even in black-and-white prints.
+    # A white rim separates the line from dark rows, even when printed in black and white.
     rim = [patheffects.withStroke(linewidth=2.6, foreground="white")]
     axes.hlines(
         levels, starts, [part.stop for part in parts], color=palette.TRUTH, linewidth=1.4, path_effects=rim
