@@ -237,5 +237,5 @@ def _error_ratio(results: Results, variant: str, baseline: str) -> Number:
     origins = (Origin(variant), Origin(baseline))
     errors = [100.0 - results.of(name).by_home().mean(axis=1) for name in (variant, baseline)]
     if (errors[1] <= 0).any():
-        return nothing(f"{baseline} makes no error", origins=origins)
+        return nothing(f"{baseline} makes no errors", origins=origins)
     return Number(errors[0] / errors[1], results.of(variant).is_random, origins=origins)
