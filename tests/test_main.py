@@ -253,7 +253,7 @@ def test_a_second_run_changes_nothing_and_runs_no_stage(committed):
     result = placecat(committed, "repro")
     assert result.returncode == 0, result.stderr
     assert "Times: no stage had to run; " in result.stdout
-    assert result.stdout.endswith("Tables: 2 of 2 cells equal the old ones (git HEAD).\n")
+    assert result.stdout.endswith("Tables: 2 of 2 cells match the old ones (git HEAD).\n")
     assert (committed / "data/times.json").read_bytes() == before
 
 
@@ -286,7 +286,7 @@ def test_a_large_difference_ends_with_status_3_until_it_is_kept(committed, insid
 def test_changed_settings_are_not_a_failure(committed):
     result = placecat(committed, "repro", "probabilities.bins=17")
     assert result.returncode == 0, result.stderr
-    assert "1 of 2 cells equal" in result.stdout
+    assert "1 of 2 cells match" in result.stdout
     assert "Settings differ: probabilities.bins. Expect differences." in result.stdout
 
 

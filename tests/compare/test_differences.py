@@ -186,13 +186,13 @@ def said(*tables, data=None, findings=0, turned=(), settings=()):
 
 
 def test_equal_tables_take_one_line():
-    assert said(table(), table("table_13", 16)) == ["Tables: 100 of 100 cells equal the old ones (git HEAD)."]
+    assert said(table(), table("table_13", 16)) == ["Tables: 100 of 100 cells match the old ones (git HEAD)."]
 
 
 def test_small_differences_are_reported_with_their_location():
     lines = said(table(differing=3, largest=0.31, where="HOG + y-Pos, Home 6, 196"), table("table_13", 16))
     assert lines == [
-        "Tables: 97 of 100 cells equal the old ones (git HEAD); largest difference 0.31 points in "
+        "Tables: 97 of 100 cells match the old ones (git HEAD); largest difference 0.31 points in "
         "Table 12 (HOG + y-Pos, Home 6, 196), within the tolerance of 2 points (reproducibility.tolerance).",
         "  Table 12: 3 of 84 cells differ, by at most 0.31 points",
     ]
@@ -237,10 +237,10 @@ def test_empty_tables_are_not_called_equal():
 
 
 def test_verdicts_are_counted_and_changed_ones_named():
-    assert said(table(), findings=34)[-1] == "Findings: 34 of 34 verdicts equal the old ones."
+    assert said(table(), findings=34)[-1] == "Findings: 34 of 34 verdicts match the old ones."
     lines = said(table(), findings=34, turned=(Turned("12", "holds", "undecided"),))
     assert lines[-1] == (
-        "Findings: 33 of 34 verdicts equal the old ones; finding 12 was 'holds' and is now 'undecided'."
+        "Findings: 33 of 34 verdicts match the old ones; finding 12 was 'holds' and is now 'undecided'."
     )
 
 

@@ -70,8 +70,8 @@ def folder(tmp_path, monkeypatch):
 def test_an_unchanged_run_agrees(folder):
     assert kept_in_git.compare("HEAD") == (
         [
-            "Tables: 6 of 6 cells equal the old ones (git HEAD).",
-            "Findings: 2 of 2 verdicts equal the old ones.",
+            "Tables: 6 of 6 cells match the old ones (git HEAD).",
+            "Findings: 2 of 2 verdicts match the old ones.",
         ],
         True,
     )
@@ -82,11 +82,11 @@ def test_a_change_within_the_tolerance_agrees(folder):
     lines, is_as_kept = kept_in_git.compare("HEAD")
     assert is_as_kept
     assert lines[0].startswith(
-        "Tables: 5 of 6 cells equal the old ones (git HEAD); largest difference 1.50 points in Table 1 "
+        "Tables: 5 of 6 cells match the old ones (git HEAD); largest difference 1.50 points in Table 1 "
         "(SVM, Home 1), within the tolerance"
     )
     assert lines[-1].endswith(
-        "1 of 2 verdicts equal the old ones; finding 1 was 'holds' and is now 'does not hold'."
+        "1 of 2 verdicts match the old ones; finding 1 was 'holds' and is now 'does not hold'."
     )
 
 
@@ -117,7 +117,7 @@ def test_a_missing_table_is_a_disagreement(folder):
 def test_an_older_revision_can_be_compared(folder):
     write_tables(35.0, 40.0)
     commit(folder)
-    assert kept_in_git.compare("HEAD")[0][0] == "Tables: 6 of 6 cells equal the old ones (git HEAD)."
+    assert kept_in_git.compare("HEAD")[0][0] == "Tables: 6 of 6 cells match the old ones (git HEAD)."
     lines, is_as_kept = kept_in_git.compare("HEAD~1")
     assert not is_as_kept
     assert "largest difference 3.80 points in Table 1" in lines[0]
@@ -176,13 +176,13 @@ def test_only_runs_that_make_an_optional_table_compare_it(folder):
         files.write_text(definition, f"number: {number}\n{needs}")
     commit(folder)
     said, _ = kept_in_git.compare("HEAD")
-    assert said[0] == "Tables: 4 of 4 cells equal the old ones (git HEAD)."
+    assert said[0] == "Tables: 4 of 4 cells match the old ones (git HEAD)."
     (paths.TABLES / "table_02.csv").unlink()
     assert kept_in_git.compare("HEAD") == (said, True)
     write_tables(31.2, 45.0)
     write_settings(cues=SETTINGS["cues"] | {"embedding": {}})
     said, _ = kept_in_git.compare("HEAD")
-    assert said[0].startswith("Tables: 4 of 6 cells equal")
+    assert said[0].startswith("Tables: 4 of 6 cells match")
     assert "  Table 2: 1 of 2 cells differ, by at most 5.00 points" in said
 
 
@@ -193,7 +193,7 @@ def test_two_revisions_or_folders_can_be_compared(folder, tmp_path):
     other = tmp_path / "other"
     shutil.copytree(folder, other)
     by_revision = kept_in_git.compare("HEAD~1", "HEAD")
-    assert by_revision[0][0].startswith("Tables: 5 of 6 cells equal the old ones (git HEAD~1); largest")
+    assert by_revision[0][0].startswith("Tables: 5 of 6 cells match the old ones (git HEAD~1); largest")
     assert kept_in_git.compare("HEAD~1", str(other)) == by_revision
     assert kept_in_git.compare(str(other))[0][0].endswith(f"old ones (the folder {other}).")
     assert kept_in_git.compare("HEAD~1", "HEAD~1") == (

@@ -270,9 +270,9 @@ def test_the_summary_states_the_main_numbers(page):
     cues = averages[group].drop(["Integration", "HMM"])
     integration, smoothed = averages[group, "Integration"], averages[group, "HMM"]
     assert (
-        f"5-5-1, all cues: the best single cue is {cues.idxmax()} with {cues.max():.2f} %; integration "
+        f"5-5-1, all cues: the best single cue is {cues.idxmax()} at {cues.max():.2f} %; integration "
         f"reaches {integration:.2f} %, and {smoothed:.2f} % when smoothed over time. In the "
-        "thesis, the best is Centrist with 43.99 %; integration reaches 45.71 %, and 47.53 % when smoothed."
+        "thesis, the best is Centrist at 43.99 %; integration reaches 45.71 %, and 47.53 % when smoothed."
     ) in summary
     assert "6 homes with 3,120 frames, of which 3,000 show one of 5 places" in summary
     (of_best, best), highest = averages.idxmax(), averages.max()

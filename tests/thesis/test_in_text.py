@@ -108,7 +108,7 @@ def test_there_is_no_ratio_without_errors():
     confusion *= np.eye(confusion.shape[-1], dtype=int)
     line = fill(results).loc[("toy_problem", "error on the last class, sequential / parallel", "")]
     assert np.isnan(line["measured"])
-    assert line["note"].startswith("toy/last/parallel makes no error")
+    assert line["note"].startswith("toy/last/parallel makes no errors")
 
 
 def test_numbers_on_other_data_are_not_comparable():

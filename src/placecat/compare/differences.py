@@ -211,7 +211,7 @@ def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Seq
 
 def _about_tables(comparison: Comparison, tolerance: float, kept: str) -> list[str]:
     cells = comparison.cells
-    text = f"Tables: {cells - comparison.differing} of {cells} cells equal the old ones ({kept})"
+    text = f"Tables: {cells - comparison.differing} of {cells} cells match the old ones ({kept})"
     worst = comparison.largest
     if worst is not None:
         side = "within" if worst.largest <= tolerance else "beyond"
@@ -235,7 +235,7 @@ def _about_tables(comparison: Comparison, tolerance: float, kept: str) -> list[s
 
 def _about_findings(comparison: Comparison) -> str:
     same = comparison.findings - len(comparison.turned)
-    text = f"Findings: {same} of {comparison.findings} verdicts equal the old ones"
+    text = f"Findings: {same} of {comparison.findings} verdicts match the old ones"
     changes = [f"finding {one.finding} was {one.kept!r} and is now {one.now!r}" for one in comparison.turned]
     return f"{text}{'; ' if changes else ''}{_some(changes, _VERDICTS, '; ')}."
 

@@ -55,7 +55,7 @@ def compare(old: str, new: str = "") -> tuple[list[str], bool]:
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read(new), read(old)
-    # An optional table that the new run did not make is a leftover from an earlier run.
+    # An optional table that the new run did not produce is a leftover from an earlier run.
     others = set(definitions.optional()) - definitions.tables(now.settings or {}).keys()
     tables_now, tables_kept = (
         {name: table for name, table in _with_data(one, now.settings).items() if name not in others}
@@ -113,7 +113,7 @@ def read(side: str) -> Kept:
     others = (root / path for path in (paths.IN_TEXT, paths.FINDINGS, paths.PARAMS))
     there = [path for path in (*tables, *others) if path.is_file()]
     content = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in there}
-    return _parse(content, f"{root / paths.TABLES} has no tables: run `placecat repro` to make them")
+    return _parse(content, f"{root / paths.TABLES} has no tables: run `placecat repro` to create them")
 
 
 def read_revision(revision: str) -> Kept:

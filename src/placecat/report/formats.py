@@ -62,7 +62,7 @@ def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mappi
     return _in_latex().get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
 
 
-# Cached because each new environment would compile its templates again.
+# Cached because a new environment would have to recompile its templates.
 @cache
 def _in_markdown() -> Environment:
     return environment("placecat.report").overlay(finalize=_only_text(markdown))

@@ -115,7 +115,7 @@ def shown_table(
 
 
 def make_cell(row: Mapping[Any, Any]) -> Cell:
-    """Make a cell from the numbers in a row, which are NaN if missing.
+    """Build a cell from the numbers in a row, which are NaN if missing.
 
     They are the measured and published percentages, the spread in points, and the number of seeds.
     """

@@ -18,7 +18,7 @@ from placecat.report.summary import WU, best_system, count_verdicts, headlines, 
 from placecat.templates import environment
 from placecat.thesis.notes import joined
 
-# CSS pixels per figure pixel. Figures of 200 pixels per inch then appear at 125 %.
+# CSS pixels per figure pixel. Figures with 200 pixels per inch then appear at 125 %.
 _FIGURE_SCALE = 0.6
 # Attributes of a report that are passed to the template unchanged.
 _UNCHANGED = ("dataset", "frames", "data_version", "replication", "times", "speed", "scale")
@@ -205,7 +205,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """Make the cell for a number in the text; a number that is not a percentage may have more decimals."""
+    """Build the cell for a number in the text; a number that is not a percentage may have more decimals."""
     cell, values = make_cell(record), (record["measured"], record["published"])
     if all(pd.isna(value) or value == round(value, 2) for value in values):
         return cell

@@ -103,7 +103,7 @@ class Run:
         if seed is None:
             seeds = source.seeds()
             if not seeds:
-                raise PlacecatError(f"{result} was not computed: run `dvc repro` to make it")
+                raise PlacecatError(f"{result} was not computed: run `dvc repro` to create it")
             seed = seeds[0]
         files.existing(source.file(home, seed))
         return np.asarray(source.array(home, seed), np.float64)
@@ -123,7 +123,7 @@ class Run:
     def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
         """Decode some of a home's frames in one pass.
 
-        `home` is a home in the main data set or in another one, e.g. ``university/north_2_cloudy_2``.
+        `home` may be in the main data set or another one, e.g. ``university/north_2_cloudy_2``.
         `indices` start at 0 and may be in any order. Yields each index once, in ascending order, with its
         frame, (H, W, 3) uint8 BGR.
         """
@@ -131,7 +131,7 @@ class Run:
         files.existing(paths.sequences(home) / "frames.csv")
         table = listing.read_frames(home)
         if rows and not 0 <= rows[0] <= rows[-1] < len(table):
-            raise PlacecatError(f"{home} has the frames 0 to {len(table) - 1}, not {rows[0]} to {rows[-1]}")
+            raise PlacecatError(f"{home} has frames 0 to {len(table) - 1}, not {rows[0]} to {rows[-1]}")
         facts = self.home_facts(home)
         site = home.rpartition("/")[0]
         root = settings.get(self.params, f"splits.{site}.dataset.root" if site else "dataset.root")

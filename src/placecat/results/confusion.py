@@ -11,7 +11,7 @@ ALL_HOMES = "all"
 
 
 def in_home(one: Measured, home: str) -> Measured:
-    """Return the part of a result that concerns one of its homes."""
+    """Return the part of a result that covers one of its homes."""
     number = one.homes.index(home)
     return Measured((home,), one.seeds, one.classes, one.confusion[:, number : number + 1])
 

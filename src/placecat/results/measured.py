@@ -160,7 +160,7 @@ class Results:
         return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
-        """Say what share of frames a result's information filter drops; "" if the result has no filter."""
+        """Describe the share of frames dropped by a result's information filter; "" if it has no filter."""
         homes = next((self.dropped[part] for part in name.split("/")[1:2] if part in self.dropped), None)
         if homes is None:
             return ""
@@ -221,7 +221,7 @@ def from_scores(
 
     The columns of `scores` and `missing` are `SCORE_COLUMNS` and `MISSING_COLUMNS`. `classes` lists the main
     data set's places, and `other_classes` those of each other data set. Each result uses `classes` or, if
-    this does not contain all its places, the first other list that does.
+    that lacks any of the result's places, the first other list that contains them all.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))

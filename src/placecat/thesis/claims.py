@@ -96,7 +96,7 @@ class Comparison:
 
     @property
     def sides(self) -> tuple[Side, ...]:
-        """The one or two sides."""
+        """The left side and, if there is one, the right side."""
         return (self.left,) if self.right is None else (self.left, self.right)
 
 
@@ -186,7 +186,7 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
     if right is None and comparison.compare == "ratio":
         raise PlacecatError(f"a ratio in {where} needs a right side")
     if wrong := [side.label for side in comparison.sides if side.plain and (side.place or side.error)]:
-        raise PlacecatError(f"{wrong[0]!r} in {where} is plain, so it can have neither place nor error")
+        raise PlacecatError(f"{wrong[0]!r} in {where} is plain, so it cannot have a place or an error")
     if kind == BOTH_SIGNS and right and len(left.results) != len(right.results):
         raise PlacecatError(f"{BOTH_SIGNS} in {where} needs as many results on the right as on the left")
     return comparison

@@ -172,7 +172,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
 
 
 def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
-    """List the homes (numbered from 1) where all results were tried, and those where all were measured."""
+    """List the homes (numbered from 1) where all results were attempted, and where all were measured."""
     tried = [n for n in results.numbers if all(_was_tried(results, one, n) for one in names)]
     return tried, [n for n in tried if all(len(in_home(results, one, n).values) for one in names)]
 
@@ -237,5 +237,5 @@ def _error_ratio(results: Results, variant: str, baseline: str) -> Number:
     origins = (Origin(variant), Origin(baseline))
     errors = [100.0 - results.of(name).by_home().mean(axis=1) for name in (variant, baseline)]
     if (errors[1] <= 0).any():
-        return nothing(f"{baseline} makes no error", origins=origins)
+        return nothing(f"{baseline} makes no errors", origins=origins)
     return Number(errors[0] / errors[1], results.of(variant).is_random, origins=origins)

@@ -27,7 +27,7 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
     settings. A table that names a setting in `needs` is included only if `params`, the run's settings,
     contains that setting. `root` is the project folder.
 
-    Raises PlacecatError, which names the file, for invalid YAML or an unknown key or setting.
+    Raises PlacecatError, naming the file, for invalid YAML or an unknown key or setting.
     """
     found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml")), params, root)
     for path, table in found.items():

@@ -1,4 +1,4 @@
-"""Judge the thesis's comparisons by this run's measurements."""
+"""Judge the thesis's comparisons against this run's measurements."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

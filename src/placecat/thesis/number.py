@@ -157,9 +157,9 @@ def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
 
 
 def only_some(there: Sequence[int], numbers: Sequence[int]) -> str:
-    """Return a note that a mean covers only some homes, or "" if it covers all.
+    """Return a note saying that a mean covers only some homes, or "" if it covers all.
 
-    Of the homes with the given `numbers` (from 1), it covers those in `there`.
+    `numbers` lists all the homes (from 1), and `there` those that the mean covers.
     """
     return "" if len(there) == len(numbers) else f"mean over only {', '.join(map(home_label, there))}"
 

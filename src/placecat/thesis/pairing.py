@@ -88,7 +88,7 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
     """Pair the sides by home.
 
     If results are random and there are at most `few_homes` homes, each seed of a home is a unit. Raises
-    NotComputable, which gives the reasons, if a result was not measured or no home has all results.
+    NotComputable, giving the reasons, if a result was not measured or no home has all results.
     """
     used = computable(results, sides)
     names = list(dict.fromkeys(name for side in used for name in side.results))
@@ -142,7 +142,7 @@ def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
 
 
 def look_up(results: Results, name: str) -> Measured:
-    """Look up a result; if it is missing, raise NotComputable, which gives the reasons."""
+    """Look up a result; if it is missing, raise NotComputable, giving the reasons."""
     if name not in results.measured:
         if reasons := results.reasons(name):
             raise NotComputable(f"{name}: {', '.join(sorted(reasons))}")

@@ -121,7 +121,7 @@ class Pooled:
 def pool(results: Results, sides: Sequence[Side]) -> Pooled:
     """Pool the sides over the stays in all test sequences.
 
-    Raises NotComputable, which gives the reasons, if a result was not measured or has no stays, or if no stay
+    Raises NotComputable, giving the reasons, if a result was not measured or has no stays, or if no stay
     shows a side's place.
     """
     used = computable(results, sides)

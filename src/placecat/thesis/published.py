@@ -29,7 +29,7 @@ class Published:
     text: pd.DataFrame
 
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
-        """Look up one number, which is NaN where the thesis says "n/a" or uses only words.
+        """Look up one number, which is NaN where the thesis says "n/a" or gives no figure.
 
         `reference` takes one of three forms. ``{table, group, row, column}`` contains the published labels,
         without the axes that the table lacks. ``{text, quantity, home}`` names a number in the text;

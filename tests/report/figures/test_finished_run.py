@@ -29,7 +29,7 @@ def test_frames_are_ordered_and_unique(made):
     assert [index for index, _ in found] == [1, 5]
     for index, frame in found:
         np.testing.assert_array_equal(frame, run.frame("flat_3", index))
-    with pytest.raises(PlacecatError, match="has the frames 0 to 7"):
+    with pytest.raises(PlacecatError, match="has frames 0 to 7"):
         run.frame("flat_3", FRAMES)
 
 

@@ -1,6 +1,6 @@
 """Draw confusion matrices as images: one table row with numbers, or a whole table in colours only.
 
-The images are made with NumPy, because Matplotlib takes ten times as long.
+The images are built with NumPy, because Matplotlib takes ten times as long.
 """
 
 from collections.abc import Mapping
@@ -64,7 +64,7 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 
 
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
-    """Write a PNG with all matrices of a table: one line per row, and one matrix per column or home.
+    """Write a PNG of all of a table's matrices: one line per row, with one matrix per column or home.
 
     `rows` comes from :func:`placecat.thesis.decisions.decisions_of`. If there are no rows, the function
     writes nothing and returns False.

@@ -1,7 +1,7 @@
 """The thesis's figures and additional ones, drawn from a run.
 
 Each module that draws figures has a dict `FIGURES`, which maps the name of each figure to its caption and
-function. A figure of the thesis is named ``figure_NN``, and an additional one ``figure_NAME``. The function
+function. A figure from the thesis is named ``figure_NN``, and an additional one ``figure_NAME``. The function
 takes the run and the settings ``figures.<name>``. It returns the figure, or raises PlacecatError if the run
 lacks the data for it.
 """

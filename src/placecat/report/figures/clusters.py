@@ -96,7 +96,7 @@ def spread(
 
 
 def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """Cut the square around a salient region out of a frame.
+    """Crop the square around a salient region from a frame.
 
     `region` is (4,): x, y, scale and saliency. `frame` is (H, W, 3) uint8 BGR, and the square is (PIXELS,
     PIXELS, 3) uint8 BGR. If it extends beyond the frame, the frame's border pixels are repeated.
@@ -182,14 +182,14 @@ FIGURES = {
         lambda run: draw_cluster(run, 1, True, **run.options("clusters")),
     ),
     "figure_13": (
-        "Salient regions in the second largest cluster of the localized HOG descriptor, from the training "
+        "Salient regions in the second-largest cluster of the localized HOG descriptor, from the training "
         "frames of one fold. The colour of a patch's edge shows the place in its frame. The bar shows the "
         "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",
         lambda run: draw_cluster(run, 2, False, **run.options("clusters")),
     ),
     "figure_14": (
-        "Salient regions in the third largest cluster of the localized HOG descriptor, from the training "
+        "Salient regions in the third-largest cluster of the localized HOG descriptor, from the training "
         "frames of one fold. The colour of a patch's edge shows the place in its frame. The bar shows the "
         "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",

@@ -92,7 +92,7 @@ def draw(
     draw_regions(view, found, picture.shape[1], ["black"] * len(found))
     middle = np.array([picture.shape[1], picture.shape[0]]) / 2
     for number, (x, y, scale, _) in enumerate(found.tolist(), 1):
-        # Put each number on the side of its circle that faces the centre, because the border cuts off some.
+        # Put each number on the side of its circle facing the centre, since the border cuts some circles off.
         inward = (middle - (x, y)) / max(float(np.hypot(*(middle - (x, y)))), 1.0)
         apart = float(radius(scale, picture.shape[1])) + LABEL_GAP * picture.shape[1]
         at = np.array((x, y)) + inward * apart

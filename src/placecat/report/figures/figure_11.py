@@ -22,7 +22,7 @@ TITLE = (
     "The bar below each panel shows the decision; the bar at the top shows the true place."
 )
 
-# Line styles distinguish the places in black-and-white prints.
+# Line styles distinguish the places when printed in black and white.
 LINES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (1, 2)), (0, (3, 3)))
 # Bottom and top of the decision bar below the curves.
 BAR = (-0.22, -0.09)

@@ -21,7 +21,7 @@ TITLE = (
 )
 
 WIDTH = 6.5
-# Percentages of at least this much are written in white.
+# Percentages at or above this value are written in white.
 DARK = 55.0
 
 

@@ -29,7 +29,7 @@ WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
 # Bins with a smaller share of the frames are not drawn, because they contain too few frames to be meaningful.
 LEAST = 0.005
-# Marker areas in square points: of a bin that contains all frames, and of the smallest bins.
+# Marker areas, in square points, for a bin that contains all frames and for the smallest bins.
 LARGEST, SMALLEST = 150.0, 5.0
 
 

@@ -119,7 +119,7 @@ def draw_rejected(run: Run, *, filter: str) -> Figure:
 FIGURES = {
     "figure_18": (
         "Frames of two places that all cues get wrong. Among the frames that the information filter accepts, "
-        "these are the ones about which the cues are most certain, compared with other frames. The bars show "
+        "these are the ones the cues are most certain about, relative to other frames. The bars show "
         "the cues' distributions over the places in percent, with the decisions to their right. First seed.",
         draw_mistakes,
     ),

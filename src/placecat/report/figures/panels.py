@@ -105,7 +105,7 @@ def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None
 def share_bar(
     axes: Axes, y: float, shares: NDArray[np.floating], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw (classes,) shares from 0 to 1 as a horizontal bar around `y`, with percentages where they fit."""
+    """Draw (classes,) shares (0 to 1) as a horizontal bar centred on `y`, with percentages where they fit."""
     left = 0.0
     for share, color in zip(shares.tolist(), palette.place_colors(classes).values(), strict=True):
         axes.barh(y, share, height, left, color=color, edgecolor="white", linewidth=0.6)

@@ -48,8 +48,8 @@ def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
     """Draw one strip per panel, from top to bottom, each with all homes side by side.
 
     All results must have been tested on all `homes`. `panels` maps the title of each strip to its result. The
-    figure shows the first seed. The greys of a strip span its range of values. Raises PlacecatError if a
-    result is missing.
+    figure shows the first seed. Each strip's grey scale spans its range of values. Raises PlacecatError if
+    a result is missing.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
     truths = {home: run.labels(listed[home]) for home in homes}
@@ -143,7 +143,7 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
     parts = stretches(row)
     starts = [part.start for part in parts]
     levels = row[starts]
-    # A white rim separates the line from dark rows, even in black-and-white prints.
+    # A white rim separates the line from dark rows, even when printed in black and white.
     rim = [patheffects.withStroke(linewidth=2.6, foreground="white")]
     axes.hlines(
         levels, starts, [part.stop for part in parts], color=palette.TRUTH, linewidth=1.4, path_effects=rim
