@@ -65,7 +65,7 @@ def main() -> None:
 
 
 def _value(expression: str) -> object:
-    # The pages are trusted just like the code.
+    # The pages are trusted as much as the code.
     return eval(expression, dict(globals()))
 
 
@@ -220,7 +220,7 @@ def embedding_by_home() -> str:
 
 
 def tried(candidate: str, column: str, networks: str = "Lite1") -> float:
-    """Look up a result, on six real homes, of a candidate from docs/embedding.md."""
+    """Look up the result of a candidate from docs/embedding.md on six real homes."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     chosen = lines[(lines["candidate"] == candidate) & (lines["networks"] == networks)]
     return float(chosen[column].item())

@@ -16,7 +16,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         description="Time each piece against its best alternative, on one thread, and write "
         f"{paths.BENCHMARKS}. If pieces are named, only their rows are replaced.",
     )
-    parser.add_argument("pieces", nargs="*", metavar="PIECE", help="a piece to measure; by default all")
+    parser.add_argument("pieces", nargs="*", metavar="PIECE", help="a piece to measure (default: all pieces)")
     options = parser.parse_args(arguments)
     # Some libraries, such as the OpenMP that peers use, read this variable on import.
     os.environ["OMP_NUM_THREADS"] = "1"

@@ -4,9 +4,9 @@ How long a kernel machine takes depends on the frames: with few support vectors,
 The constants below are therefore chosen so that 2000 synthetic frames resemble 1978 Gist descriptors from
 five rendered homes (1024 standardised numbers each). The values for the rendered homes are given in brackets.
 The first principal component explains 0.23 of the variance (0.22), the first 21 explain 0.74 (0.73), and the
-first 101 explain 0.95 (0.94). In the nu-SVM for a class, 66 % of the frames are support vectors (56 %). The
-RVM for a class has 63 to 82 relevance vectors (51 to 99). In an unseen home, 36 % of the frames are
-classified correctly (36 %).
+first 101 explain 0.95 (0.94). In the nu-SVM for a class, 66% of the frames are support vectors (56%). The
+RVM for a class has 63 to 82 relevance vectors (51 to 99). In an unseen home, 36% of the frames are
+classified correctly (36%).
 """
 
 from collections.abc import Sequence
@@ -36,7 +36,7 @@ class Frames:
 def draw_frames(n: int, features: int, homes: Sequence[int]) -> Frames:
     """Walk through homes, visiting each room four times. Each frame lies between two views of its room.
 
-    `homes` lists the numbers of the homes, from 0. Each home has about n / len(homes) frames of D =
+    `homes` lists the home numbers, starting at 0. Each home has about n / len(homes) frames of D =
     `features` numbers, and does not depend on the other homes.
     """
     rng = np.random.default_rng(0)

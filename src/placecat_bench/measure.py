@@ -78,7 +78,7 @@ def _version(peer: Peer) -> str | None:
         return None
     raise PlacecatError(
         f"{peer.package} is not installed, but {peer.name!r} needs it: run `make bench`, or "
-        "pip install -e '.[bench]'; if it has no wheel for this machine, name only other pieces"
+        "pip install -e '.[bench]'; if it has no wheel for this machine, select only other pieces"
     )
 
 

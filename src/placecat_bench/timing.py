@@ -35,7 +35,7 @@ def seconds(call: Callable[[], Any]) -> float:
 
 
 def median_seconds(call: Callable[[], Any], repeats: int) -> float:
-    """Return the median wall time of several calls in seconds."""
+    """Return the median wall time of several calls, in seconds."""
     return statistics.median(seconds(call) for _ in range(repeats))
 
 

@@ -26,7 +26,7 @@ Options = Mapping[str, Any]
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | Limit]:
     """Yield comparisons with decoding, and frame rates that include decoding.
 
-    `frames` must all have the same size; by default, there is one from each rendered home.
+    `frames` must all be the same size; by default, there is one from each rendered home.
     """
     files, pictures = prepared(frames)
     every = options()

@@ -1,8 +1,8 @@
 """Gist descriptor of a frame, including the maps that our code needs, compared with torchgist.
 
-Our code averages visual attention maps over the cells of a grid (thesis section 3.2), while torchgist filters
-a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The descriptors differ but
-serve the same purpose.
+Our code averages visual attention maps over the cells of a grid (thesis section 3.2), while torchgist applies
+32 Gabor filters to a 256x256 greyscale image (Oliva and Torralba 2001). The descriptors differ but serve the
+same purpose.
 """
 
 from collections.abc import Iterator, Sequence

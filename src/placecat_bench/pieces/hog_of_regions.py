@@ -26,7 +26,7 @@ DLIB = Absent(
 def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> Iterator[Entry]:
     """Yield comparisons of run times and descriptors, for `count` regions per frame.
 
-    `frames` must all have the same size; by default, there is one from each rendered home.
+    `frames` must all be the same size; by default, there is one from each rendered home.
     """
     _, pictures = prepared(frames)
     text = f"{count} regions of {size(pictures[0])}"

@@ -4,19 +4,19 @@ For each class, our code and scikit-learn fit one nu-SVM on all frames, and anot
 outside that fold. A sigmoid is then fitted to the decisions for the frames that were left out.
 ``CalibratedClassifierCV`` does this if ``ensemble`` is False and it is given our folds, which are random
 subsets of the frames. (By default, it would skip the first nu-SVM and average the predictions over the folds.
-This needs fewer fits, but prediction takes five times the work, and the probabilities differ.)
+This needs fewer fits, but prediction takes five times as much work, and the probabilities differ.)
 
 ``OneVsRestClassifier`` divides the probabilities of a frame by their sum, as our ``certainty`` combination
 does. The combination used in the thesis, ``parallel``, needs one more small matrix product. gamma, nu, the
 tolerance, the scaling and the cache of libsvm are the same; the cache can hold the full kernel matrix.
-scikit-learn is given float64, because it would otherwise convert the data for every fit.
+scikit-learn is given float64 data, because it would otherwise convert the data for every fit.
 
 The ratios depend on the number of support vectors and on how many of them are shared by several classes. For
 a shared vector, our code computes one kernel value, but scikit-learn computes one per class. The frames are
 as hard to classify as Gist descriptors (:mod:`placecat_bench.gist_like`).
 
 The same scheme is also measured with a Gram matrix that is computed once (``kernel="precomputed"``), and with
-the ``NuSVC`` of scikit-learn-intelex, which is given float32.
+the ``NuSVC`` of scikit-learn-intelex, which is given float32 data.
 """
 
 from collections.abc import Callable, Iterator

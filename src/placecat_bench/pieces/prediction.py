@@ -89,7 +89,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | L
 
 
 def _latencies(categorizer: Categorizer, files: Sequence[Image]) -> NDArray[np.float64]:
-    """Decode and categorize frames, and return the time that each takes in seconds."""
+    """Decode and categorize frames, and return the time each one takes, in seconds."""
     categorizer.reset()
     times = [time.perf_counter()]
     for file in files:

@@ -3,9 +3,9 @@
 fastrvm and our code maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and
 Faul 2003). Both use the same kernel and a bias, and both compute the Gram matrix. fastrvm updates its
 statistics after every change, but our code only after many changes. fastrvm needs thousands of changes, and
-more than 3000 for two of the five places. We therefore use the place that needs the fewest. The evidences
-cannot be compared, since fastrvm has no prior on the bias. The accuracies on the training frames are compared
-instead. Only our code is timed on 8000 frames.
+more than 3000 for two of the five places. We therefore use the place that needs the fewest. The evidence
+values cannot be compared, since fastrvm has no prior on the bias. The accuracies on the training frames are
+compared instead. Only our code is timed on 8000 frames.
 
 sklearn-rvm starts with all basis functions and prunes them (Tipping 2001). Its run time is cubic in the
 number of frames, so it is given fewer frames.

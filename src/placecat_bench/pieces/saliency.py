@@ -1,6 +1,6 @@
 """Saliency map of a frame, compared with decoding its JPEG and with two saliency maps from OpenCV.
 
-OpenCV's maps are part of its contributed modules. These ship in another build of the same package, so a
+OpenCV's maps are part of its contributed modules. These ship in a different build of the same package, so a
 separate process computes the maps. Both maps use only intensity, and the spectral residual is computed at
 64x64 pixels. Our map fuses intensity, two opponent colours and four orientations at several scales, and a
 residual.
@@ -32,7 +32,7 @@ READ = tuple(name for name in FIELDS if name != "color")
 def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Entry]:
     """Yield comparisons with decoding and with OpenCV's saliency.
 
-    `frames` must all have the same size; by default, there is one from each rendered home.
+    `frames` must all be the same size; by default, there is one from each rendered home.
     """
     files, pictures = prepared(frames)
     own = options()

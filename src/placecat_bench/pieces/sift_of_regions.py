@@ -1,7 +1,7 @@
 """SIFT of salient regions, compared with OpenCV's SIFT on full levels and kornia's SIFT on patches.
 
 The regions of a frame lie on different levels of its pyramid. OpenCV is given each level as an 8-bit image,
-with a keypoint for each region. The cells of the keypoints have the same size as ours. OpenCV needs one call
+with a keypoint for each region. The cells of the keypoints are the same size as ours. OpenCV needs one call
 to `SIFT.compute` per level, and each call blurs the full level several times before describing a point. The
 time to prepare the images and keypoints is not counted.
 
@@ -33,7 +33,7 @@ Points = tuple[Image, list[cv2.KeyPoint]]
 def entries(*, frames: Sequence[Image] | None = None, count: int = REGIONS) -> Iterator[Comparison]:
     """Yield comparisons of our time with those of the peers, for `count` regions per frame.
 
-    `frames` must all have the same size; by default, there is one from each rendered home.
+    `frames` must all be the same size; by default, there is one from each rendered home.
     """
     _, pictures = prepared(frames)
     given = with_regions(pictures, count)

@@ -1,4 +1,4 @@
-"""The number of frames per label in a home database, and plausible walks with those numbers."""
+"""The number of frames per label in a home database, and plausible walks to match."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -83,8 +83,8 @@ def read_homes(content: Mapping[str, Any]) -> list[Home]:
             ) from None
         if floors < 1 or not labels or any(not 1 <= count <= frames for frames, count in labels.values()):
             raise PlacecatError(
-                f"conf/scale.yaml: homes.{name} needs one floor or more, and labels with one stretch or more "
-                "and at least as many frames as stretches"
+                f"conf/scale.yaml: homes.{name} needs at least one floor, and labels with at least one "
+                "stretch and at least as many frames as stretches"
             )
         homes.append(Home(str(name), floors, labels))
     return homes

@@ -1,4 +1,4 @@
-"""Estimate the time of a complete run on many frames, with every home tested."""
+"""Estimate how long a complete run on many frames takes if every home is tested."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,7 +18,7 @@ PER_FRAME = ("sequences", "features", "tracks")
 
 
 def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any]:
-    """Estimate the time of a full run by adding up the times of its stages.
+    """Estimate how long a full run takes by adding up the times of its stages.
 
     For measured stages, the times at the largest size are scaled to a run that tests every home. The times of
     the other stages come from the project's last full run (reports/times.csv). Stages that work on frames

@@ -36,7 +36,7 @@ def build(
 
     `test_homes` lists names of homes, `regions` is the number of regions in every frame, and `jitter` is
     passed to :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this project has
-    not run, or if a home has a label that is not in the data set.
+    not been run, or if a home has a label that is not in the data set.
     """
     params = settings.load()
     sources = list(settings.get(params, "dataset.homes"))
@@ -62,7 +62,7 @@ def build(
 
 
 def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:
-    """Write this project's settings with other homes and without thesis data, and return them."""
+    """Write this project's settings with different homes and without thesis data, and return them."""
     overrides = [
         f"dataset.homes=[{','.join(home.name for home in homes)}]",
         "dataset.name=scale",
