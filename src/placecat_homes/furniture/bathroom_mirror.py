@@ -81,7 +81,7 @@ def _framed(rng: np.random.Generator, style: Style, width: float, height: float)
 def _round(rng: np.random.Generator, style: Style, width: float, height: float) -> list[Mesh]:
     outline = rounded(width, height, (width / 2, height / 2), points=9)
     disc = loft([(outline, 0.0), (outline, 0.012)]).turned(90, "x").mirrored()
-    # Rotated upright, the disc stands on z = 0 and extends towards -y.
+    # Once turned upright, the disc stands on z = 0 and extends towards -y.
     disc = disc.moved(0, 0.014)
     angle = np.linspace(0, 2 * math.pi, 33)
     path = [(width / 2 * math.cos(a), 0.01, height / 2 + height / 2 * math.sin(a)) for a in angle]

@@ -177,7 +177,7 @@ def _cloth(rng: np.random.Generator) -> Material:
 
 
 def _headboard(rng: np.random.Generator, cloth: Material, width: float, high: float) -> Mesh:
-    """Draw a padded headboard, 0.1 m deep: plain, winged, or padded in squares or channels."""
+    """Draw a padded headboard, 0.1 m deep: plain, winged, or divided into squares or channels."""
     design = str(rng.choice(("plain", "squares", "channels", "wings")))
     parts = [box(width, 0.07, high - 0.1, bevel=0.02).moved(0, 0, 0.1)]
     if design == "squares":

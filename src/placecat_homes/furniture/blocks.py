@@ -58,7 +58,7 @@ def block(
 
 
 def backed(mesh: Mesh) -> Mesh:
-    """Centre a piece on x = 0 and move its back to y = 0. Its z coordinates stay the same."""
+    """Centre a piece on x = 0 and move its back to y = 0, leaving its z coordinates unchanged."""
     low, high = mesh.low, mesh.high
     return mesh.moved(-float(low[0] + high[0]) / 2, -float(low[1]), 0.0)
 

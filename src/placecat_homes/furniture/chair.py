@@ -33,7 +33,7 @@ def chair(
     design
         One of `DESIGNS`; chosen to suit the style if None.
     armrests
-        Whether the chair has armrests; chosen at random if None, but rarely True.
+        Whether the chair has armrests; chosen at random (rarely True) if None.
 
     Returns
     -------

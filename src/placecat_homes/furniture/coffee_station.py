@@ -16,7 +16,7 @@ STEEL = Material((0.65, 0.66, 0.67), gloss=0.4, roughness=0.5)
 
 
 def coffee_machine(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a fully automatic coffee machine, a filter machine with a glass jug, or an espresso machine."""
+    """Draw a bean-to-cup coffee machine, a filter machine with a glass jug, or an espresso machine."""
     kind = choose(rng, ("automatic", "jug", "espresso"))
     return {"automatic": _automatic, "jug": _jug, "espresso": _espresso}[kind](rng)
 

@@ -72,7 +72,7 @@ def _rod(rng: np.random.Generator, width: float, material: Material) -> Mesh:
 
 
 def _tied(width: float, height: float, folds: int, side: int) -> Mesh:
-    """Draw a curtain tied back at its outer side."""
+    """Draw a curtain tied back towards its outer side."""
     middle = 0.42
 
     def surface(s: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -39,7 +39,7 @@ def jewel_box(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def standing_mirror(rng: np.random.Generator, style: Style, width: float = 0.5, height: float = 0.6) -> Mesh:
-    """Draw a slightly tilted oval or square mirror on a stand, for a chest or dressing table."""
+    """Draw a slightly tilted oval or square mirror on a stand, for a chest of drawers or dressing table."""
     outline = (
         rounded(width, height, (width / 2, height / 2), points=8)
         if rng.random() < 0.55

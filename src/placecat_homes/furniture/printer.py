@@ -41,7 +41,7 @@ def floor_printer(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def plotter(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a poster plotter on a stand, with a printed sheet hanging out."""
+    """Draw a large-format plotter on a stand, with a printed sheet hanging out."""
     wide = between(rng, 1.1, 1.6)
     skin, trim = _skin(rng), choose(rng, (DARK, palette.plastic(rng)))
     parts = [

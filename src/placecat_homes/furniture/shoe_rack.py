@@ -44,7 +44,7 @@ def shoe_rack(rng: np.random.Generator, style: Style) -> Mesh:
 
 
 def shoe_cabinet(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a shallow shoe cabinet with tilting fronts."""
+    """Draw a shallow shoe cabinet with tilt-out fronts."""
     width, deep = between(rng, 0.6, 1.0), between(rng, 0.18, 0.26)
     levels = int(rng.integers(2, 4))
     tall = between(rng, 0.36, 0.42)

@@ -9,7 +9,7 @@ from placecat_homes.mesh import Mesh
 from placecat_homes.style import Style
 
 DEEP = 0.012
-"""Depth of the leaf behind the front of its frame, in metres."""
+"""How far the leaf is set back from the front of its frame, in metres."""
 
 
 def shut_door(

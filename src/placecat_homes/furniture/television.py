@@ -38,7 +38,7 @@ def _panel(rng: np.random.Generator, width: float, lit: bool) -> Mesh:
 def television(
     rng: np.random.Generator, style: Style, width: float | None = None, lit: bool | None = None
 ) -> Mesh:
-    """Draw a flat-screen television on its own stand, for use on top of furniture.
+    """Draw a flat-screen television on its own stand, to be placed on a piece of furniture.
 
     Parameters
     ----------

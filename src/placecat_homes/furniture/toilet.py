@@ -175,7 +175,7 @@ def _tank(rng: np.random.Generator, ceramic: Material, metal: Material) -> Mesh:
 def _hung(
     rng: np.random.Generator, ceramic: Material, metal: Material, seat: Material, opened: bool
 ) -> list[Mesh]:
-    """Draw a wall-hung bowl in front of a boxed-in wall with a flush plate."""
+    """Draw a wall-hung bowl and, behind it, a boxed-in cistern with a flush plate."""
     boxed = palette.tiles(rng) if rng.random() < 0.6 else palette.paint(rng)
     width, height, depth = rng.uniform(0.6, 1.0), rng.uniform(1.05, 1.2), rng.uniform(0.12, 0.2)
     back = depth + 0.07

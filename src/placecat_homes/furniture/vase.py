@@ -26,7 +26,7 @@ def vase(rng: np.random.Generator, style: Style, flowers: bool | None = None) ->
     style
         Style of the home.
     flowers
-        Whether the vase has flowers; chosen at random if None.
+        Whether there are flowers in the vase; chosen at random if None.
 
     Returns
     -------
@@ -148,7 +148,7 @@ def bowl(rng: np.random.Generator, style: Style, fruit: bool | None = None) -> M
     style
         Style of the home.
     fruit
-        Whether the bowl has fruit; chosen at random if None.
+        Whether there is fruit in the bowl; chosen at random if None.
 
     Returns
     -------

@@ -173,7 +173,7 @@ def wardrobe_shelf(
 def low_shelf(
     rng: np.random.Generator, style: Style, width: float | None = None, height: float | None = None
 ) -> Mesh:
-    """Draw a low open shelf with folded clothes, shoes and boxes, or drawers.
+    """Draw a low open shelving unit holding folded clothes, shoes and boxes, or drawers.
 
     Parameters
     ----------

@@ -138,7 +138,7 @@ def _towel_bar(rng: np.random.Generator, style: Style, width: float, depth: floa
 
 
 def _things(rng: np.random.Generator, style: Style, width: float, y: float, z: float, clutter: float) -> Mesh:
-    """Put soap, toothbrushes and other objects beside the tap. Their number grows with `clutter`."""
+    """Put soap, toothbrushes and other objects beside the tap. A higher `clutter` means more of them."""
     things = [soap_dispenser(rng, style.metal) if rng.random() < 0.6 else soap(rng)]
     if rng.random() < 0.35 + 0.6 * clutter:
         things.append(tooth_brushes(rng))

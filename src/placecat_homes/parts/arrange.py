@@ -30,7 +30,7 @@ def in_a_row(
     rng
         Random number generator.
     things
-        Standing objects in order of increasing x.
+        Objects to place, standing upright, in order of increasing x.
     width
         Width of the shelf in metres. The shelf is centred on x = 0, with its back at y = 0.
     depth
@@ -80,7 +80,7 @@ def scattered(
     rng
         Random number generator.
     things
-        Standing objects. They are not rotated.
+        Objects to place, standing upright. They are not rotated.
     width, depth
         Width and depth of the table top in metres. The top is centred on the origin.
     gap

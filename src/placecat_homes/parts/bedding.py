@@ -57,7 +57,7 @@ def cover(
     centre
         Shift of the blanket along x in metres.
     quilt
-        Edge length of the stitched squares in metres; 0 for none.
+        Side length of the stitched squares in metres; 0 for none.
     clear
         Distance in metres between the hanging parts and the mattress, to clear the frame.
     cells

@@ -64,7 +64,7 @@ def loft(rings: Sequence[tuple[Outline, float]], *, bottom: bool = True, top: bo
     Parameters
     ----------
     rings
-        Outlines with the same number of points, and their heights, from the bottom up. For a vessel they go
+        Outlines with the same number of points, and their heights, from the bottom up. For a vessel, they go
         up the outside and then down the inside. The edge stays sharp wherever the profile turns by more than
         40 degrees.
     bottom, top

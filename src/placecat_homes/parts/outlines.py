@@ -96,8 +96,8 @@ def loft(rings: Sequence[NDArray[np.float64]], *, close: bool = False) -> Mesh:
     Parameters
     ----------
     rings
-        Points of each ring, shape (n, 3). For a skin that goes up the outside, they run counter-clockwise as
-        seen from above.
+        Points of each ring, shape (n, 3). If the rings are ordered from bottom to top, the points must run
+        counter-clockwise, as seen from above, for the skin to face outwards.
     close
         Whether to close the last ring with a triangle fan around its centre.
 

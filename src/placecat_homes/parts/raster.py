@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Canvas:
-    """A square picture. The coordinates x (to the right) and y (down) are in [0, 1].
+    """A square picture on which x runs from 0 (left) to 1 (right) and y from 0 (top) to 1 (bottom).
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ class Canvas:
     def words(
         self, rng: np.random.Generator, x0: float, x1: float, y: float, height: float, colour: ArrayLike
     ) -> None:
-        """Draw a row of words between x0 and x1 at height y, as small letter-sized blocks."""
+        """Draw a line of words between x0 and x1 at height y, with a small block for each letter."""
         x = x0
         step = height * 0.7
         while x + 2 * step < x1:
@@ -100,7 +100,7 @@ class Canvas:
     def writing(
         self, rng: np.random.Generator, x0: float, x1: float, y: float, height: float, colour: ArrayLike
     ) -> None:
-        """Draw a row of handwriting as a wavy line broken into words."""
+        """Draw a line of handwriting: a scribble broken into words."""
         x = x0
         while x + height < x1:
             end = min(x1, x + height * float(rng.uniform(1.2, 5.0)))

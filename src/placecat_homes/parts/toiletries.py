@@ -30,7 +30,7 @@ def _label(rng: np.random.Generator, width: float, height: float, y: float, z: f
 
 
 def bottle(rng: np.random.Generator) -> Mesh:
-    """Draw a centred bottle of shampoo, gel or lotion, 12 to 25 cm tall, with a cap or a pump."""
+    """Draw a shampoo, gel or lotion bottle, 12 to 25 cm tall, centred on the z axis, with a cap or pump."""
     height, width = rng.uniform(0.11, 0.2), rng.uniform(0.05, 0.08)
     body = Material(bright(rng), gloss=0.05, roughness=0.2)
     cap = Material(bright(rng), gloss=0.04)
@@ -54,7 +54,7 @@ def bottle(rng: np.random.Generator) -> Mesh:
 
 
 def jar(rng: np.random.Generator) -> Mesh:
-    """Draw a low, centred jar of cream with a lid."""
+    """Draw a low jar of cream with a lid, centred on the z axis."""
     radius, height = rng.uniform(0.025, 0.04), rng.uniform(0.03, 0.06)
     return join(
         cylinder(radius, height, 10).of(Material(bright(rng), gloss=0.05)),
@@ -63,7 +63,7 @@ def jar(rng: np.random.Generator) -> Mesh:
 
 
 def flacon(rng: np.random.Generator) -> Mesh:
-    """Draw a centred perfume bottle."""
+    """Draw a perfume bottle centred on the z axis."""
     width, height = rng.uniform(0.04, 0.07), rng.uniform(0.06, 0.09)
     tint = Material(bright(rng), gloss=0.08, roughness=0.05)
     stopper = Material((0.8, 0.65, 0.35) if rng.random() < 0.5 else (0.75, 0.76, 0.78), gloss=0.5)
@@ -86,7 +86,7 @@ def squeeze_tube(rng: np.random.Generator) -> Mesh:
 
 
 def soap_dispenser(rng: np.random.Generator, metal: Material) -> Mesh:
-    """Draw a centred soap dispenser with its pump facing +y."""
+    """Draw a soap dispenser centred on the z axis, with its pump facing +y."""
     body = Material(bright(rng), gloss=0.06, roughness=0.1)
     height = rng.uniform(0.1, 0.14)
     shape = [(0, 0), (0.034, 0), (0.035, height * 0.8), (0.03, height * 0.93), (0.014, height), (0, height)]
@@ -98,7 +98,7 @@ def soap_dispenser(rng: np.random.Generator, metal: Material) -> Mesh:
 
 
 def soap(rng: np.random.Generator) -> Mesh:
-    """Draw a centred bar of soap on a dish."""
+    """Draw a bar of soap on a dish, centred on the z axis."""
     dish = lathe([(0, 0), (0.03, 0), (0.065, 0.02), (0.06, 0.02), (0.03, 0.006), (0, 0.006)], 14).scaled(
         1, 0.75, 1
     )
@@ -109,7 +109,7 @@ def soap(rng: np.random.Generator) -> Mesh:
 
 
 def tooth_brushes(rng: np.random.Generator) -> Mesh:
-    """Draw a centred glass or mug with one to four toothbrushes and perhaps toothpaste."""
+    """Draw a glass or mug, centred on the z axis, with one to four toothbrushes and perhaps toothpaste."""
     mug = GLASS if rng.random() < 0.4 else Material(bright(rng), gloss=0.06)
     profile = [(0, 0), (0.03, 0), (0.036, 0.1), (0.033, 0.1), (0.028, 0.006), (0, 0.006)]
     parts = [lathe(profile, 12).of(mug)]
@@ -142,13 +142,13 @@ def standing_roll(rng: np.random.Generator) -> Mesh:
 
 
 def cosmetic(rng: np.random.Generator) -> Mesh:
-    """Draw a random, centred object for a bathroom shelf."""
+    """Draw a randomly chosen object for a bathroom shelf, centred on the z axis."""
     makers = (bottle, bottle, bottle, jar, squeeze_tube, flacon)
     return makers[int(rng.integers(len(makers)))](rng).turned(rng.uniform(-25, 25))
 
 
 def row(rng: np.random.Generator, width: float, fill: float = 0.7) -> Mesh:
-    """Draw a row of bottles, jars and tubes, centred on x = 0 and near y = 0.
+    """Draw a row of bottles, jars and tubes along the x axis, centred on x = 0.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ class Design:
     thickness
         Thickness of the worktop in metres.
     depth
-        Depth of the base cabinets in metres, without the worktop overhang.
+        Depth of the base cabinets in metres, not counting the worktop overhang.
     overhead
         ``cabinets``, ``glass`` (doors), ``shelves`` or ``none``.
     bottom, top

@@ -55,7 +55,7 @@ def row(
     length
         Length in metres; x runs from -length / 2 to length / 2.
     fixed
-        Kinds and widths of the required cabinets. If space is short, the last ones are left out first.
+        Kinds and widths of the required cabinets. If space is short, earlier ones take priority.
     sink_at
         Preferred position of the sink, for example in front of a window.
     corners
@@ -109,7 +109,7 @@ def row(
 def _worth(
     units: Sequence[Unit], start: float, end: float, sink_at: float | None, corners: Sequence[float]
 ) -> float:
-    """Score an order by the space beside the hob and sink and by the positions of the sink and dishwasher."""
+    """Score an arrangement by the space beside the hob and sink and by where the sink and dishwasher are."""
     at = {unit.kind: unit for unit in units}
     worth = 0.0
     sink, cooker, washer = at.get("sink"), at.get("cooker"), at.get("dishwasher")
