@@ -70,7 +70,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("videos", nargs="*", metavar="VIDEO", help="such as homes/home_1; all by default")
     drawn = parser.add_argument_group(
-        "homes drawn from a seed (the ranges are in conf/drawn.yaml of the package)"
+        "homes drawn from a seed (the ranges are in the package's conf/drawn.yaml)"
     )
     drawn.add_argument("--homes", type=int, metavar="N", help="draw and render homes 1 to N")
     drawn.add_argument("--seed", type=int, metavar="S", help="seed for drawing the homes")

@@ -107,7 +107,7 @@ def bake(scene: Scene, daylight: Daylight, quality: Quality) -> Floats:
 
 def _starts(scene: Scene) -> Floats:
     # Rays start above the surface, shifted slightly towards the middle of the surrounding triangles.
-    # Otherwise, rays from room corners and furniture feet could start inside or behind the next surface.
+    # Otherwise, rays from room corners and furniture feet could start inside or behind an adjacent surface.
     centres = scene.vertices[scene.triangles].mean(axis=1)
     total, count = np.zeros_like(scene.vertices), np.zeros(len(scene.vertices), np.float32)
     for corner in range(3):

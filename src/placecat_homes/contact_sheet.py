@@ -1,4 +1,4 @@
-"""The contact sheet, a single picture that shows every place in every home."""
+"""The contact sheet, a single image that shows every place in every home."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -66,7 +66,7 @@ def draw(views: Mapping[str, Mapping[str, Frame]], places: Sequence[str], width:
     Parameters
     ----------
     views
-        Maps each home to its views, which map places to (H, W, 3) uint8 BGR pictures.
+        Maps each home to its views, which map places to (H, W, 3) uint8 BGR images.
     places
         Places shown in the columns, in order.
     width

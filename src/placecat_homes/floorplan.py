@@ -145,7 +145,7 @@ class FloorPlan:
         if high - low < door.width + 2 * margin:
             raise PlacecatError(
                 f"{self.name}: the door {' - '.join(door.rooms)} needs {door.width + 2 * margin:.2f} m of "
-                f"wall, but only {high - low:.2f} m are free"
+                f"wall, but only {high - low:.2f} m is free"
             )
         start = low + margin + door.position * (high - low - 2 * margin - door.width)
         return start, start + door.width
@@ -158,7 +158,7 @@ class FloorPlan:
         name
             Name of the room.
         seed
-            Seed that decides on which side each door is hinged.
+            Seed that determines which side each door is hinged on.
 
         Returns
         -------

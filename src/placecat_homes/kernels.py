@@ -57,7 +57,7 @@ def surfaces(
 
     Fills `colour` (r, 3) with linear albedo, `normal` (r, 3) turned towards the eye, and `irradiance` (r, c),
     interpolated from `light` (n, c). Rows for rays that hit nothing are left unchanged. `spread` is the angle
-    between neighbouring pixels in radians. It determines the resolution at which the texture is read.
+    between neighbouring pixels in radians. It determines the resolution at which the texture is sampled.
     `decode` (256,) converts sRGB to linear light.
     """
     first, second = np.empty(3, np.float32), np.empty(3, np.float32)

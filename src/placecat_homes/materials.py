@@ -8,7 +8,7 @@ Colour = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Texture:
-    """A picture that repeats over a surface, drawn by the module `kind` in `placecat_homes.textures`.
+    """An image that repeats over a surface, drawn by the module `kind` in `placecat_homes.textures`.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class Material:
     colour
         In sRGB; multiplied by the texture if there is one.
     texture
-        Picture that repeats over the texture coordinates of the mesh, which are in metres.
+        Image that repeats over the texture coordinates of the mesh, which are in metres.
     gloss
         Mirror reflection at normal incidence, from 0 (matt) to 1 (a mirror); it increases towards grazing
         angles. Typical values are 0 for paint, 0.03 to 0.06 for varnish and tiles, 0.5 to 0.8 for metal, and

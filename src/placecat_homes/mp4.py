@@ -47,5 +47,5 @@ def _runs(box: bytes, count: int) -> NDArray[np.int64]:
     table = np.frombuffer(box, ">i4", offset=8).reshape(-1, 2)
     values = np.repeat(table[:, 1], table[:, 0]).astype(np.int64)
     if len(values) != count:
-        raise PlacecatError(f"the index of the video has {len(values)} times for {count} frames")
+        raise PlacecatError(f"the video's index has {len(values)} timestamps for {count} frames")
     return values

@@ -58,7 +58,7 @@ def mix(first: NDArray[np.floating], second: NDArray[np.floating], share: Field)
     Parameters
     ----------
     first, second
-        (3,) colours or (pixels, pixels, 3) pictures.
+        (3,) colours or (pixels, pixels, 3) images.
     share
         (pixels, pixels); 0 for the first, 1 for the second.
 
@@ -72,7 +72,7 @@ def mix(first: NDArray[np.floating], second: NDArray[np.floating], share: Field)
 
 
 def cells(pixels: int, columns: int, rows: int, shift: float = 0.0) -> tuple[NDArray[np.intp], Field, Field]:
-    """Divide a picture into cells, such as bricks, tiles or planks, with every other row shifted.
+    """Divide an image into cells, such as bricks, tiles or planks, with every other row shifted.
 
     Parameters
     ----------

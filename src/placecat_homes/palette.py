@@ -63,7 +63,7 @@ def shade(base: Colour, factor: float) -> Colour:
 
 
 def paint(rng: Rng) -> Material:
-    """Draw wall or furniture paint, usually pale or greyish, and sometimes in a strong colour."""
+    """Draw wall or furniture paint, usually pale or greyish but sometimes in a strong colour."""
     kind = rng.uniform()
     if kind < 0.45:
         base = colour(rng, 0.12, 0.75, 0.95)
@@ -151,7 +151,7 @@ def metal(rng: Rng) -> Material:
 
 
 def ceramic(rng: Rng) -> Material:
-    """Draw glazed ceramic, which is white or, less often, coloured."""
+    """Draw glazed ceramic, usually white but sometimes coloured."""
     base: Colour = (0.92, 0.92, 0.9)
     if rng.uniform() < 0.3:
         base = colour(rng, 0.45, 0.35, 0.9)
@@ -159,7 +159,7 @@ def ceramic(rng: Rng) -> Material:
 
 
 def stone(rng: Rng) -> Material:
-    """Draw a worktop material: granite, marble, or plain like concrete or laminate."""
+    """Draw a worktop material: granite, marble, or something plain such as concrete or laminate."""
     base = colour(rng, 0.2, 0.12, 0.92)
     seed = _seed(rng)
     kind = rng.uniform()

@@ -38,7 +38,8 @@ def render(names: Sequence[str] = ()) -> None:
     Raises
     ------
     PlacecatError
-        If a video does not exist, the extra is missing, or the current folder is not the project's folder.
+        If a video does not exist, the ``render`` extra is not installed, or the current folder is not the
+        project's folder.
     """
     videos = listed()
     wanted = names or tuple(videos)
@@ -100,7 +101,7 @@ def film(name: str, **changes: Any) -> "Film":
     Raises
     ------
     PlacecatError
-        If the optional extra is missing, or a setting is unknown.
+        If the ``render`` extra is not installed, or a setting is unknown.
     """
     video = dict(listed()[name])
     plan = video.pop("plan")
@@ -143,7 +144,7 @@ def assemble(
     Raises
     ------
     PlacecatError
-        If the optional extra is missing, or a setting is unknown.
+        If the ``render`` extra is not installed, or a setting is unknown.
     """
     require_extra()
     from placecat_homes.bake import Quality
@@ -178,7 +179,7 @@ def assemble(
 
 
 def require_extra() -> None:
-    """Raise PlacecatError if the optional extra is missing."""
+    """Raise PlacecatError if the ``render`` extra is not installed."""
     try:
         import placecat_homes.film  # noqa: F401
     except ImportError as error:

@@ -95,7 +95,7 @@ def exposures(previews: NDArray[np.floating], sensor: Sensor, seed: int) -> Floa
 
 
 def motion(pose: Pose, following: Pose, lens: Lens, distance: Floats, shutter: float) -> Floats:
-    """Compute how far each part of the picture moves while the shutter is open.
+    """Compute how far each part of the image moves while the shutter is open.
 
     Parameters
     ----------

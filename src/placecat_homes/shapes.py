@@ -227,7 +227,7 @@ def _turned(points: NDArray[np.float64], segments: int, reach: float) -> Mesh:
 
 @cache
 def _lattice(rows: int, columns: int) -> NDArray[np.int32]:
-    """Return triangles of a lattice with vertices stored row by row. They face along rows x columns."""
+    """Return triangles of a lattice with vertices stored row by row. Normals point along rows x columns."""
     i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")
     a = (i * columns + j).ravel()
     b, c, d = a + columns, a + columns + 1, a + 1

@@ -222,7 +222,7 @@ def _reveal(opening: Opening, material: Material) -> Mesh:
 
 
 def _tunnel(hole: Hole, depth: float, *, floor: bool) -> Mesh:
-    """Build the inner sides of a hole (x0, x1, z0, z1) in a wall, from y = 0 to -depth."""
+    """Build the inner faces of a hole (x0, x1, z0, z1) in a wall, from y = 0 to -depth."""
     x0, x1, z0, z1 = hole
     d = -depth
     quads = [

@@ -56,7 +56,7 @@ def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
     dataset
         Settings as in conf/dataset, with "video" layout, an absolute root and at least two homes.
     every
-        Step between labelled frames used.
+        Use only every n-th labelled frame.
 
     Returns
     -------
@@ -111,7 +111,7 @@ def _look(frame: NDArray[np.uint8]) -> dict[str, Any]:
 
 
 def _mean(image: NDArray[Any]) -> NDArray[np.float64]:
-    """Return the mean of each channel. This is faster than NumPy and just as exact."""
+    """Return the mean of each channel. This is faster than NumPy and just as accurate."""
     channels = 1 if image.ndim == 2 else image.shape[2]
     return np.array(cv2.sumElems(image)[:channels]) / (image.shape[0] * image.shape[1])
 

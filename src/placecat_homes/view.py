@@ -141,7 +141,7 @@ class Viewer:
             points = origins[seen] + distance[seen, None] * d + LIFT * n
             other, *_ = self._surface(points, mirrored, spread * 2, sun=False)
             radiance[seen] += reflection[seen] * other
-        # Follow rays through glass and net curtains, through up to three layers.
+        # Follow rays through up to three layers of glass and net curtains.
         share, at = 1 - opacity, distance
         behind = np.flatnonzero(share > 0.01)
         points = origins[behind] + (at[behind, None] + LIFT) * rays[behind]

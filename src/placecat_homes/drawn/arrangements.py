@@ -35,7 +35,7 @@ class Sketch:
     entrance: str = ""
 
     def add(self, kind: str, x0: float, y0: float, x1: float, y1: float) -> str:
-        """Add a room, named after its kind with a number from 1."""
+        """Add a room named after its kind, numbered from 1."""
         number = 1 + sum(name.rpartition("_")[0] == kind for name in self.rooms)
         self.rooms[f"{kind}_{number}"] = (x0, y0, x1, y1)
         return f"{kind}_{number}"

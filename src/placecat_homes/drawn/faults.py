@@ -77,7 +77,7 @@ def _of_room(building: Building, plan: RoomPlan, room: Room) -> Iterator[str]:
         yield f"an object in {plan.name} overlaps a wall"
     for other in building.plan.rooms:
         if other is not plan and any(_reaches(thing, plan, other) for thing in room.placed):
-            yield f"an object in {plan.name} reaches into {other.name}"
+            yield f"an object in {plan.name} extends into {other.name}"
     if not room.walkable():
         yield f"furniture blocks a door of {plan.name}"
     if plan.kind not in KINDS:

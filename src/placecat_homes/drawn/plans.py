@@ -16,7 +16,7 @@ from placecat_homes.plan_parts import SIDES, Rect
 _TALL = 2.65
 _PLACES = ((0.08, 0.25), (0.75, 0.92), (0.35, 0.65))
 _TRIES = 30
-# Maximum share of the floor area for corridors, which is that of the long corridor in conf/plan/home_2.yaml.
+# Maximum share of the floor area for corridors, equal to that of the long corridor in conf/plan/home_2.yaml.
 _CORRIDORS = 0.22
 
 
@@ -162,7 +162,7 @@ def _door(
     kind: str,
     height: float,
 ) -> dict[str, Any] | None:
-    """Draw the width and position of a door. Return None if the rooms share too little wall."""
+    """Draw the width and position of a door. Return None if the rooms do not share enough wall."""
     a, b = sketch.rooms[first], sketch.rooms[second]
     shared = max(min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1]))
     room = shared - 0.2

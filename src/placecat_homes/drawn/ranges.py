@@ -92,7 +92,7 @@ class LightRanges:
     Attributes
     ----------
     odds
-        Odds of this weather.
+        Odds of this kind of weather.
     azimuth, elevation
         Position of the sun, in degrees.
     lamps
@@ -106,7 +106,7 @@ class LightRanges:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str) -> dict[str, "LightRanges"]:
-        """Create the ranges for each weather. Missing, unknown or invalid settings raise SettingError."""
+        """Create ranges for each kind of weather. Missing, unknown or invalid settings raise SettingError."""
         settings.refuse_unknown(values, list(WEATHERS), where)
         _check_odds({name: one.get("odds", -1) for name, one in values.items()}, WEATHERS, f"{where} odds")
         made = {}

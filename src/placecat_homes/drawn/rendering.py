@@ -57,8 +57,8 @@ def render_homes(
     Raises
     ------
     PlacecatError
-        If a number is out of range, the folder contains other homes, another run uses the folder, or an extra
-        is missing.
+        If a number is out of range, the folder contains other homes, another run is using the folder, or an
+        extra is not installed.
     """
     if not 1 <= count <= _LIMIT:
         raise PlacecatError(f"--homes must be from 1 to {_LIMIT}, not {count}")
@@ -168,7 +168,7 @@ def _alone(folder: Path) -> Iterator[None]:
 
 
 def _claim(folder: Path, seed: int, source: Source) -> None:
-    """Record how the homes in a folder are made, or check that an existing record agrees."""
+    """Record how the homes in a folder were made, or check that an existing record matches."""
     record = {
         "seed": seed,
         "video": vars(source.video),

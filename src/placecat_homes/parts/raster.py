@@ -12,7 +12,7 @@ class Canvas:
     Parameters
     ----------
     pixels
-        Side length of the picture in pixels.
+        Side length of the image in pixels.
     ground
         sRGB colour of the background.
     """

@@ -114,7 +114,7 @@ class AtWalls(Occupied):
         return best if best is not None and best.length >= least else None
 
     def hang(self, model: Mesh, *, bottom: float, above: Placed | None = None) -> Placed | None:
-        """Hang an object in a free place on a wall.
+        """Hang an object on a free stretch of wall.
 
         Parameters
         ----------
@@ -124,7 +124,7 @@ class AtWalls(Occupied):
             Height of the object's origin in metres. The object is hung a little lower if the ceiling is low,
             and higher if `above` reaches above this height.
         above
-            Another object, over the middle of which this one is hung on the same wall.
+            Another object at the same wall, above the middle of which this one is hung.
 
         Returns
         -------
@@ -192,7 +192,7 @@ class AtWalls(Occupied):
         return thing
 
     def _places(self, model: Mesh, wall: int) -> Floats:
-        """Return positions along a wall for the middle of a model, such that it fits between the corners."""
+        """Return positions along a wall for the middle of a model, so that it fits between the corners."""
         length, width = self.length(wall), float(model.size[0])
         margin = min(GAP, (length - width) / 2)
         if margin < -0.005:
@@ -203,7 +203,7 @@ class AtWalls(Occupied):
     def _stands(
         self, model: Mesh, wall: int, at: float | None, front: float, corner: bool, z: float
     ) -> list[tuple[float, Placed, Floats]]:
-        """Return free places at a wall, each with a rating (lower is better) and the floor in front of it."""
+        """Return free spots at a wall, each with a rating (lower is better) and the floor in front of it."""
         width, depth = float(model.size[0]), float(model.size[1])
         length = self.length(wall)
         if at is None:

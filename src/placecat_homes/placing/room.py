@@ -73,7 +73,7 @@ class Room(AtWalls):
             good &= self._clear(around, FLAT, HEAD, self._boxes)
             distance = np.linalg.norm(centres - aim, axis=1)
             spots += [(distance[k], degrees, centres[k] - offset) for k in np.flatnonzero(good)]
-        # Angles whose places are equally central are tried in random order.
+        # Angles at equally central positions are tried in random order.
         for _, degrees, origin in sorted(spots, key=lambda spot: round(float(spot[0]), 1))[:TRIES]:
             thing = Placed(model, float(origin[0]), float(origin[1]), 0.0, degrees)
             if self._walkable_with(thing):
@@ -107,7 +107,7 @@ class Room(AtWalls):
         return self._try(self._in_frame(other, model, x, y, 0.0, 0.0, other.wall))
 
     def facing(self, other: Placed, model: Mesh, *, distance: float) -> Placed | None:
-        """Put an object in front of another one and facing it.
+        """Put an object in front of another one, facing it.
 
         Parameters
         ----------
@@ -138,7 +138,7 @@ class Room(AtWalls):
         return self._try(thing)
 
     def on(self, other: Placed, model: Mesh, x: float, y: float, z: float, turn: float = 0.0) -> Placed:
-        """Put an object at a position relative to another one, whatever else may be there.
+        """Put an object at a position relative to another one, regardless of what else is there.
 
         Parameters
         ----------
@@ -169,7 +169,7 @@ class Room(AtWalls):
         model
             A rug or mat.
         under
-            Object to centre it under. If None, it is laid where a large part of the floor is free.
+            Object to centre it under. If None, it is laid on a large clear area of the floor.
 
         Returns
         -------
@@ -213,7 +213,7 @@ class Room(AtWalls):
         model
             The object, whose z = 0 is placed at the ceiling.
         above
-            Object to hang it over, at the middle.
+            Object to hang it over, centred.
         x, y
             Position if `above` is None; by default, the middle of the room.
 

@@ -47,7 +47,7 @@ def furnish(room: Room) -> None:
 
 
 def _tile(room: Room, tiles: Material) -> None:
-    """Tile all walls to about half height, higher, or up to the ceiling."""
+    """Tile all walls to about half their height, higher than that, or up to the ceiling."""
     rng = room.rng
     border = palette.paint(rng) if rng.random() < 0.35 else None
     low, high = ((1.1, 1.5), (1.8, 2.2), (2.2, 3.0))[int(rng.choice(3, p=[0.25, 0.4, 0.35]))]

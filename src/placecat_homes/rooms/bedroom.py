@@ -50,7 +50,7 @@ def furnish(room: Room) -> None:
 
 
 def _bed(room: Room, single: bool) -> Placed | None:
-    """Place the bed, usually with a double bed in the middle of a wall and a single bed in a corner."""
+    """Place the bed, a double usually in the middle of a wall and a single in a corner."""
     rng, style = room.rng, room.style
     widths = (0.9, 1.0, 1.2) if single else (1.4, 1.6, 1.8)
     width = float(rng.choice(widths))
@@ -138,7 +138,7 @@ def _extras(room: Room, area: float, single: bool) -> None:
 
 
 def _rug(room: Room, place: Placed | None) -> None:
-    """Lay a rug partly under the bed, beside the bed, or on free floor."""
+    """Lay a rug partly under the bed, beside the bed, or on a clear area of floor."""
     rng, style = room.rng, room.style
     choice = rng.random()
     if place is not None and choice < 0.4:

@@ -65,7 +65,7 @@ def _coats(room: Room) -> None:
         if kind == "hooks":
             rack = coat_rack(rng, style)
             top = between(rng, 1.68, 1.85)
-            # The board is near the top of the rack, whatever hangs from it.
+            # The board is near the top of the rack, regardless of what hangs from it.
             if room.hang(rack, bottom=max(0.3, top - float(rack.high[2]))) is not None:
                 return
         elif kind == "unit":

@@ -23,7 +23,7 @@ def furnish(room: Room) -> None:
     Parameters
     ----------
     room
-        An empty room, which is changed in place.
+        An empty room, which is modified in place.
     """
     rng, style = room.rng, room.style
     table = _table(room)

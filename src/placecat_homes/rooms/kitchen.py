@@ -1,4 +1,4 @@
-"""Kitchens with one row of fitted cabinets or two that meet in a corner, a fridge, and perhaps a table."""
+"""Kitchens with one row of fitted cabinets, or two that meet in a corner, a fridge, and perhaps a table."""
 
 from collections.abc import Sequence
 
@@ -43,7 +43,7 @@ def furnish(room: Room) -> None:
     Parameters
     ----------
     room
-        An empty room, which is changed in place.
+        An empty room, which is modified in place.
     """
     rng, style = room.rng, room.style
     design = Design.draw(rng, style)
@@ -74,7 +74,7 @@ def _best_span(room: Room) -> Span | None:
 def _fridge_at_end(
     room: Room, chill: Mesh, wall: int, start: float, end: float
 ) -> tuple[Placed | None, float, float]:
-    """Place the fridge at one end of a stretch of wall if enough of it remains. Return it and the rest."""
+    """Place the fridge at one end of a stretch of wall if there is enough wall. Return it and the rest."""
     width = float(chill.size[0])
     if end - start < width + 1.65:
         return None, start, end
@@ -156,7 +156,10 @@ def _stove_anywhere(room: Room) -> None:
 
 
 def _corner(room: Room, wall: int, at_start: bool, at_end: bool) -> tuple[str, int, float] | None:
-    """Find a wall for a second row. Return the end of the main row it adjoins, its number and free length."""
+    """Find a wall for a second row.
+
+    Return the end of the main row that it adjoins, its number and its free length.
+    """
     found = []
     for side, touching in (("start", at_start), ("end", at_end)):
         if not touching:

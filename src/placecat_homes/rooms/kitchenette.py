@@ -91,7 +91,7 @@ def _with(model: Mesh, thing: Mesh, x: float) -> Mesh:
 
 
 def _free(model: Mesh, thing: Mesh, length: float) -> float | None:
-    """Find a free place for an object on a worktop."""
+    """Find a free spot for an object on a worktop."""
     corners = model.vertices[model.triangles]
     low, high = corners.min(axis=1), corners.max(axis=1)
     above = (high[:, 2] > 0.93) & (low[:, 2] < 0.9 + float(thing.high[2])) & (high[:, 1] > 0.05)

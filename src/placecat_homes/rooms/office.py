@@ -92,7 +92,7 @@ def _workplace(room: Room) -> Placed | None:
 
 
 def _gap_below(rng: np.random.Generator, model: Mesh, case: Mesh) -> float | None:
-    """Find a place for a computer case under a desk that leaves room for knees, or return None."""
+    """Find a place for a computer case under a desk that leaves enough knee room, or return None."""
     corners = model.vertices[model.triangles]
     low, high = corners.min(axis=1), corners.max(axis=1)
     half = float(case.size[0]) / 2 + 0.01

@@ -23,7 +23,7 @@ def dress_windows(room: Room, bare: float = 0.15, cloth: float = 0.65) -> None:
     bare
         Probability that the windows are left bare.
     cloth
-        Probability that windows which are not bare have curtains rather than blinds or net curtains.
+        Probability that windows not left bare have curtains rather than blinds or net curtains.
     """
     rng = room.rng
     for window in room.windows:
@@ -44,7 +44,7 @@ def dress_windows(room: Room, bare: float = 0.15, cloth: float = 0.65) -> None:
 
 
 def _on_sill(room: Room, window: Opening) -> None:
-    """Put plants and ornaments on a window sill, inside the depth of the wall."""
+    """Put plants and ornaments on a window sill, within the depth of the wall."""
     rng = room.rng
     count = int(rng.integers(1, 4))
     for k in range(count):
@@ -58,7 +58,7 @@ def _on_sill(room: Room, window: Opening) -> None:
 
 
 def _rod(window: Opening, extra: float) -> float:
-    """Return the distance in metres from the lower end of the curtains to the rod."""
+    """Return the distance in metres from the bottom of the curtains to the rod."""
     low = 0.03 if window.sill < 0.5 or extra > 0.03 else window.sill - 0.12
     return window.top + 0.09 - low
 

@@ -1,4 +1,4 @@
-"""Pictures on surfaces. Each kind has a module of the same name with a function `draw`."""
+"""Images on surfaces. Each kind has a module of the same name with a function `draw`."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ def draw(texture: Texture, pixels: int = 256) -> NDArray[np.uint8]:
     texture
         The texture; its kind is the name of a module in this package.
     pixels
-        Width and height of the picture.
+        Width and height of the image.
 
     Returns
     -------

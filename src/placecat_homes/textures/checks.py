@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, mix, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw crossing bands in the second colour, and in the third if there is one, on the first."""
+    """Draw crossing bands in the second colour, and the third if any, on a background of the first."""
     x, y = grid(pixels)
     n = int(rng.integers(2, 6))
     across, down = (x * n % 1 < 0.5), (y * n % 1 < 0.5)

@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, mix
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw mirrored waves in the second colour on the first."""
+    """Draw mirrored waves in the second colour on a background of the first."""
     x, y = grid(pixels)
     n = int(rng.integers(2, 4))
     u, v = np.abs(x * n % 1 - 0.5) * 2, y * n % 1

@@ -1,4 +1,4 @@
-"""The picture on a computer screen, with windows showing text, tables and pictures on a background."""
+"""The image on a computer screen, with windows showing text, tables and pictures on a background."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Background colour, followed by colours for title bars and pictures.
     pixels
-        Side length of the picture.
+        Side length of the image.
 
     Returns
     -------

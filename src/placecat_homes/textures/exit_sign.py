@@ -16,7 +16,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colours of the background and the figures.
     pixels
-        Side length. The picture is stretched over a sign that is twice as wide as it is high.
+        Side length. The image is stretched over a sign that is twice as wide as it is high.
 
     Returns
     -------

@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw flowers in the second and any further colours on the first."""
+    """Draw flowers in the second and any further colours, on a background of the first."""
     x, y = grid(pixels)
     picture = np.broadcast_to(colours[0], (pixels, pixels, 3)) * (
         1 + 0.02 * smooth(rng, pixels, 0.6)[..., None]

@@ -1,4 +1,4 @@
-"""Granite, terrazzo and speckled laminate, with specks in the other colours on the first."""
+"""Granite, terrazzo and speckled laminate, with specks in the other colours over the first."""
 
 import numpy as np
 

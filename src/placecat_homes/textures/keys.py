@@ -18,7 +18,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colours of the case and the keys.
     pixels
-        Side length. The picture is stretched over the keyboard.
+        Side length. The image is stretched over the keyboard.
 
     Returns
     -------

@@ -16,7 +16,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colours of the paper and ink, followed by colours for pictures.
     pixels
-        Side length of the picture.
+        Side length of the image.
 
     Returns
     -------

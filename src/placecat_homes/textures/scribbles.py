@@ -20,7 +20,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colour of the board, followed by those of the pens.
     pixels
-        Side length of the picture.
+        Side length of the image.
 
     Returns
     -------

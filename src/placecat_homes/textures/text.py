@@ -6,7 +6,7 @@ from placecat_homes.noise import Field, grid, smooth
 
 
 def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
-    """Draw text in the second colour on the first."""
+    """Draw text in the second colour on a background of the first."""
     x, y = grid(pixels)
     picture = np.broadcast_to(colours[0], (pixels, pixels, 3)).astype(np.float32)
     ink = colours[1] if len(colours) > 1 else np.array([0.15, 0.15, 0.18])

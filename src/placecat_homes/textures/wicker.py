@@ -17,7 +17,7 @@ def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: 
     colours
         Colours of the canes and the gaps.
     pixels
-        Side length of the picture.
+        Side length of the image.
 
     Returns
     -------

@@ -23,7 +23,7 @@ _SHORTEST = 0.4
 
 @dataclass(frozen=True)
 class Act:
-    """What the camera does for some time. With neither `turn` nor `point`, it looks ahead.
+    """What the camera does for a period of time. With neither `turn` nor `point`, it looks ahead.
 
     Attributes
     ----------

@@ -111,7 +111,7 @@ def draw(
         if kind in statistics.kinds and (rooms is None or name in rooms)
     ]
     if not allowed:
-        raise PlacecatError("the building has no room in which the walk could stay")
+        raise PlacecatError("the building has no room for the walk to stay in")
     must = set(allowed) if rooms is not None else set()
     must_kinds = {ground.kinds[room] for room in allowed} & set(statistics.classes)
     way = ways(ground)

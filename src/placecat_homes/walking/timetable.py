@@ -1,4 +1,4 @@
-"""Timetables of walks, with the frames of sections and the seconds of their pieces."""
+"""Timetables of walks, with the frames in each section and the timing of its pieces."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Places in a room for a camera to look around from."""
+"""Places in a room from which a camera can look around."""
 
 import math
 from dataclasses import dataclass
