@@ -2,5 +2,5 @@
 
 Each module of `pieces` benchmarks one piece, and `scale` measures the stages on as many frames as VPC-2009
 has. `placecat` imports nothing from here. Only this package imports the alternatives ("peers"). The optional
-extra ``bench`` installs most of them.
+``bench`` extra installs most of them.
 """

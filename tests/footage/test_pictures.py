@@ -159,7 +159,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
             ),
             "the image is animated",
         ),
-        (simplejpeg.encode_jpeg(np.zeros((9, 9, 4), np.uint8), colorspace="CMYK"), "colours for printing"),
+        (simplejpeg.encode_jpeg(np.zeros((9, 9, 4), np.uint8), colorspace="CMYK"), "colour model for printing"),
         (encoded(".webp"), "neither JPEG nor PNG"),
         (encoded(".bmp"), "neither JPEG nor PNG"),
         (b"GIF89a" + bytes(50), "neither JPEG nor PNG"),

@@ -42,8 +42,8 @@ class _Damaged(Exception):
 class Picture:
     """A decoded frame.
 
-    `number` counts the frames of the file from 1, including lost ones. `size` is its (width, height) as
-    displayed: upright, with square pixels.
+    `number` is the frame's number in the file, counted from 1, including lost frames. `size` is its (width,
+    height) as displayed: upright, with square pixels.
     """
 
     number: int

@@ -271,7 +271,7 @@ def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
     uphill = others.any(axis=(0, 1))
     if uphill.all():
         return found[:0]
-    # Label only the bounding box of the ties. Except in drawn images, ties are rare and close together.
+    # Label only the bounding box of the ties. Except in synthetic images, ties are rare and close together.
     rows -= rows.min()
     columns -= columns.min()
     mask = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)

@@ -99,10 +99,11 @@ def _weights(path: Path, name: str) -> Path:
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
         raise PlacecatError(f"{path} has weights in {name!r}, outside its folder: move them into its folder")
     if not file.is_file():
-        raise PlacecatError(f"the file {file} with the weights of {path.name} is missing: add it")
+        raise PlacecatError(f"{file}, which holds the weights of {path.name}, is missing: add it")
     if not file.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
-            f"{file} with weights of {path.name} links to a file outside the folder: replace it with a copy"
+            f"{file}, which holds weights of {path.name}, links to a file outside the folder: replace it "
+            "with a copy"
         )
     return file
 
