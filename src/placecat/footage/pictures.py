@@ -200,7 +200,7 @@ def _check_png(path: Path | str, content: bytes) -> None:
     check_size(path, width, height)
     if depth == 16 and color in (0, 4):
         raise PlacecatError(
-            f"{path}: it is a 16-bit grey image, like a depth image; remove it from the "
+            f"{path}: it is a 16-bit greyscale image, such as a depth image; remove it from the "
             "folder, or convert it."
         )
     if b"acTL" in kinds:

@@ -263,7 +263,7 @@ def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
     if found.size == plane.size:  # The plane is constant.
         return found[:0]
     rows, columns = np.divmod(found, width)
-    # If a tied pixel is next to an equal pixel that is not tied, there is a way uphill.
+    # If a tied pixel is next to an equal pixel that is not tied, there is an uphill path.
     near = np.arange(-1, 2)[:, None]
     down = np.clip(rows + near, 0, height - 1) * width
     around = down[:, None] + np.clip(columns + near, 0, width - 1)

@@ -49,7 +49,7 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
     for line, row in rows[1:]:
         where = f"{path} line {line}"
         if len(row) != len(header):
-            raise PlacecatError(f"{where} has {len(row)} columns; write {','.join(header)}.")
+            raise PlacecatError(f"{where} has {len(row)} columns; expected {','.join(header)}.")
         cells = dict(zip(header, (cell.strip() for cell in row), strict=True))
         for name in _NEEDED:
             if not cells[name]:

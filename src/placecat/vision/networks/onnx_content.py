@@ -65,11 +65,11 @@ def check(path: Path, sha256: str | None) -> None:
             is_training = name == _DROPOUT and len(inputs) > _TRAINING and inputs[_TRAINING] != ""
             if name.startswith(_RANDOM) or is_training:
                 raise PlacecatError(
-                    f"{path} has the operator {name}, which is random: export the network for inference"
+                    f"{path} uses the operator {name}, which is random: export the network for inference"
                 )
             if name in _ENDLESS:
                 raise PlacecatError(
-                    f"{path} has the operator {name}, which may never terminate: export the network "
+                    f"{path} uses the operator {name}, which may never terminate: export the network "
                     "without it"
                 )
         files = [_weights(path, name) for name in weights]

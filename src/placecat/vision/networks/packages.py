@@ -25,6 +25,6 @@ def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
         except ImportError as error:
             said = " ".join(str(error).split())
             raise PlacecatError(
-                f"{wanted_by} needs the package {name}, which does not work ({said})"
+                f"{wanted_by} needs the package {name}, which cannot be imported ({said})"
             ) from None
     return modules
