@@ -79,7 +79,7 @@ def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
     assert shown(recording) == [(1, 0), (2, 1), (3, 2), (4, 5), (5, 6)]
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3, 0.4, 0.5])
     assert recording.note() == (
-        f"{path}: 2 of 7 frames are left out because they are not later than a previous frame."
+        f"{path}: 2 of 7 frames are left out because they are no later than a preceding frame."
     )
     # With a given rate, all frames count.
     assert shown(BagRecording(path, fps=10)) == [(number + 1, number) for number in range(7)]

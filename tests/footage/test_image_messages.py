@@ -96,7 +96,7 @@ def test_more_pixels_than_any_picture_has_are_refused():
 
 
 def test_sizes_that_an_encoding_cannot_have():
-    with pytest.raises(Damaged, match="an image in yuv422 cannot have 7x6 pixels"):
+    with pytest.raises(Damaged, match="an image in yuv422 cannot be 7x6 pixels"):
         decode(filled("yuv422"), "yuv422", WIDTH * 2, width=7)
 
 

@@ -148,7 +148,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
             "not a readable image",
         ),
         (png((b"tEXt", b""), header(5, 5), (b"IEND", b"")), "not a readable image"),
-        (encoded(".png", np.full((9, 9), 700, np.uint16)), "16-bit grey image, like a depth image"),
+        (encoded(".png", np.full((9, 9), 700, np.uint16)), "16-bit greyscale image, such as a depth image"),
         (encoded(".png", np.full((9, 9, 4), 100, np.uint8)), "parts of it are transparent"),
         (
             png(
@@ -159,7 +159,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
             ),
             "the image is animated",
         ),
-        (simplejpeg.encode_jpeg(np.zeros((9, 9, 4), np.uint8), colorspace="CMYK"), "colours for printing"),
+        (simplejpeg.encode_jpeg(np.zeros((9, 9, 4), np.uint8), colorspace="CMYK"), "model for printing"),
         (encoded(".webp"), "neither JPEG nor PNG"),
         (encoded(".bmp"), "neither JPEG nor PNG"),
         (b"GIF89a" + bytes(50), "neither JPEG nor PNG"),

@@ -51,7 +51,7 @@ def test_a_table_names_home_floor_room_and_label(table, tmp_path):
             "rooms.csv line 1: the header is 'house,floor,file,room'; write home,file,room",
         ),
         ("file,room", "file,file", "rooms.csv line 1: the header is"),
-        ("2,b/c.jpg", "b/c.jpg", "rooms.csv line 3 has 3 columns; write home,floor,file,room"),
+        ("2,b/c.jpg", "b/c.jpg", "rooms.csv line 3 has 3 columns; expected home,floor,file,room"),
         ("2,b/c.jpg", "2,", "rooms.csv line 3: file is empty"),
         ("flat,2", "flat,up/..", "rooms.csv line 3: 'up/..' is not a valid floor"),
         ("flat,2", "../flat,2", "rooms.csv line 3: home=../flat: it names a file or folder"),

@@ -128,7 +128,7 @@ def test_csv_from_a_spreadsheet() -> None:
         ("start,end,label\n1,9.5,a\n", r"line 2: '9\.5' is not a whole number"),
         ("start,end,label\n1,٩,a\n", r"line 2: '٩' is not a whole number"),
         ("start,end,label\n1,,a\n", r"line 2: '' is not a whole number"),
-        ("start,end,label\n1,9\n", r"line 2 has 2 columns; write start,end,label"),
+        ("start,end,label\n1,9\n", r"line 2 has 2 columns; expected start,end,label"),
         ("start,end,label\n1,9,a,b\n", r"line 2 has 4 columns"),
         ("start,end,label\n1,4,a\n5,9,\n", r"line 3: the label is empty"),
         ("start_seconds,end_seconds,label\n0,now,a\n", r"line 2: 'now' is not a time"),

@@ -46,7 +46,7 @@ class BagFrame:
 class BagRecording:
     """The frames of a bag: the images of one topic, ordered by their stamps.
 
-    Opening reads the topic once. Frames that are not later than all frames before them (late arrivals and
+    Opening reads the topic once. Frames that are no later than a preceding frame (late arrivals and
     duplicates) are skipped and not numbered. Raises PlacecatError if the bag cannot be read, if the topic has
     no images, or if its times are implausible.
 
@@ -142,8 +142,8 @@ class BagRecording:
         is_late = np.append(False, stamps[1:] <= before[:-1])
         if is_late.any():
             self._remarks.append(
-                f"{is_late.sum()} of {len(stamps)} frames are left out because they are not later than a "
-                "previous frame"
+                f"{is_late.sum()} of {len(stamps)} frames are left out because they are no later than a "
+                "preceding frame"
             )
         self.positions, self.received = self.positions[~is_late], self.received[~is_late]
         return stamps[~is_late]

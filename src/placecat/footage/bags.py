@@ -40,8 +40,8 @@ def is_bag(path: Path) -> bool:
 class Picture:
     """A message with an image.
 
-    `number` counts the image messages of all topics from 1, in the order received. `received` is the
-    reception time, and `stamp` is the time in the header, both in nanoseconds.
+    `number` is the message's number among the image messages of all topics, counted from 1 in the order
+    received. `received` is the reception time, and `stamp` is the time in the header, both in nanoseconds.
     """
 
     number: int

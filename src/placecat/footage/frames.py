@@ -22,8 +22,8 @@ def read_frames(
     """Decode frames in row order.
 
     In a video, decoding starts at the latest frame from which the first row can be decoded. A bag is read
-    from its start. If a frame precedes the previously read frame in its file, reading restarts, so rows in
-    ascending order need only one pass. The code never seeks within a file, because some containers would
+    from the beginning. If a frame precedes the previously read frame in its file, reading restarts, so rows
+    in ascending order need only one pass. The code never seeks within a file, because some containers would
     silently return a nearby frame.
 
     `home_root` is `Home.root`, and `frames` are any rows of `Home.frames`, in any order. `size` is the

@@ -68,7 +68,7 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
     if encoding not in _ENCODINGS:
         raise PlacecatError(
             f"{name}: the encoding {encoding!r} is not supported; choose another topic, or convert the "
-            f"pictures to one of {', '.join(ENCODINGS)}."
+            f"images to one of {', '.join(ENCODINGS)}."
         )
     check_size(name, width, height)
     depth, conversion = _ENCODINGS[encoding]
@@ -87,7 +87,7 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
         return cv2.cvtColor(pixels, conversion)  # type: ignore[return-value]
     except cv2.error:
         raise Damaged(
-            f"{name}: an image in {encoding} cannot have {width}x{height} pixels; record it again."
+            f"{name}: an image in {encoding} cannot be {width}x{height} pixels; record it again."
         ) from None
 
 

@@ -63,7 +63,7 @@ def list_frames(folder: Path) -> list[str]:
         )
     names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
     numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
-    # If all names contain the same numbers, those are not frame numbers.
+    # Numbers that are the same in every name are not frame numbers.
     are_counted = len(set(numbers)) > 1
     seen: dict[object, str] = {}
     for name, own in zip(names, numbers, strict=True):
@@ -73,7 +73,7 @@ def list_frames(folder: Path) -> list[str]:
                 raise PlacecatError(
                     f"{folder / name}: judging by its name, this is the same frame as {first}, perhaps "
                     "as colour and depth, or from two cameras; keep one image per frame, or number all "
-                    "pictures consecutively."
+                    "images consecutively."
                 )
     return names
 
@@ -166,7 +166,7 @@ def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
 
 
 def _check_jpeg(path: Path | str, content: bytes) -> None:
-    """Raise an error if a JPEG has CMYK colours, is too large, or is damaged.
+    """Raise an error if a JPEG uses CMYK colours, is too large, or is damaged.
 
     OpenCV hides damage by filling in the areas that it cannot decode.
     """
@@ -174,7 +174,7 @@ def _check_jpeg(path: Path | str, content: bytes) -> None:
         height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
         check_size(path, width, height)
         if colors in ("CMYK", "YCCK"):
-            raise PlacecatError(f"{path}: it has {colors} colours for printing; convert it to RGB.")
+            raise PlacecatError(f"{path}: it uses {colors}, a colour model for printing; convert it to RGB.")
         # Decoding to greyscale at an eighth of the width and height takes a fifth of the time.
         simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
     except PlacecatError:
@@ -200,7 +200,7 @@ def _check_png(path: Path | str, content: bytes) -> None:
     check_size(path, width, height)
     if depth == 16 and color in (0, 4):
         raise PlacecatError(
-            f"{path}: it is a 16-bit grey image, like a depth image; remove it from the "
+            f"{path}: it is a 16-bit greyscale image, such as a depth image; remove it from the "
             "folder, or convert it."
         )
     if b"acTL" in kinds:

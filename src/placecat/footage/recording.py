@@ -42,8 +42,8 @@ class _Damaged(Exception):
 class Picture:
     """A decoded frame.
 
-    `number` counts the frames of the file from 1, including lost ones. `size` is its (width, height) as
-    displayed: upright, with square pixels.
+    `number` is the frame's number in the file, counted from 1, including lost frames. `size` is its (width,
+    height) as displayed: upright, with square pixels.
     """
 
     number: int
@@ -112,7 +112,7 @@ class Recording:
 
         Decoding starts at the frame that `start_before` returns, so starting late in the file costs little.
         FFmpeg decodes several frames at once and does not report which one caused an error. After the first
-        error, the file is decoded again from its start, one frame at a time.
+        error, the file is decoded again from the beginning, one frame at a time.
         """
         self._start(first)
         start = self.start_before(first)

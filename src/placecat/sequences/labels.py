@@ -156,7 +156,7 @@ def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str]
     for line, row in rows[1:]:
         cells = [cell.strip() for cell in row]
         if len(cells) != 3:
-            raise PlacecatError(f"{path} line {line} has {len(cells)} columns; write {','.join(header)}.")
+            raise PlacecatError(f"{path} line {line} has {len(cells)} columns; expected {','.join(header)}.")
         if not cells[2]:
             raise PlacecatError(f"{path} line {line}: the label is empty; write one, for example transition.")
         if header == FRAME_HEADER:

@@ -74,8 +74,8 @@ def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
 def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]:
     """Compute a histogram of the codes in each cell of a ``cells`` x ``cells`` grid.
 
-    Cells consist of whole pixels. Cell k of n covers the pixels from floor(k length / n) up to, but
-    excluding, floor((k + 1) length / n). The thesis does not specify this.
+    Cells consist of whole pixels. Cell k of n covers the pixels from floor(k length / n) up to but not
+    including floor((k + 1) length / n). The thesis does not specify this.
 
     `codes` are (h, w) uint8 codes from `census`, and `cells` is at most 16. Returns a (cells**2, 256) float32
     array with one row per cell, in row-major order of the grid. Each row sums to 1, or to 0 for a cell

@@ -16,7 +16,7 @@ COLOR_ROUNDING = 1e-5
 def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> None:
     """Subtract from each pixel the mean of the other pixels in its k x k neighbourhood.
 
-    The side length k is 2 radius + 1. With the mean m of all k^2 pixels, the difference is k^2 / (k^2 - 1)
+    The side length k is 2 radius + 1. If m is the mean of all k^2 pixels, the difference is k^2 / (k^2 - 1)
     times (centre - m), so a box blur suffices. The border is mirrored without repeating the edge pixel
     (reflect-101). The thesis does not specify this.
     """

@@ -20,7 +20,7 @@ from placecat.errors import PlacecatError
 from placecat.vision.maps import FloatArray
 from placecat.vision.pyramid import level_size
 
-# Strips with fewer rows would fit into a core's cache, but the extra calls would cost more time than this
+# Strips with fewer rows would fit in a core's cache, but the extra calls would cost more time than this
 # saves.
 STRIP_ROWS = 144
 SHIFT = np.float32(1.5)

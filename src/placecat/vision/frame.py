@@ -49,8 +49,8 @@ def describe_frame(
         requested descriptor to its settings. A variant of a descriptor may have any name, and its
         ``descriptor`` setting names the original, as in ``{"centrist_full": {"descriptor": "centrist",
         "width": None}}``. ``variants`` maps names to variants of the regions. Each variant has ``scales``
-        (some of the maps' scales, or None for all), ``regions`` (changed settings) and ``descriptors`` (names
-        in ``local``).
+        (some of the maps' scales, or None for all), ``regions`` (overridden settings) and ``descriptors``
+        (names in ``local``).
     regions
         (n, 4) float32 regions to describe, at most ``max_regions`` of them, such as tracked regions (thesis
         4.7). If None, the regions are found in the frame. If regions are passed, variants are not computed,

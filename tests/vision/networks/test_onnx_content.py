@@ -96,7 +96,7 @@ def test_weights_outside_the_folder_are_refused(path, location):
 
 def test_missing_and_linked_weights_are_refused(path, tmp_path):
     path.write_bytes(scaled_mean_color("weights.bin"))
-    refused(r"weights\.bin with the weights of net\.onnx is missing", path)
+    refused(r"weights\.bin, which holds the weights of net\.onnx, is missing", path)
     path.with_name("weights.bin").symlink_to(onnx_bytes.__file__)
     refused("links to a file outside the folder: replace it with a copy", path)
 

@@ -118,7 +118,7 @@ def test_messages_of_onnxruntime_become_one_line(monkeypatch, file):
 
 @pytest.fixture
 def real(file):
-    pytest.importorskip("onnxruntime", reason="onnxruntime, of the extra deep, is not installed")
+    pytest.importorskip("onnxruntime", reason="onnxruntime, from the `deep` extra, is not installed")
     return str(file)
 
 

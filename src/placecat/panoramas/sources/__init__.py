@@ -37,7 +37,7 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
             panoramas = [one for one in panoramas if one.home in settings["homes"]]
         if not panoramas:
             raise PlacecatError(
-                f"{root} contains no panoramas; correct SOURCE, or the settings source or labels."
+                f"{root} contains no panoramas; correct SOURCE, or the source or labels setting."
             )
         for one in panoramas:
             schema.check_value(one.home, _HOME, f"{one.origin}: home")

@@ -1,6 +1,6 @@
 """Equirectangular images from 360-degree cameras, and a table of their rooms.
 
-The table is a CSV with the columns home, file, room and, optionally, floor.
+The table is a CSV file with the columns home, file, room and, optionally, floor.
 """
 
 import re
@@ -29,8 +29,8 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
     """Read the table in a source folder; each row is a panorama.
 
     `settings` are those in conf/panoramas.yaml. `files` maps the value in the `file` column to the images
-    of the panorama, relative to `root`. Raises PlacecatError if the table is missing or not a CSV, or if a
-    row has invalid cells, a path that leaves `root`, or a room without a label.
+    of the panorama, relative to `root`. Raises PlacecatError if the table is missing or not a CSV file, or if
+    a row has invalid cells, a path outside `root`, or a room without a label.
     """
     path = root / settings["table"]
     if not path.is_file():
@@ -49,7 +49,7 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
     for line, row in rows[1:]:
         where = f"{path} line {line}"
         if len(row) != len(header):
-            raise PlacecatError(f"{where} has {len(row)} columns; write {','.join(header)}.")
+            raise PlacecatError(f"{where} has {len(row)} columns; expected {','.join(header)}.")
         cells = dict(zip(header, (cell.strip() for cell in row), strict=True))
         for name in _NEEDED:
             if not cells[name]:

@@ -15,7 +15,7 @@ from placecat.vision.maps import FrameMaps
 from placecat.vision.networks import efficientnet_lite
 
 MAPS: tuple[str, ...] = ()
-# Packages that this module imports by default. All belong to the extra `deep`.
+# Packages that this module imports by default. All belong to the `deep` extra.
 PACKAGES = efficientnet_lite.PACKAGES
 
 _OWNER = "holistic descriptor 'embedding'"
@@ -60,7 +60,7 @@ def describe(
         already a vector.
     sha256
         The required checksum of the ONNX file in hexadecimal, or None to accept any file. Without a checksum,
-        the stages do not notice changes to the file.
+        the stages do not detect changes to the file.
 
     Returns
     -------

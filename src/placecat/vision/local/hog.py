@@ -19,7 +19,7 @@ INTERPOLATIONS = {"nearest": cv2.INTER_NEAREST, "linear": cv2.INTER_LINEAR, "cub
 _HOG = cv2.HOGDescriptor((WINDOW, WINDOW), (64, 64), (32, 32), (16, 16), 8)
 _SIZE = int(_HOG.getDescriptorSize())
 
-# Number of patches per row of a mosaic. A mosaic of this width fits into the cache.
+# Number of patches per row of a mosaic. A mosaic of this width fits in the cache.
 _COLUMNS = 5
 
 
@@ -56,7 +56,7 @@ def describe(
 
 
 def _mosaic_hog(patches: NDArray[np.uint8], interpolation: int) -> NDArray[Any]:
-    """Compute HOG on (n, side, side) patches, resized and framed by mirrored pixels in one mosaic."""
+    """Compute HOG on (n, side, side) patches, resized, padded by mirroring and tiled into one mosaic."""
     tile = WINDOW + 2
     places = [divmod(index, _COLUMNS) for index in range(len(patches))]
     mosaic = np.zeros((places[-1][0] + 1, tile, _COLUMNS, tile), np.uint8)

@@ -30,7 +30,7 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe each region with one SIFT descriptor whose 4x4 cells cover it (thesis 3.1.2).
 
-    The side of a cell is a quarter of the region's side. As in the implementations by Lowe, Hess and OpenCV,
+    Each cell is a quarter as wide as the region. As in the implementations by Lowe, Hess and OpenCV,
     a gradient votes for the nearest cells and bins with trilinear weights, so gradients up to half a cell
     outside the region also count. The gradients are weighted by a Gaussian whose sigma is half the region's
     side. The pyramid level is not blurred again.

@@ -65,11 +65,11 @@ def check(path: Path, sha256: str | None) -> None:
             is_training = name == _DROPOUT and len(inputs) > _TRAINING and inputs[_TRAINING] != ""
             if name.startswith(_RANDOM) or is_training:
                 raise PlacecatError(
-                    f"{path} has the operator {name}, which is random: export the network for inference"
+                    f"{path} uses the operator {name}, which is random: export the network for inference"
                 )
             if name in _ENDLESS:
                 raise PlacecatError(
-                    f"{path} has the operator {name}, which may never terminate: export the network "
+                    f"{path} uses the operator {name}, which may never terminate: export the network "
                     "without it"
                 )
         files = [_weights(path, name) for name in weights]
@@ -99,10 +99,11 @@ def _weights(path: Path, name: str) -> Path:
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
         raise PlacecatError(f"{path} has weights in {name!r}, outside its folder: move them into its folder")
     if not file.is_file():
-        raise PlacecatError(f"the file {file} with the weights of {path.name} is missing: add it")
+        raise PlacecatError(f"{file}, which holds the weights of {path.name}, is missing: add it")
     if not file.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
-            f"{file} with weights of {path.name} links to a file outside the folder: replace it with a copy"
+            f"{file}, which holds weights of {path.name}, links to a file outside the folder: replace it "
+            "with a copy"
         )
     return file
 

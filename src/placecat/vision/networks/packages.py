@@ -10,7 +10,7 @@ INSTALL = "run `pip install -e '.[deep]'` in placecat's environment"
 
 
 def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
-    """Import modules that the extra `deep` installs.
+    """Import modules that the `deep` extra installs.
 
     Raises a PlacecatError that names `wanted_by` and the first package that is missing or cannot be imported.
     """
@@ -25,6 +25,6 @@ def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
         except ImportError as error:
             said = " ".join(str(error).split())
             raise PlacecatError(
-                f"{wanted_by} needs the package {name}, which does not work ({said})"
+                f"{wanted_by} needs the package {name}, which cannot be imported ({said})"
             ) from None
     return modules
