@@ -150,7 +150,7 @@ def replicated() -> str:
     def row(number: int, one: pd.Series) -> list[str]:
         interval = f"{one['difference']:.2f} ({one['low']:.2f} to {one['high']:.2f})"
         verdict = one["verdict"] if one["replicated"] else "other data"
-        shared = "" if np.isnan(one["shared"]) else f"{100 * one['shared']:.0f} %"
+        shared = "" if np.isnan(one["shared"]) else f"{100 * one['shared']:.0f}%"
         homes = f"over {needed.MOST}" if np.isinf(_homes_needed(number)) else f"{_homes_needed(number):.0f}"
         is_open = one["verdict"] == "undecided" and not np.isnan(_homes_needed(number))
         return [

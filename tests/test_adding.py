@@ -137,7 +137,7 @@ def test_the_cue_discriminates_places_and_the_table_has_its_accuracy(project, re
     assert list(filled["column"]) == ["Home 1", "Home 2", "Home 3", "Home 4", "Average"]
     expected = results.of(RESULT).by_home()[0]
     np.testing.assert_allclose(filled["measured"], [*expected, expected.mean()], atol=0.011)
-    # Chance is 20 %. Two means cannot separate a place of medium brightness.
+    # Chance is 20%. Two means cannot separate a place of medium brightness.
     assert expected.mean() > 50
 
 

@@ -20,7 +20,7 @@ from placecat.terminal import Terminal
 
 HOSTILE = {
     "mathematics": "cost $5$ and $x^$ {_",
-    "format": "100 % %s %d {0} {{ 7*7 }} {% raw %}",
+    "format": "100% %s %d {0} {{ 7*7 }} {% raw %}",
     "markup": "<script>alert(1)</script> &lt; <b>",
     "link": "[click](javascript:alert(1)) ![x](y) |a|b| `c` *d*",
     "latex": r"\input{/etc/passwd} \write18{ls} ~^_#&$%{}",

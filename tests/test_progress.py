@@ -51,7 +51,7 @@ def test_a_terminal_shows_one_line_that_disappears_at_the_end(columns):
     states = [state for state in before.split("\r") if state.strip()]
     assert len(states) > 2
     assert max(map(len, states)) < columns
-    assert re.search(r"frames of a home with a long name: +\d+ % .*", states[-1])
+    assert re.search(r"frames of a home with a long name: +\d+% .*", states[-1])
     if columns > 100:
         assert re.search(r"\d+ of 40 tasks, 0\d:\d\d left", states[-1])
     # The last state is overwritten.

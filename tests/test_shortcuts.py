@@ -110,7 +110,7 @@ def test_the_command_judges_the_homes_in_a_folder(tmp_path, capsys, monkeypatch)
         old.rename(old.with_name(f"home_{'abcd'.index(old.stem) + 1}{old.suffix}"))
     with pytest.raises(SystemExit) as ended:
         shortcuts.main([str(tmp_path)])
-    assert "more than 35 %" in str(ended.value)
+    assert "more than 35%" in str(ended.value)
     assert capsys.readouterr().out.strip() == report(*tables).strip()
     assert_found(*tables, {"mean colour", "brightness"})
 

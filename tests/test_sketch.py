@@ -53,7 +53,7 @@ def test_frames_are_distinct_and_reproducible(drawn, tmp_path):
 
 @pytest.mark.slow
 def test_colours_do_not_predict_classes():
-    # The class with the nearest mean colour in the other homes is rarely correct; chance is 20 %.
+    # The class with the nearest mean colour in the other homes is rarely correct; chance is 20%.
     homes, rooms = 12, sorted(CLASSES)
     means = np.empty((homes, len(rooms), 3))
     for home, place in np.ndindex(homes, len(rooms)):

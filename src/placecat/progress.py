@@ -11,7 +11,7 @@ IN_LOG = 30.0
 _IN_TERMINAL = 0.2
 _COUNT = "{desc}: {n_fmt}{unit}, {rate_fmt}{postfix}"
 _TIME_LEFT = "{desc}: {n_fmt} of {total_fmt}{unit}, {remaining} left{postfix}"
-_BAR = "{desc}: {percentage:3.0f} % |{bar:20}| {n_fmt} of {total_fmt}{unit}, {remaining} left{postfix}"
+_BAR = "{desc}: {percentage:3.0f}% |{bar:20}| {n_fmt} of {total_fmt}{unit}, {remaining} left{postfix}"
 
 
 class Progress(tqdm):

@@ -146,7 +146,7 @@ def report(table: pd.DataFrame) -> str:
         [
             *lines,
             "",
-            f"Best: {best[1]} on {best[0]}, {table['average'].max():.1f} % (limit {LIMIT} %, chance 20 %).",
+            f"Best: {best[1]} on {best[0]}, {table['average'].max():.1f}% (limit {LIMIT}%, chance 20%).",
         ]
     )
 
@@ -163,7 +163,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         table = measure(dataset(folder))
         print(report(table))
         if table["average"].max() > LIMIT:
-            raise PlacecatError(f"a shortcut reaches more than {LIMIT} % in {folder}")
+            raise PlacecatError(f"a shortcut reaches more than {LIMIT}% in {folder}")
 
 
 if __name__ == "__main__":

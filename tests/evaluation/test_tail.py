@@ -50,7 +50,7 @@ def test_identical_values_give_a_point():
 
 @pytest.mark.parametrize("between", [1.0, 0.5])
 def test_coverage_of_six_homes_with_five_results(between):
-    """Each end should err in at most 2.5 % of the simulations. One case in 15 is below the threshold."""
+    """Each end should err in at most 2.5% of the simulations. One case in 15 is below the threshold."""
     rng = np.random.default_rng(5)
     truth, wrong = stats.norm.cdf(-1.5), [0, 0]
     for _ in range(300):

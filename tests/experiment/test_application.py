@@ -136,9 +136,9 @@ def test_a_single_experiment_is_reported_by_home_and_place(sweep, monkeypatch, c
     printed = capsys.readouterr().out
     own = json.loads((folder / "one/result.json").read_text())
     assert own["accuracy"] == pytest.approx(np.mean([home["accuracy"] for home in own["homes"].values()]))
-    assert f"average: {own['accuracy']:.2f} %" in printed
-    assert f"H2: {own['homes']['H2']['accuracy']:.2f} % (seed-0 " in printed
-    quality = f"Log-loss {own['log_loss']:.3f} nats, calibration error {own['calibration_error']:.2f} %"
+    assert f"average: {own['accuracy']:.2f}%" in printed
+    assert f"H2: {own['homes']['H2']['accuracy']:.2f}% (seed-0 " in printed
+    quality = f"Log-loss {own['log_loss']:.3f} nats, calibration error {own['calibration_error']:.2f}%"
     assert quality in printed.splitlines()
     assert "as percentages of the frames of each true place" in printed
 

@@ -58,7 +58,7 @@ def test_a_sweep_is_shown_as_a_table(tmp_path):
     assert found.columns.name == "classifier.clusters"
     assert "| hog " in summary.markdown(ran)
     text = summary.text(ran)
-    assert "Highest: descriptor=sift classifier.clusters=4: 55.50 %, average of 2 homes" in text
+    assert "Highest: descriptor=sift classifier.clusters=4: 55.50%, average of 2 homes" in text
     assert "test_home=H2: no number: too few" in text
     assert "failed: no memory" in text
     assert "failed: the experiment left no result" in text
@@ -112,7 +112,7 @@ def test_all_measures_are_shown_side_by_side(tmp_path):
         ["v0", "40.00", "1.235", "12.35"],
         ["v1", "60.00", "0.500", "1.00"],
     ]
-    assert output.shown(ran[0].result) == "40.00 %, log-loss 1.235 nats, calibration error 12.35 %"
+    assert output.shown(ran[0].result) == "40.00%, log-loss 1.235 nats, calibration error 12.35%"
 
 
 @pytest.mark.parametrize("count", [2, 6, 12])

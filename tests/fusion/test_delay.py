@@ -78,7 +78,7 @@ def test_repeated_frames_at_a_higher_rate_change_nothing(tau, times, seed):
 
 @given(taus, st.floats(0.1, 60.0))
 def test_step_response_has_the_time_constant(tau, rate):
-    """After tau seconds, the output has covered 63 % of a step."""
+    """After tau seconds, the output has covered 63% of a step."""
     frames = 1 + int(np.ceil(tau * rate))
     target = np.repeat([[1.0, 0.0], [0.0, 1.0]], [1, frames], axis=0)
     left = delay(target, seconds=tau, frame_rate=rate)[:, 0]

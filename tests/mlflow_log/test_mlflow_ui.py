@@ -144,6 +144,6 @@ def test_the_user_interface_shows_table_26_and_its_chart(server, logged, tmp_pat
     assert blue.sum() > 10_000
 
 
-# The bars are 75 % opaque on white.
+# The bars are 75% opaque on white.
 CHART_BLUE = np.round(np.array([0x00, 0x72, 0xB2]) * 0.75 + 255 * 0.25).astype(int)
 WAITING = ("--virtual-time-budget=15000", "--window-size=1500,1000")

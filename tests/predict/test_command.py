@@ -126,7 +126,7 @@ def test_segments_can_be_used_as_labels(footage, capsys):
     predict("walk.avi", "--labels", labels, "--output", "judged")
     shown = capsys.readouterr().out
     # 14 of the 18 bedroom frames and all 8 living_room frames are correct.
-    assert f"Accuracy (mean over the labelled places): {(100 * 14 / 18 + 100) / 2:.2f} %" in shown
+    assert f"Accuracy (mean over the labelled places): {(100 * 14 / 18 + 100) / 2:.2f}%" in shown
     lines = [line.split() for line in shown.splitlines()]
     assert ["bedroom", "14", "0", "4", "77.8", "%"] in lines
     assert ["kitchen", "0", "0", "0", "-"] in lines
@@ -140,7 +140,7 @@ def test_an_unknown_label_is_rejected_or_ignored(folder, capsys):
     )
     assert not (folder / "predictions").exists()
     predict("walk.avi", "--labels", "labels.csv", "--ignore", "cellar")
-    assert "Accuracy (mean over the labelled places): 80.00 %" in capsys.readouterr().out
+    assert "Accuracy (mean over the labelled places): 80.00%" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(("option", "suffix"), [("--video", ".mp4"), ("--webm", ".webm")])

@@ -75,7 +75,7 @@ def test_all_floors_are_scored_together(system, tmp_path, capsys):
     truth = [CLASSES.index(name) if name else -1 for name in TRUTH]
     percent = home_accuracy(confusion_matrix(truth, smoothed.argmax(axis=1), 3))
     assert json.loads((results / "summary.json").read_text())["agreement"]["accuracy"] == round(percent, 2)
-    assert f"Accuracy (mean over the labelled places): {percent:.2f} %" in capsys.readouterr().out
+    assert f"Accuracy (mean over the labelled places): {percent:.2f}%" in capsys.readouterr().out
     # The threshold keeps the first eleven decisions.
     kept = confusion_matrix(truth[:11], smoothed[:11].argmax(axis=1), 3)
     scored = np.bincount([place for place in truth if place >= 0])

@@ -34,7 +34,7 @@ def test_the_spread_and_the_number_of_homes_needed():
     assert made["spread"] == 5.0
     assert made["units"] == 24
     assert made["power_published"] == made["power_measured"] >= 0.95
-    # At a level of 1 %, a one-sided t-test needs 13 units to detect one standard deviation with 80 % power.
+    # At a level of 1%, a one-sided t-test needs 13 units to detect one standard deviation with 80% power.
     assert made["needed_published"] == 18
 
 

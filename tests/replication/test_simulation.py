@@ -82,7 +82,7 @@ def test_the_spread_is_between_homes():
 
 
 def test_power_equals_the_t_test():
-    """At a one-sided level of 2.5 %, one standard deviation needs 10 units for 80 % power (Cohen 1988)."""
+    """At a one-sided level of 2.5%, one standard deviation needs 10 units for 80% power (Cohen 1988)."""
     assert power(1.0, 1.0, 10, BETTER)[0] == pytest.approx(0.803, abs=0.02)
     assert power(0.0, 1.0, 10, BETTER)[0] == pytest.approx(0.025, abs=0.008)
     assert power(-1.0, 1.0, 10, BETTER)[1] == pytest.approx(0.803, abs=0.02)

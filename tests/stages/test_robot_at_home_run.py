@@ -80,7 +80,7 @@ def test_every_home_is_left_out_and_most_decisions_are_correct(ran):
         for proba in (single, smoothed):
             assert proba.shape == (len(truth), 4)
             np.testing.assert_allclose(proba.sum(axis=1), 1)
-        # Chance is 25 %. If frames were mixed up with labels or files of other frames, few would be correct.
+        # Chance is 25%. If frames were mixed up with labels or files of other frames, few would be correct.
         assert (single.argmax(axis=1) == truth)[truth >= 0].mean() > 0.7, home
 
 

@@ -111,7 +111,7 @@ def test_findings_on_knn_are_also_judged_as_printed(judged):
 
 def test_the_reason_says_how_many_frames_the_filter_drops(judged):
     reason = judged[0].set_index("number").loc[24, "reason"]
-    assert "the threshold 0.10000 drops 25 % of the labelled frames" in reason
+    assert "the threshold 0.10000 drops 25% of the labelled frames" in reason
 
 
 def test_published_and_measured_numbers_come_from_the_same_cell():
@@ -197,7 +197,7 @@ def test_a_finding_shows_its_deciding_comparison():
     assert both["measured"] == "close 41.50, base 38.83"
     assert both["difference"] == 2.67
     assert re.match(
-        r"2 comparisons: holds 2, allowing for 2 comparisons \(Bonferroni: 97.5 % intervals\); "
+        r"2 comparisons: holds 2, allowing for 2 comparisons \(Bonferroni: 97.5% intervals\); "
         "shown: close against base; the whole",
         both["reason"],
     )

@@ -172,14 +172,14 @@ def test_a_wider_margin_never_makes_a_verdict_worse(gains, margin, more, one_sid
 
 
 def test_a_comparison_that_fails_alone_need_not_fail_among_many():
-    """Its 95 % interval is below 0, but the interval that allows for 14 comparisons is not."""
+    """Its 95% interval is below 0, but the interval that allows for 14 comparisons is not."""
     left, right = measured(shifted([-3, -4, -1, -2.5, -0.5, -3.5])), measured(HOMES)
     alone = compare(left, right)
     assert (alone.verdict, alone.reason) == (FAILS, "none of the interval is above 0")
     assert alone.measurement.corrected == alone.measurement.interval
     among = compare(left, right, comparisons=14)
     assert among.verdict == UNDECIDED
-    assert among.reason == "none of the interval is above 0, but part of the 99.64 % interval is"
+    assert among.reason == "none of the interval is above 0, but part of the 99.64% interval is"
     assert among.measurement.interval == alone.measurement.interval
     assert among.measurement.corrected.low < among.measurement.interval.low
     clear = compare(measured(HOMES - 4), right, comparisons=14)

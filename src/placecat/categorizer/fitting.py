@@ -76,7 +76,7 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
 def _middle(source: Size, target: Size) -> Size:
     """Return the size of the largest crop with the aspect ratio of `target`.
 
-    If neither side would shrink by more than 1 %, returns `source` itself.
+    If neither side would shrink by more than 1%, returns `source` itself.
     """
     width = min(source[0], round(source[1] * target[0] / target[1]))
     height = min(source[1], round(source[0] * target[1] / target[0]))

@@ -173,5 +173,5 @@ def text(chosen: pd.DataFrame) -> str:
         lines.append(f"{name} ({kind}, {len(part)} candidates)")
         for row in ordered.head(4).itertuples():
             mark = "chosen" if row.chosen else "      "
-            lines.append(f"  {mark} {row.accuracy:6.2f} %  log-loss {row.log_loss:.3f}  {row.candidate}")
+            lines.append(f"  {mark} {row.accuracy:6.2f}%  log-loss {row.log_loss:.3f}  {row.candidate}")
     return "\n".join(lines)

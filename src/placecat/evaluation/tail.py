@@ -19,7 +19,7 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
     A unit, such as a home, has several cases, such as the gains from several methods. The estimate is in [0,
     1]. Cases are modelled as normally distributed. Their mean is the mean of the unit means, and their
     variance is the variance of the unit means plus the mean variance within units. Counting cases alone could
-    never show that a share is small. Even if none of six homes had such a case, the upper limit would be 46 %
+    never show that a share is small. Even if none of six homes had such a case, the upper limit would be 46%
     (Clopper and Pearson). The interval's limits come from the noncentral t distribution. They are exact if
     the cases within each unit are identical. Otherwise the interval is wide, because each unit still counts
     as only one case.

@@ -35,9 +35,9 @@ def corrected_level(level: float, comparisons: int) -> float:
 
     Holm's procedure starts at the same level, so it finds a failing comparison exactly when this level does.
     The level was checked in 12000 simulations, with intervals over four or six units and every comparison
-    exactly on the edge of failing. At least one of 2, 5 or 14 independent comparisons fails in 3 to 5 % of
-    the simulations if units are normal, and in 2 to 4 % if they follow Student's t with 3 degrees of freedom.
-    The figure is 15 to 36 % if units are exponential with the long tail on the side of the claim, because
+    exactly on the edge of failing. At least one of 2, 5 or 14 independent comparisons fails in 3 to 5% of
+    the simulations if units are normal, and in 2 to 4% if they follow Student's t with 3 degrees of freedom.
+    The figure is 15 to 36% if units are exponential with the long tail on the side of the claim, because
     intervals over so few skewed units are too short.
     """
     return 1.0 - (1.0 - level) / comparisons
@@ -76,8 +76,8 @@ def judge_shares(worse: Interval, better: Interval, rare: float) -> str:
     `worse` is the interval for the share of cases, from 0 to 1, that the change makes worse, and `better` is
     the interval for the share that it makes better. `rare` is the largest share that still counts as an
     exception. The verdict is `HOLDS` if both intervals lie entirely above `rare`, `FAILS` if either lies
-    entirely below it, and `UNDECIDED` otherwise. With two 95 % intervals, a false `FAILS` occurs at most 5 %
-    of the time, because each interval is too low 2.5 % of the time.
+    entirely below it, and `UNDECIDED` otherwise. With two 95% intervals, a false `FAILS` occurs at most 5%
+    of the time, because each interval is too low 2.5% of the time.
     """
     if worse.low > rare and better.low > rare:
         return HOLDS

@@ -39,9 +39,9 @@ def shown(result: dict[str, Any]) -> str:
         return f"failed: {result[FAILED]}"
     if result["accuracy"] is None:
         return f"no number: {result['reason']}"
-    return f"{result['accuracy']:.2f} %, {quality(result)}"
+    return f"{result['accuracy']:.2f}%, {quality(result)}"
 
 
 def quality(result: dict[str, Any]) -> str:
     """Format log-loss and calibration error."""
-    return "log-loss {:.3f} nats, calibration error {:.2f} %".format(*(result[one] for one in MEASURES[1:]))
+    return "log-loss {:.3f} nats, calibration error {:.2f}%".format(*(result[one] for one in MEASURES[1:]))

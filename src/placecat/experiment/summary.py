@@ -163,7 +163,7 @@ def text(ran: Sequence[Ran]) -> str:
     if top is not None and len(ran) > 1:
         homes = len({one.values.get(HOME) for one in ran})
         over = f", average of {homes} homes" if homes > 1 else ""
-        lines.append(f"Highest: {label(top[0]) or 'all settings'}: {top[1]:.2f} %{over}")
+        lines.append(f"Highest: {label(top[0]) or 'all settings'}: {top[1]:.2f}%{over}")
     lines += [
         f"{label(one.values)}: {output.shown(one.result)}" for one in ran if one.result["accuracy"] is None
     ]
@@ -207,9 +207,9 @@ def text_of_one(result: dict[str, Any]) -> str:
             for fold, of_fold in of_home["folds"].items()
             for seed, found in of_fold.items()
         ]
-        lines.append(f"{home}: {of_home['accuracy']:.2f} % ({', '.join(parts)})")
+        lines.append(f"{home}: {of_home['accuracy']:.2f}% ({', '.join(parts)})")
     if len(lines) > 1:
-        lines.append(f"{AVERAGE}: {result['accuracy']:.2f} %")
+        lines.append(f"{AVERAGE}: {result['accuracy']:.2f}%")
     lines.append(output.quality(result).capitalize())
     table = confusion(result)
     shares = 100 * table / np.maximum(table.sum(axis=1, keepdims=True), 1)

@@ -84,19 +84,19 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
         return ["No categorized frame is labelled with one of the model's places, so nothing is scored."]
     table = pd.DataFrame(agreement["confusion"], list(classes), pd.Index(classes, name="label"))
     percents = [agreement["by_place"][name] for name in classes]
-    correct = ["-" if percent is None else f"{percent:.1f} %" for percent in percents]
+    correct = ["-" if percent is None else f"{percent:.1f}%" for percent in percents]
     # A place may also be called "correct".
     table.insert(len(classes), "correct", correct, allow_duplicates=True)
     lines = [
-        f"Accuracy (mean over the labelled places): {agreement['accuracy']:.2f} %; "
-        f"each frame alone: {agreement['frame_accuracy']:.2f} %",
+        f"Accuracy (mean over the labelled places): {agreement['accuracy']:.2f}%; "
+        f"each frame alone: {agreement['frame_accuracy']:.2f}%",
         *(f"  {line}" for line in table.to_string().splitlines()),
     ]
     if agreement["named"] < 100:
         wrong = agreement["named_wrongly"]
-        wrongly = "" if wrong is None else f", of which {wrong:.2f} % are wrong"
+        wrongly = "" if wrong is None else f", of which {wrong:.2f}% are wrong"
         lines.append(
-            f"Named (mean over the labelled places): {agreement['named']:.2f} %{wrongly}; the rest is unknown"
+            f"Named (mean over the labelled places): {agreement['named']:.2f}%{wrongly}; the rest is unknown"
         )
     return lines
 

@@ -48,7 +48,7 @@ def power_table(comparisons: pd.DataFrame, homes: int, options: Options, run: Ru
     Returns one row per finding, with its number, the number of its comparisons, units (how many homes of the
     replication count, 0 if unknown) and spread (the largest standard deviation between homes, in points).
     Each row also has power (the probability of a verdict with `homes` homes) and needed (the number of homes
-    for a power of 80 %, infinite above `MOST`). Both appear twice, first on the assumption that the published
+    for a power of 80%, infinite above `MOST`). Both appear twice, first on the assumption that the published
     differences are true, then that the measured ones are. Numbers are NaN for comparisons of one home, of
     stays or of shares, and for unpublished differences.
     """
@@ -127,6 +127,6 @@ def markdown(table: pd.DataFrame) -> str:
         for truth in ("published", "measured"):
             share, homes = row[f"power_{truth}"], row[f"needed_{truth}"]
             count = f"over {MOST}" if np.isinf(homes) else f"{homes:.0f}"
-            cells.append("" if np.isnan(share) else f"{100 * share:.0f} %, {count}")
+            cells.append("" if np.isnan(share) else f"{100 * share:.0f}%, {count}")
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)

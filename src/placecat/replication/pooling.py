@@ -47,7 +47,7 @@ def judge(
     main = details[details["reading"] == ""].groupby("finding")["shared"].max()
     rows["shared"] = rows["number"].map(main)
     rows["reason"] = [
-        f"{reason}; homes of a group share {100 * shared:.0f} % of the variance, "
+        f"{reason}; homes of a group share {100 * shared:.0f}% of the variance, "
         "so the verdict may be wrong more often"
         if shared > options.shared
         else reason

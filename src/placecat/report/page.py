@@ -18,7 +18,7 @@ from placecat.report.summary import WU, best_system, count_verdicts, headlines, 
 from placecat.templates import environment
 from placecat.thesis.notes import joined
 
-# CSS pixels per figure pixel. Figures with 200 pixels per inch then appear at 125 %.
+# CSS pixels per figure pixel. Figures with 200 pixels per inch then appear at 125%.
 _FIGURE_SCALE = 0.6
 # Attributes of a report that are passed to the template unchanged.
 _UNCHANGED = ("dataset", "frames", "data_version", "replication", "times", "speed", "scale")

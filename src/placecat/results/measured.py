@@ -169,7 +169,7 @@ class Results:
         share = 100.0 * homes["dropped_labelled"].sum() / max(int(homes["labelled"].sum()), 1)
         low, high = homes["threshold"].min(), homes["threshold"].max()
         threshold = f"{low:.5f}" if low == high else f"{low:.5f} to {high:.5f}"
-        return f"the threshold {threshold} drops {share:.0f} % of the labelled frames"
+        return f"the threshold {threshold} drops {share:.0f}% of the labelled frames"
 
     def accuracy_table(self) -> pd.DataFrame:
         """Tabulate all accuracies, with the columns result, home, place, frames, accuracy, spread and seeds.

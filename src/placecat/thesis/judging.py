@@ -134,10 +134,10 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
         for sign in (1.0, -1.0)
     ]
     verdict = judge_shares(shares[0], shares[1], rules.rare)
-    texts = [f"{100 * one.estimate:.0f} % ({100 * one.low:.0f} to {100 * one.high:.0f})" for one in shares]
+    texts = [f"{100 * one.estimate:.0f}% ({100 * one.low:.0f} to {100 * one.high:.0f})" for one in shares]
     return verdict, (
         f"{counts}; worse by at least {rules.noticeable:g} points in {texts[0]}, better in {texts[1]} of all "
-        f"cases; both must be above {100 * rules.rare:g} %"
+        f"cases; both must be above {100 * rules.rare:g}%"
     )
 
 
@@ -205,8 +205,8 @@ def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -
 
 
 def percent(level: float) -> str:
-    """Format a level as text, e.g. "95 %" or "99.64 %"."""
-    return f"{100 * level:.4g} %"
+    """Format a level as text, e.g. "95%" or "99.64%"."""
+    return f"{100 * level:.4g}%"
 
 
 def _combine(side: Side, values: NDArray[np.float64]) -> NDArray[np.float64]:

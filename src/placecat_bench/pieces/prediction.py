@@ -74,7 +74,7 @@ def entries(*, frames: Sequence[Image] | None = None) -> Iterator[Comparison | L
     for percent in PERCENTILES:
         yield Limit(
             PIECE,
-            f"{text}: latency of {percent} % of the frames",
+            f"{text}: latency of {percent}% of the frames",
             "seconds",
             lambda percent=percent: float(np.percentile(latencies(), percent)),  # type: ignore[misc]
             at_most=round(1 / CAMERA, 3),

@@ -162,7 +162,7 @@ def test_the_true_place_is_a_blue_line_with_a_separate_row_for_unlabelled_frames
     assert np.allclose(rows.get_color()[0][:3], [0.0, 0.2, 0.8])
     assert [label.get_text() for label in axes.get_yticklabels()] == [*CLASSES, "no label"]
     assert any(line.get_xdata()[0] == 3 and line.get_linestyle() == "--" for line in axes.lines)
-    assert axes.get_title(loc="right") == "accuracy 100.0 %"
+    assert axes.get_title(loc="right") == "accuracy 100.0%"
 
 
 def test_there_is_no_row_for_unlabelled_frames_without_any():
@@ -199,7 +199,7 @@ def test_figure_16_has_one_strip_per_cue_and_marks_cuts():
     ]
     assert [text.get_text() for text in figure.legends[0].get_texts()][1:] == ["true place", "cut"]
     # Ten of the thirty frames of the sauna are confused with the bedroom.
-    assert figure.axes[0].get_title(loc="right") == "accuracy 88.9 %"
+    assert figure.axes[0].get_title(loc="right") == "accuracy 88.9%"
     with pytest.raises(PlacecatError, match="there are no distributions of 'nothing'"):
         figures.draw("figure_16", Run(figure_16={"panels": {"Nothing": "nothing"}}))
 
@@ -235,7 +235,7 @@ def test_a_reliability_diagram_shows_its_bins_and_quality_measures():
     for axes in below:
         heights = {round(bar.get_x() + bar.get_width() / 2, 3): bar.get_height() for bar in axes.patches}
         assert heights[0.85] == pytest.approx(100.0) and sum(heights.values()) == pytest.approx(100.0)
-    assert above[0].get_title(loc="left") == "(a) Gist\nlog loss 1.85, error 1.0 %"
+    assert above[0].get_title(loc="left") == "(a) Gist\nlog loss 1.85, error 1.0%"
 
 
 def test_reliability_diagrams_need_results_and_labels():
@@ -252,8 +252,8 @@ def test_reliability_diagrams_need_results_and_labels():
 def test_figure_15_shows_percentages_and_counts():
     figure = figures.draw("figure_15", Run())
     before, after = figure.axes
-    assert before.get_title(loc="left") == "(a) After integration, accuracy 88.9 %"
-    assert after.get_title(loc="left") == "(b) After smoothing, accuracy 100.0 %"
+    assert before.get_title(loc="left") == "(a) After integration, accuracy 88.9%"
+    assert after.get_title(loc="left") == "(b) After smoothing, accuracy 100.0%"
     written = [text.get_text() for text in before.texts]
     assert written[-6:] == ["33.3", "10", "0.0", "0", "66.7", "20"]
 

@@ -151,7 +151,7 @@ def _sheet(
     sheet = Sheet(width, head + sum(title + count * step for count in rows))
     size = len(cluster.labels)
     sheet.text(LEFT, 0.15, name, ha="left", fontsize=8)
-    share = f"{size} of {cluster.total} regions ({100 * size / cluster.total:.1f} %)"
+    share = f"{size} of {cluster.total} regions ({100 * size / cluster.total:.1f}%)"
     sheet.text(LEFT, 0.42, share, ha="left", fontsize=8)
     bar = sheet.panel(LEFT + 3.0, 0.05, width - 2 * LEFT - 3.0, 0.2)
     share_bar(bar, 0.0, cluster.shares, classes, height=1.0)

@@ -37,7 +37,7 @@ def draw(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
         confusion = measured.confusion[0, measured.homes.index(chosen)]
         matrix(axes, confusion, measured.classes)
         letter = f"({chr(ord('a') + number)}) " if len(panels) > 1 else ""
-        shown = f"{letter}{palette.written(title)}, accuracy {home_accuracy(confusion):.1f} %"
+        shown = f"{letter}{palette.written(title)}, accuracy {home_accuracy(confusion):.1f}%"
         axes.set_title(shown, loc="left")
     grid[0].set_ylabel(f"true place of {palette.place_title(chosen)}")
     return drawn

@@ -15,7 +15,7 @@ from placecat.report.run import Run
 
 TITLE = (
     "Reliability diagrams: frames are sorted into bins by the probability of the decided place. Each point "
-    "is a bin; the more frames it contains, the larger the point (bins with less than 0.5 % of the frames "
+    "is a bin; the more frames it contains, the larger the point (bins with less than 0.5% of the frames "
     "are not drawn). On the dashed line, decisions are correct as often as their probability predicts; below "
     "it, they are overconfident, and above it, underconfident. The bars below each diagram show each bin's "
     "share of the frames. Places, test homes and seeds have equal weight. Log loss and calibration error "
@@ -91,7 +91,7 @@ def diagram_of(run: Run, result: str) -> Reliability:
 def numbers(run: Run, result: str) -> str:
     """Format a result's log loss and calibration error, averaged as in the additional table."""
     averages = run.results.quality[result].averages()
-    return f"log loss {averages['log_loss']:.2f}, error {averages['calibration_error']:.1f} %"
+    return f"log loss {averages['log_loss']:.2f}, error {averages['calibration_error']:.1f}%"
 
 
 def points(axes: Axes, diagram: Reliability) -> None:

@@ -130,7 +130,7 @@ def draw(
     draw_truth(axes, truth, n_classes)
     accuracy = home_accuracy(confusion_matrix(truth, proba.argmax(axis=1), n_classes))
     if np.isfinite(accuracy):
-        axes.set_title(f"accuracy {accuracy:.1f} %", loc="right", fontsize=7)
+        axes.set_title(f"accuracy {accuracy:.1f}%", loc="right", fontsize=7)
     return image
 
 
