@@ -239,7 +239,7 @@ def _damage(folder):
         ("no.mp4", "no.mp4: not a readable video"),
         ("notes.txt", "notes.txt: not a video with a supported suffix"),
         ("void", "void: the folder has no images"),
-        ("mixed", "2.png: the image has 128x48 pixels, but the first image has 64x48"),
+        ("mixed", "2.png: the image is 128x48 pixels, but the first image is 64x48"),
         ("torn", "2.png: not a readable image"),
         ("walk.avi --every 0", "--every is 0"),
         ("walk.avi --seconds 0", "--seconds is 0"),
