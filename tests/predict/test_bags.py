@@ -67,8 +67,8 @@ def test_uneven_times_topics_and_labels(system, tmp_path, capsys):
     ("arguments", "message"),
     [
         ("walk.mcap --topic /none", "no topic '/none'; the bag has /camera/image_raw"),
-        ("images --topic /none", "--topic is only for bags, but images is not a bag"),
-        ("missing.bag --topic /none", "--topic is only for bags, but missing.bag is not a bag"),
+        ("images --topic /none", "--topic works only with bags, but images is not a bag"),
+        ("missing.bag --topic /none", "--topic works only with bags, but missing.bag is not a bag"),
         ("missing.bag", "there is no file or folder missing.bag"),
         (
             "walk.mcap --mcap walk.mcap --force",

@@ -176,8 +176,8 @@ def test_ctrl_c_writes_the_results_so_far(capture, system, tmp_path, monkeypatch
 
 def test_file_options_are_rejected_for_a_camera(capture, system):
     for option, message in (
-        ("--every=2", "--every is only for files"),
-        ("--labels=x.csv", "--labels is only for files"),
+        ("--every=2", "--every works only with files"),
+        ("--labels=x.csv", "--labels works only with files"),
     ):
         with pytest.raises(SystemExit, match=message):
             main(["predict", "camera", option])

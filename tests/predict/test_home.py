@@ -141,7 +141,7 @@ def test_a_training_home_of_the_model_is_noted(system, tmp_path, capsys):
         (["home:Palace"], "home:Palace: my homes has no such home: use one of Villa, Hut"),
         (["home:Hut"], "Hut"),
         (["home:"], "home: needs the name of a home: use one of Villa, Hut"),
-        (["home:Villa", "--labels", "x.csv"], "--labels is not for data sets"),
+        (["home:Villa", "--labels", "x.csv"], "--labels cannot be used with data sets"),
         (["homes/Villa/1", "--set", "dataset=homes"], "--set chooses the data set for home:NAME"),
     ],
 )

@@ -16,7 +16,7 @@ _ROUNDING = 1e-9
 class Decided(NamedTuple):
     """The confidence and weight of each decision on a home's n labelled frames, and whether it is wrong.
 
-    The weights sum to 1, so all homes count equally. As in the accuracy, so do the places in a home.
+    The weights sum to 1, so all homes count equally. So do the places in a home, as in the accuracy.
     """
 
     confidence: NDArray[np.float64]

@@ -14,7 +14,7 @@ _NODES = 200
 
 
 def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95) -> Interval:
-    """Estimate the share of cases at or below a threshold, over all units including unseen ones.
+    """Estimate the share of cases at or below a threshold, over all units, including unseen ones.
 
     A unit, such as a home, has several cases, such as the gains from several methods. The estimate is in [0,
     1]. Cases are modelled as normally distributed. Their mean is the mean of the unit means, and their

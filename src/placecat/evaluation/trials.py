@@ -18,8 +18,8 @@ class Trial:
     """A cue to train, and the homes to test it on.
 
     `name` consists of the name of the table and one label per axis, such as ``trials/table_12/HOG +
-    y-Pos||196``. The label of the homes axis is empty. `settings` are ``descriptor``, ``classifier`` and, for
-    classifiers that use clusters, ``codebook``. `homes` are the test homes.
+    y-Pos||196``. The label of the homes axis is empty. `settings` contains ``descriptor``, ``classifier``
+    and, for classifiers that use clusters, ``codebook``. `homes` are the test homes.
     """
 
     name: str

@@ -51,7 +51,7 @@ def read_frames(
                 where = str(path) if position < 0 else f"{path} frame {position + 1}"
                 raise PlacecatError(
                     f"{where}: the frame is {width}x{height}, but the other frames of this home are "
-                    f"{size[0]}x{size[1]}; all must have the same size: convert or remove the frame."
+                    f"{size[0]}x{size[1]}; all must be the same size: convert or remove the frame."
                 )
             yield image
 

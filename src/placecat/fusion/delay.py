@@ -11,7 +11,7 @@ class Delay:
 
     The thesis sets alpha = -1 in equation (14) and does not specify h, so its lag depends on the frame rate.
     Here alpha = -1 / tau with a time constant tau. The step h = 1 - exp(-dt / tau) solves equation (14)
-    exactly if the set point stays constant for dt seconds. At any frame rate, the output has covered 63% of
+    exactly if the set point stays constant for dt seconds. At any frame rate, the output has moved 63% of
     the way to a new set point after tau seconds.
 
     The output for frame t is p(t+1). It uses p*(t), so it depends on frame t but not on any later frame. The

@@ -112,7 +112,7 @@ class Annotator:
 
 
 def _fitting(text: str, size: int, width: int) -> int:
-    """Return the largest font size from 6 to `size` at which the text fits into `width` pixels."""
+    """Return the largest font size from 6 to `size` at which the text fits within `width` pixels."""
     return max(6, min(size, size * width // max(1, mask(text, size, bold=True).shape[1])))
 
 

@@ -64,7 +64,7 @@ class Camera(Source):
         self._is_over = False
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Wait for new frames and yield the newest. `every` is only for files, and is ignored here."""
+        """Wait for new frames and yield the newest. `every` applies only to files, and is ignored here."""
         thread = threading.Thread(target=self._read, name="camera", daemon=True)
         thread.start()
         start: float | None = None

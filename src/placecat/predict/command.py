@@ -86,12 +86,12 @@ def predict_command(options: Options) -> int:
     categorizer = Categorizer.load(options.model)
     source = _open(options, categorizer)
     if source.is_live and options.every != 1:
-        raise PlacecatError("--every is only for files, not for cameras: leave it out")
+        raise PlacecatError("--every works only with files, not with cameras: leave it out")
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
     if options.labels is None:
         labels = source.truth(categorizer.classes, options.ignore)
     elif source.timing is None:
-        raise PlacecatError("--labels is only for files, not for cameras: leave it out")
+        raise PlacecatError("--labels works only with files, not with cameras: leave it out")
     else:
         labels = truth.read(options.labels, source.timing, categorizer.classes, options.ignore)
     read = [options.model, *([options.labels] if options.labels else [])]
@@ -192,7 +192,9 @@ def _check(options: Options) -> None:
     if options.overrides and not is_home:
         raise PlacecatError("--set chooses the data set for home:NAME: use home:NAME as SOURCE")
     if options.labels is not None and is_home:
-        raise PlacecatError("--labels is not for data sets, which have their own labels: leave it out")
+        raise PlacecatError(
+            "--labels cannot be used with data sets, which have their own labels: leave it out"
+        )
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
         raise PlacecatError(f"--seconds is {options.seconds:g}: use a number above 0")
 

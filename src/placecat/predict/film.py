@@ -48,7 +48,7 @@ class Film:
     def add(self, picture: NDArray[np.uint8], seconds: float) -> None:
         """Add a (height, width, 3) uint8 BGR image taken at `seconds`.
 
-        The image is repeated to fill the time since the previous one, so the film runs in real time.
+        The image is repeated to fill the time since the previous one, so the video plays in real time.
         """
         for _ in range(round(seconds * self._fps) + 1 - self._count):
             self._write(VideoFrame.from_ndarray(picture, "bgr24"))
@@ -77,7 +77,7 @@ class Film:
             raise self._cut()
 
     def _cut(self) -> PlacecatError:
-        return PlacecatError(f"the film {self._path.name} could not be written in full: is the disk full?")
+        return PlacecatError(f"the video {self._path.name} could not be written in full: is the disk full?")
 
     def _is_whole(self) -> bool:
         """Return whether the file contains its last image. FFmpeg does not always report a failed write."""

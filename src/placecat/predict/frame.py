@@ -15,8 +15,8 @@ from placecat.footage.timing import Timing
 class Frame:
     """A frame of footage.
 
-    `number` counts from 1 and leaves out the frames that a camera drops. `seconds` is the time since the
-    first frame. `file` is the name of the image file, or "" if there is none. `image` is (H, W, 3) uint8 BGR.
+    `number` starts at 1 and does not count frames dropped by a camera. `seconds` is the time since the first
+    frame. `file` is the name of the image file, or "" if there is none. `image` is (H, W, 3) uint8 BGR.
     If `begins` is true, the frame follows a cut and the system restarts.
     """
 

@@ -21,9 +21,9 @@ class Prediction:
 
     `proba`, (n, K) float64, are the smoothed probabilities, which determine the place. `integrated` are the
     probabilities from each frame alone. The last frame ends at `end` seconds or, if that is None, lasts as
-    long as the median frame. `turned` are the numbers of the frames that differ in size from the first frame.
-    `cuts` are the indices of the frames that follow a cut, such as a change of floor. Decisions with a
-    confidence below `threshold` are unknown.
+    long as the median frame. `turned` lists the numbers of the frames that differ in size from the first
+    frame. `cuts` lists the indices of the frames that follow a cut, such as a change of floor. Decisions with
+    a confidence below `threshold` are unknown.
     """
 
     classes: tuple[str, ...]
@@ -46,7 +46,7 @@ class Prediction:
 
     @property
     def frame_decision(self) -> NDArray[np.int64]:
-        """The class index that each frame alone suggests, (n,) int64."""
+        """The class index suggested by each frame alone, (n,) int64."""
         return self.integrated.argmax(axis=1)
 
     @property

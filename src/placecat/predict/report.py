@@ -85,7 +85,7 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
     table = pd.DataFrame(agreement["confusion"], list(classes), pd.Index(classes, name="label"))
     percents = [agreement["by_place"][name] for name in classes]
     correct = ["-" if percent is None else f"{percent:.1f}%" for percent in percents]
-    # A place may also be called "correct".
+    # One of the places may itself be called "correct".
     table.insert(len(classes), "correct", correct, allow_duplicates=True)
     lines = [
         f"Accuracy (mean over the labelled places): {agreement['accuracy']:.2f}%; "

@@ -28,7 +28,7 @@ class RerunFile:
     """Writes a Rerun recording in a ``with`` block.
 
     The file differs from run to run because Rerun records when each message was logged. The parameters are
-    the same as for :class:`placecat.predict.mcap_file.McapFile`, but frames may have any size, and a `start`
+    the same as for :class:`placecat.predict.mcap_file.McapFile`, but frames may be any size, and a `start`
     of 0 means that the time is unknown.
     """
 

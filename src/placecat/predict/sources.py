@@ -47,7 +47,7 @@ def open_source(
             return Recorded(path.resolve().name if path.is_dir() else path.stem, bag, bag.timing)
     if topic is not None:
         raise PlacecatError(
-            f"--topic is only for bags, but {without_password(text)} is not a bag: leave it out"
+            f"--topic works only with bags, but {without_password(text)} is not a bag: leave it out"
         )
     if _STREAM.fullmatch(text):
         name = re.sub(r"[^A-Za-z0-9]+", "_", without_password(text).split("://")[1]).strip("_")
@@ -80,7 +80,7 @@ def _video(path: Path, fps: float | None) -> "Recorded":
 
 
 class Recorded(Source):
-    """A video or a bag. It is decoded from the start, exactly as in the stages."""
+    """A video or a bag. It is decoded from the start, exactly as in the pipeline stages."""
 
     timing: Timing
 

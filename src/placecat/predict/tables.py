@@ -23,7 +23,7 @@ def write_frames(path: Path, prediction: Prediction) -> None:
     columns = {
         "frame": prediction.numbers,
         "seconds": [f"{seconds:.3f}" for seconds in prediction.seconds],
-        # The file names are objects, because pandas strings must be valid UTF-8.
+        # File names are stored as objects, because pandas strings must be valid UTF-8.
         **({"file": pd.Series(prediction.names, dtype=object)} if prediction.names else {}),
         "place": [classes[place] for place in prediction.decision],
         "confidence": prediction.confidence,

@@ -24,8 +24,8 @@ def inside(path: Path, folder: Path, origin: str) -> None:
 def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, str], remedy: str) -> None:
     """Raise an error if a frame is missing, or if a link points outside the folder `limit`.
 
-    `origin` is the file that lists the frames. `listed` maps the name of each frame to its place in that
-    file. `remedy` tells the user what to do about a missing frame.
+    `origin` is the file that lists the frames. `listed` maps the name of each frame to its position in
+    that file. `remedy` tells the user what to do about a missing frame.
     """
     inside(folder, limit, origin)
     links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)} if folder.is_dir() else {}

@@ -85,7 +85,7 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
 def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.int32]]:
     """Expand segments accepted by `check_segments` into one label per frame.
 
-    Returns the label of each frame, and the line of its segment, (frames,) int32.
+    Returns the label of each frame, and the line number of its segment, (frames,) int32.
     """
     lengths = [segment.end - segment.start + 1 for segment in segments]
     labels = [segment.label for segment, length in zip(segments, lengths, strict=True) for _ in range(length)]
@@ -110,9 +110,9 @@ def label_csv(root: Path, *names: str) -> str | None:
 class Labels(NamedTuple):
     """The labels of n frames, and where they come from.
 
-    `names` contains the label of each frame, or "" if it has none. `lines`, (n,) int32, contains the line of
-    each label in the label file, or 0 if there is none. `file` is the path of that file, relative to the
-    folder that contains the homes, or None if no file was found.
+    `names` contains the label of each frame, or "" if it has none. `lines`, (n,) int32, contains the line
+    number of each label in the label file, or 0 if there is none. `file` is the path of that file, relative
+    to the folder that contains the homes, or None if no file was found.
     """
 
     names: list[str]
@@ -136,14 +136,14 @@ def read_label_csv(path: Path, timing: Timing, sequence: str) -> tuple[list[str]
     """Read the UTF-8 label CSV for a video or a folder of frames.
 
     With the header ``start,end,label``, the rows contain frame numbers, counted from 1, and both ends are
-    included. With the header ``start_seconds,end_seconds,label``, the rows contain times from the start. A
-    time selects the nearest boundary between frames, so a few decimal places are enough. Exactly one row must
+    included. With the header ``start_seconds,end_seconds,label``, the rows contain seconds from the start.
+    Times are rounded to the nearest frame boundary, so a few decimal places are enough. Exactly one row must
     cover each frame.
 
     `timing` covers all frames. Messages refer to the frames as `sequence`, such as ``the video`` or ``the
     folder``. Returns the label of each frame without surrounding spaces, and the line number of its row,
     (frames,) int32. Raises PlacecatError with the line number if the header, a number or a label is wrong, or
-    if a frame is covered by no row or by several.
+    if a frame is covered by no row or by more than one.
     """
     rows = read_rows(path)
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
@@ -256,7 +256,7 @@ def _from_seconds(
 
 
 def _boundary(seconds: float, starts: NDArray[np.float64], fps: float) -> int:
-    """Return the number of frames before the nearest boundary between frames.
+    """Return the number of frames before the nearest frame boundary.
 
     After the last frame, frames are assumed to continue at the rate `fps`.
     """

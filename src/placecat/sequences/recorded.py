@@ -33,7 +33,7 @@ def home_of(name: str, root: Path, camera: str, parts: Iterable[Part], kind: str
         if size != sizes[0]:
             raise PlacecatError(
                 f"{recording.path}: the frames are {size[0]}x{size[1]}, but those of "
-                f"{recordings[0].path.name} are {sizes[0][0]}x{sizes[0][1]}; all frames of a home must have "
+                f"{recordings[0].path.name} are {sizes[0][0]}x{sizes[0][1]}; all frames of a home must be "
                 "the same size."
             )
         numbers = _readable(recording, size, kind)
@@ -72,7 +72,7 @@ def _readable(recording: Recording | BagRecording, first: Size, kind: str) -> li
         if size != first:
             raise PlacecatError(
                 f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, but earlier frames are "
-                f"{first[0]}x{first[1]} (was the camera rotated?); all frames of a home must have the same "
+                f"{first[0]}x{first[1]} (was the camera rotated?); all frames of a home must be the same "
                 f"size: cut the {kind} there."
             )
         numbers.append(frame.number)

@@ -55,7 +55,7 @@ _TABLES: dict[str, Columns] = {
 
 
 class _Observation(NamedTuple):
-    """A frame, with its session, time, number in the database, room type ("" for none), and image."""
+    """A frame, with its session, time, number in the database, room type ("" if none), and image."""
 
     session: str
     ticks: int

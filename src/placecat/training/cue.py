@@ -1,4 +1,4 @@
-"""Train one cue according to a plan: read frames, cluster them, learn, and predict other frames."""
+"""Train one cue according to a plan: read frames, cluster them, fit the cue, and predict other frames."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ def train(
     numbers: Sequence[int] | None = None,
     cross_validate: bool = False,
 ) -> TrainedCue:
-    """Train a cue according to a plan: read the plan's frames, cluster them if needed, and learn.
+    """Train a cue according to a plan: read the plan's frames, cluster them if needed, and fit the cue.
 
     `seed` and `numbers` are as in :func:`cluster`. They are not needed for a cue without clusters.
     `cross_validate` is as in :func:`fit`. Raises the same errors as :func:`read_frames` and :func:`fit`.

@@ -86,7 +86,7 @@ def apply_smoothing(
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
     """Return the labels and frame rate of each sequence, for counting transitions.
 
-    If frames have uneven times, they are resampled as if a camera had recorded them at this frame rate.
+    If frames are unevenly spaced, they are resampled as if a camera had recorded them at this frame rate.
     """
     walks: list[NDArray[np.int16]] = []
     rates: list[float] = []

@@ -19,7 +19,7 @@ class Part:
     """Frames from one sequence.
 
     `home` names the sequence, as in :func:`placecat.paths.sequences`. `numbers` contains the class index of
-    each place in the data set of the sequence, or -1 if the place does not count. `offset` and `step` select
+    each place in the sequence's data set, or -1 if the place does not count. `offset` and `step` select
     frames; see :func:`placecat.training.protocol.select_frames`.
     """
 
@@ -49,7 +49,7 @@ class Plan:
     """The training and test sequences.
 
     `classes` are the names of the places, and `dataset` is the name of the data set. The parts in `cues` are
-    used to train codebooks, scalings and cues, and those in `integration` to train the integration and the
+    used to train codebooks, scalings and cues, and those in `integration` to train the integration and
     smoothing. Those in `extra` are also used for the integration if a system trains on additional data
     (thesis 4.5). No trained component has seen the parts in `tested`. `left_out` lists the homes not used to
     train the cues, or is None for a fixed split.
@@ -70,7 +70,7 @@ class Plan:
 
     @property
     def test(self) -> str:
-        """Name of the only tested sequence."""
+        """Name of the only sequence in `tested`."""
         (part,) = self.tested
         return part.home
 
@@ -150,7 +150,7 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
 def on_training_homes(plan: Plan) -> list[Plan]:
     """For each training home of `plan`, plan a test on it after training on the other training homes.
 
-    The tested sequence of `plan` is not used.
+    The test sequence of `plan` is not used.
     """
     training = [part for part in plan.cues if part.home != plan.test]
     return [

@@ -57,7 +57,10 @@ def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
 
 
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return the frames in `rows` that have a descriptor, in temporal order. Region variants lack some."""
+    """Return the frames in `rows` that have a descriptor, in temporal order.
+
+    Region variants lack some frames.
+    """
     if "variant" not in descriptor:
         return rows
     return np.intersect1d(rows, _described(folder_of(home, descriptor)))
@@ -82,7 +85,7 @@ def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
     there = _described(folder)
     if frames is None or not np.isin(frames, there).all():
         raise PlacecatError(
-            f"{folder} has only the frames of region_variants.frames: use region variants only in trials"
+            f"{folder} covers only the frames in region_variants.frames: use region variants only in trials"
         )
     return np.searchsorted(there, frames)
 

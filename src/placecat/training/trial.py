@@ -1,4 +1,4 @@
-"""Train cues according to a plan, and count their decisions on the tested sequence."""
+"""Train cues according to a plan, and count their decisions on the test sequence."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -26,7 +26,7 @@ def of_settings(settings: Mapping[str, Any]) -> Cue:
 
 
 def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
-    """Train cues that share a descriptor and clusters, and count their decisions on the tested sequence.
+    """Train cues that share a descriptor and clusters, and count their decisions on the test sequence.
 
     See :func:`predict` for the parameters.
     """
@@ -39,9 +39,9 @@ def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
 
 
 def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[np.int16], list[Prediction]]:
-    """Train cues that share a descriptor and codebook settings, and apply them to the tested sequence.
+    """Train cues that share a descriptor and codebook settings, and apply them to the test sequence.
 
-    The plan must have exactly one tested sequence. Returns the true classes of the scored frames, and the
+    The plan must have exactly one test sequence. Returns the true classes of the scored frames, and the
     distributions of each cue for these frames. The labelled frames of the sequence are scored, or with a
     region variant, only those that have a descriptor. `seed` is one of ``protocol.seeds``, or None if the
     cues have no clusters.
