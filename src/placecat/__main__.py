@@ -104,7 +104,7 @@ def _add_pipeline(commands: Commands) -> None:
         _mend,
         "clean up after a killed run",
         "Restore records that are missing from dvc.lock after a killed run, and remove temporary files. "
-        "`placecat repro` does this by itself; run this command before a plain `dvc repro`.",
+        "`placecat repro` does this automatically; run this command before a plain `dvc repro`.",
     )
 
 

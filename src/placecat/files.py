@@ -61,7 +61,7 @@ def check_file(target: Path) -> None:
     """Raise PlacecatError if a path is a folder, device or pipe, or if :func:`check_target` rejects it."""
     check_target(target)
     if target.is_dir():
-        raise PlacecatError(f"{target} is a folder: choose the name of a file")
+        raise PlacecatError(f"{target} is a folder: specify a file name")
     if target.exists() and not target.is_file():
         raise PlacecatError(f"{target} is not an ordinary file: choose another name")
 
@@ -94,7 +94,7 @@ def _remove(path: Path) -> None:
 def existing(path: Path) -> Path:
     """Return the path of a stage output; raise PlacecatError if the stage has not run."""
     if not path.exists():
-        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
+        raise PlacecatError(f"{path} is missing: run `dvc repro` to create it")
     return path
 
 
@@ -167,7 +167,7 @@ def read_table(path: Path, text: Collection[str] = ()) -> "pd.DataFrame":
     import pandas as pd
 
     if not path.is_file():
-        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it, or restore it from git")
+        raise PlacecatError(f"{path} is missing: run `dvc repro` to create it, or restore it from git")
     numbers = [name for name in pd.read_csv(path, nrows=0) if name not in text]
     empty = {str(name): [""] for name in numbers}
     return pd.read_csv(path, dtype=dict.fromkeys(text, str), keep_default_na=False, na_values=empty)

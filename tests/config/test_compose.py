@@ -44,9 +44,9 @@ def test_the_data_set_is_one_override(composed):
         ),
         (
             "dataset=home",
-            r"dataset has no 'home'; did you mean 'homes'\? \(there are: apartments, .*vpc2009\)$",
+            r"dataset has no 'home'; did you mean 'homes'\? \(available: apartments, .*vpc2009\)$",
         ),
-        ("classifier@cues.gist.classifier=kn", r"classifier has no 'kn'; did you mean 'knn'\? \(there are: "),
+        ("classifier@cues.gist.classifier=kn", r"classifier has no 'kn'; did you mean 'knn'\? \(available: "),
         ("dataste=homes", r"conf/ has no setting 'dataste'; did you mean 'dataset'\? \(valid: dataset, "),
         ("attention=1", "attention"),
         ("cues.gist.classifier.base.nu.x=1", r"Could not override 'cues\.gist\.classifier\.base\.nu\.x'\.$"),
@@ -162,7 +162,7 @@ def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
         ("splits.university.systems.three", ["gits"], r"split/university\.yaml: there is no cue 'gits'"),
         ("splits.university.descriptors.holistic", ["gist"], r"the cue spatial_pact: .* 'centrist'"),
         ("model.system", "best", r"model\.system: there is no system 'best'"),
-        ("model.seed", 7, r"model\.seed must be in protocol\.seeds: there is no seed 7 \(there are: 0"),
+        ("model.seed", 7, r"model\.seed must be in protocol\.seeds: there is no seed 7 \(available: 0"),
         ("protocol.extra.split", "flats", r"protocol\.extra\.split: there is no split 'flats'"),
     ],
 )

@@ -36,7 +36,7 @@ def test_tested_homes_keep_their_order(tested, numbers):
 
 
 def test_an_unknown_test_home_is_rejected():
-    message = "there is no home 'Home1' in dataset.homes .there are: A, B, C, D, E, F; or all"
+    message = "there is no home 'Home1' in dataset.homes .available: A, B, C, D, E, F; or all"
     with pytest.raises(PlacecatError, match=message):
         protocol.tested_homes(HOMES, ["A", "Home1"])
 

@@ -132,7 +132,7 @@ def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: st
         group, _, name = error.missing_cfg_file.rpartition("/")
         question = did_you_mean(name, error.options)
         there = ", ".join(error.options)
-        raise _refusal(f"{where}{group} has no {name!r}{question} (there are: {there})") from None
+        raise _refusal(f"{where}{group} has no {name!r}{question} (available: {there})") from None
     except (HydraException, yaml.YAMLError) as error:
         unknown = unknown_setting(overrides, source, where) if isinstance(source, dict) else None
         raise _refusal(unknown or error) from None
@@ -154,7 +154,7 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
 
     Does nothing if files and overrides have not changed since the last call. Raises PlacecatError if a run is
     in progress, or if `found`, `compose`, :func:`placecat.config.check.check` or
-    :func:`placecat.config.tables.check` raises one. After an error, params.yaml is unchanged.
+    :func:`placecat.config.tables.check` raises one. On an error, params.yaml is left unchanged.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():

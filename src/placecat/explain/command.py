@@ -47,7 +47,7 @@ def read() -> dict[str, Any]:
     """Read the explanations of all cells; raise PlacecatError if their file is missing."""
     if not paths.EXPLANATIONS.is_file():
         raise PlacecatError(
-            f"{paths.EXPLANATIONS} is missing: run `dvc repro` to make it, or restore it from git"
+            f"{paths.EXPLANATIONS} is missing: run `dvc repro` to create it, or restore it from git"
         )
     content: dict[str, Any] = json.loads(paths.EXPLANATIONS.read_text(encoding="utf-8"))
     return content

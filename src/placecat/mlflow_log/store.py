@@ -59,8 +59,8 @@ def connect(uri: str) -> MlflowClient:
 
     Examples of `uri` are ``http://127.0.0.1:5000`` and ``sqlite:///mlflow.db`` (relative to the current
     folder). If several processes connect at once, one creates the database and the others wait. Raises
-    PlacecatError if `uri` is not an address, if no compatible MLflow answers there, or if the database driver
-    is not installed.
+    PlacecatError if `uri` is not an address, if no compatible MLflow responds there, or if the database
+    driver is not installed.
     """
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
     # Otherwise, MLflow prints a line per run.

@@ -103,7 +103,7 @@ class Run:
         if seed is None:
             seeds = source.seeds()
             if not seeds:
-                raise PlacecatError(f"{result} was not computed: run `dvc repro` to make it")
+                raise PlacecatError(f"{result} was not computed: run `dvc repro` to create it")
             seed = seeds[0]
         files.existing(source.file(home, seed))
         return np.asarray(source.array(home, seed), np.float64)

@@ -34,5 +34,5 @@ def load(project: Path | str = ".") -> "pd.DataFrame":
 
     path = Path(project) / paths.RESULTS
     if not path.is_file():
-        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it, or restore it from git")
+        raise PlacecatError(f"{path} is missing: run `dvc repro` to create it, or restore it from git")
     return pd.read_parquet(path)

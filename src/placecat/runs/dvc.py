@@ -33,7 +33,7 @@ def main() -> None:
     os.environ[lifeline.DVC] = str(os.getpid())
     from dvc.utils.serialize import _common
 
-    # If a new version of DVC renames this function, a test will fail, but `placecat mend` still works.
+    # If a new version of DVC renames this function, a test will fail, but `placecat mend` will still work.
     _common._dump_data = _write_whole
     from dvc.cli import main as dvc
 

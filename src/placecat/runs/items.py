@@ -1,4 +1,4 @@
-"""Split the output of a stage into items, such as cues or homes, and remake only those with changed inputs.
+"""Split the output of a stage into items, such as cues or homes; rebuild only those with changed inputs.
 
 Each item has a manifest with checksums of its inputs and files, but no times or absolute paths.
 """

@@ -19,7 +19,7 @@ def check(params: Mapping[str, Any]) -> None:
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
             question, there = did_you_mean(name, valid), ", ".join(valid) or "none"
-            raise PlacecatError(f"{where}: there is no {kind} {name!r}{question} (there are: {there})")
+            raise PlacecatError(f"{where}: there is no {kind} {name!r}{question} (available: {there})")
 
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:

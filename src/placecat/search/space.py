@@ -74,7 +74,7 @@ def check(config: Mapping[str, Any]) -> None:
         )
     if home == "all" or (not isinstance(home, str | int) and len(home) != 1):
         raise PlacecatError(
-            f"test_home={home}: a search must leave out one test home, since a choice on all folds would use "
+            f"test_home={home}: a search must leave out one test home, since choosing on all folds would use "
             "every home; set one, such as test_home=home_1, and search once for each"
         )
 

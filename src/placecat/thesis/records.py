@@ -35,7 +35,7 @@ def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], wher
     settings.refuse_unknown(entry, ["record", "values"], where)
     if entry["record"] not in records:
         raise PlacecatError(
-            f"{where}: there is no record {entry['record']!r} (there are: {', '.join(records)})"
+            f"{where}: there is no record {entry['record']!r} (available: {', '.join(records)})"
         )
     table = records[entry["record"]]
     origins = (Origin(f"{RECORD}{entry['record']}"),)

@@ -30,7 +30,7 @@ def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tup
         if name not in homes:
             raise PlacecatError(
                 f"protocol.test_homes: there is no home {name!r} in dataset.homes{did_you_mean(name, homes)} "
-                f"(there are: {', '.join(homes)}; or all)"
+                f"(available: {', '.join(homes)}; or all)"
             )
     return tuple(home for home in homes if home in names)
 
