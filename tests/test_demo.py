@@ -70,7 +70,7 @@ def test_the_demo_replaces_only_its_own_files(tmp_path):
     (folder / command.PAGE).touch()
     command._check(folder)
     (folder / "mine.txt").touch()
-    with pytest.raises(PlacecatError, match=r"mine\.txt is not from the demo.*move it away"):
+    with pytest.raises(PlacecatError, match=r"mine\.txt is not from the demo.*move it elsewhere"):
         command._check(folder)
 
 

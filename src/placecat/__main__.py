@@ -17,7 +17,7 @@ from placecat.terminal import Terminal
 NOT_AS_KEPT = 3
 _STATUS = (
     f"Exit status: 0 on success; {NOT_AS_KEPT} if a number differs by more than reproducibility.tolerance "
-    "although the settings and the data set are those in git; 1 after an error, with one message."
+    "although the settings and the data set are those in git; 1 on an error, with one message."
 )
 
 

@@ -82,10 +82,12 @@ def _check(folder: Path) -> None:
     """Raise PlacecatError if the demo would replace files that it did not write."""
     files.check_target(folder)
     if folder.exists() and not folder.is_dir():
-        raise PlacecatError(f"{folder} is a file, but the demo needs a folder there: move it away")
+        raise PlacecatError(f"{folder} is a file, but the demo needs a folder there: move it elsewhere")
     for path in sorted(folder.iterdir()) if folder.is_dir() else ():
         if path.name not in FILES:
-            raise PlacecatError(f"{path} is not from the demo, but the demo replaces {folder}: move it away")
+            raise PlacecatError(
+                f"{path} is not from the demo, but the demo replaces {folder}: move it elsewhere"
+            )
 
 
 def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:

@@ -64,7 +64,7 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
 def _refuse_existing(destination: Path) -> None:
     files.check_target(destination)
     if destination.exists() or destination.is_symlink():
-        raise PlacecatError(f"{destination} already exists: choose another name, or move it away")
+        raise PlacecatError(f"{destination} already exists: choose another name, or move it elsewhere")
 
 
 def _write_frames(folder: Path, source: Path, plans: Plans, settings: Mapping[str, Any]) -> None:

@@ -104,7 +104,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     changed = _changed(folder, summary)
     if changed:
         raise PlacecatError(
-            f"{folder / changed[0]} was added or edited: move it away, or use --force, which keeps a "
+            f"{folder / changed[0]} was added or edited: move it elsewhere, or use --force, which keeps a "
             "copy of it"
         )
 

@@ -76,7 +76,7 @@ def refresh_together(
     for name, made_from, tasks, write in planned:
         with _item(folder / name, made_from) as temporary:
             write(temporary, list(itertools.islice(results, len(tasks))))
-    # The pool and its progress bar end only when another result is requested.
+    # The pool and its progress bar close only when another result is requested.
     next(results, None)
 
 

@@ -84,7 +84,7 @@ def _check_git() -> None:
 
 
 def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
-    """End the stage and then DVC; return DVC's exit status."""
+    """Stop the stage, then DVC; return DVC's exit status."""
     try:
         processes = psutil.Process(dvc.pid).children(recursive=True)
     except psutil.NoSuchProcess:

@@ -175,7 +175,8 @@ def find_starts(
     Maps the source of each start to its values for the searched keys. `config` is the first start: the
     experiment composed without the searched settings, including Hydra's own settings. Raises PlacecatError
     for a key that `config` lacks. Cues in `params` that have the same descriptor and classifier as the
-    experiment but other settings are also starts, since conf/cue contains the best settings in the thesis.
+    experiment but different settings are also starts, since conf/cue contains the best settings in the
+    thesis.
     """
     first = {key: _value(key, config) for key in keys}
     found = {SETTINGS: first}
