@@ -17,7 +17,7 @@ from placecat.terminal import Terminal
 NOT_AS_KEPT = 3
 _STATUS = (
     f"Exit status: 0 on success; {NOT_AS_KEPT} if a number differs by more than reproducibility.tolerance "
-    "although the settings and the data set are those in git; 1 after an error, with one message."
+    "although the settings and the data set are those in git; 1 on an error, with one message."
 )
 
 
@@ -104,7 +104,7 @@ def _add_pipeline(commands: Commands) -> None:
         _mend,
         "clean up after a killed run",
         "Restore records that are missing from dvc.lock after a killed run, and remove temporary files. "
-        "`placecat repro` does this by itself; run this command before a plain `dvc repro`.",
+        "`placecat repro` does this automatically; run this command before a plain `dvc repro`.",
     )
 
 

@@ -61,9 +61,9 @@ def check_file(target: Path) -> None:
     """Raise PlacecatError if a path is a folder, device or pipe, or if :func:`check_target` rejects it."""
     check_target(target)
     if target.is_dir():
-        raise PlacecatError(f"{target} is a folder: choose the name of a file")
+        raise PlacecatError(f"{target} is a folder: specify a file name")
     if target.exists() and not target.is_file():
-        raise PlacecatError(f"{target} is not an ordinary file: choose another name")
+        raise PlacecatError(f"{target} is not a regular file: choose another name")
 
 
 def check_writable(target: Path) -> None:
@@ -99,7 +99,7 @@ def existing(path: Path) -> Path:
 
 
 def checksum(path: Path) -> str:
-    """Return the SHA-256 checksum of a file in hexadecimal digits."""
+    """Return the SHA-256 checksum of a file in hexadecimal."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 

@@ -73,7 +73,7 @@ def _add_predict(commands: Commands) -> None:
     film.add_argument("--video", dest="film", action="store_const", const=".mp4", help=mp4)
     webm = "also write this video as WebM, which browsers can play; slower"
     film.add_argument("--webm", dest="film", action="store_const", const=".webm", help=webm)
-    resize = "scale frames to a size used in training; crop frames with another aspect ratio at the edges"
+    resize = "scale frames to a size used in training; crop frames with a different aspect ratio at the edges"
     predict.add_argument("--resize", action="store_true", help=resize)
     labels = "a CSV file of the true places (start,end,label) to compare the predictions with"
     predict.add_argument("--labels", type=Path, metavar="CSV", help=labels)

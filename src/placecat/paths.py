@@ -83,7 +83,7 @@ def features(home: str) -> Path:
 
 
 def seed_name(seed: int | None) -> str:
-    """Return the part of a file name for the seed: `seed-0`, or `no-seed` if nothing is random."""
+    """Return the seed part of a file name: `seed-0`, or `no-seed` if nothing is random."""
     return NO_SEED if seed is None else f"seed-{seed}"
 
 

@@ -145,5 +145,5 @@ def test_figures_of_a_revision_come_from_the_cache(tmp_path, monkeypatch):
 def test_the_page_does_not_overwrite_a_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "page").mkdir()
-    with pytest.raises(files.PlacecatError, match="page is a folder: choose the name of a file"):
+    with pytest.raises(files.PlacecatError, match="page is a folder: specify a file name"):
         write(Path("page"), "", "", [])

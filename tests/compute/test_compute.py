@@ -52,7 +52,7 @@ def test_settings_are_read_only_when_needed(params):
         (DASK | {"wait": 0}, r"compute\.wait=0: it must be greater than 0"),
         (DASK | {"may_differ": ["cpu"]}, r"'cpu'.*choose from .*processor"),
         (DASK | {"scheduler": "foo"}, "missing port number in address 'foo'"),
-        (DASK | {"wait": 0.2}, r"no scheduler answers .*compute=local"),
+        (DASK | {"wait": 0.2}, r"no scheduler is responding .*compute=local"),
     ],
 )
 def test_invalid_settings_are_rejected_in_one_line(params, own, message):

@@ -53,7 +53,7 @@ def test_a_worker_with_several_threads_is_refused(expected):
 def test_a_different_folder_is_rejected(expected, tmp_path):
     (tmp_path / "copy").mkdir()
     said = worker.objection(expected(folder=tmp_path / "copy"), FITTING)
-    assert f"does not see the project folder {tmp_path / 'copy'}" in said
+    assert f"cannot see the project folder {tmp_path / 'copy'}" in said
 
 
 def test_the_kernels_in_use_are_compared():

@@ -248,7 +248,7 @@ def _damage(folder):
         ("walk.avi --fps 1e308", "use a number from 0.001 to 1000"),
         ("walk.avi --every 1000000000000000000000", "--every is 1000000000000000000000"),
         ("walk.avi --ignore kitchen", "--ignore has no effect without labels"),
-        ("pipe.mp4", "pipe.mp4 is not an ordinary file"),
+        ("pipe.mp4", "pipe.mp4 is not a regular file"),
         ("walk.avi --output notes.txt/x", "cannot write notes.txt/x: File exists; a file is where"),
         ("walk.avi --output other", "other contains something other than a prediction"),
         ("walk.avi --labels none.csv", "none.csv: the label file is missing"),

@@ -90,8 +90,8 @@ def test_the_published_row_follows_the_measured_row():
 
 def test_names_and_titles_are_escaped():
     table = cells(5)
-    table["row"] = table["row"].replace("SVM", "[100%] R&D_1 {x} C:\\")
-    text = table_latex(settings(5, "50% & more_"), table, DATASET | {"title": "my_homes #1"})
+    table["row"] = table["row"].replace("SVM", "[100 %] R&D_1 {x} C:\\")
+    text = table_latex(settings(5, "50 % & more_"), table, DATASET | {"title": "my_homes #1"})
     check_structure(text)
     assert r"\caption{50 \% \& more\_." in text
     assert r"measured on my\_homes \#1." in text

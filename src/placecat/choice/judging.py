@@ -93,7 +93,7 @@ _HELD_OUT = ("cross_validated", "cross_validated_truth")
 def _both_ways(judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
     """Pair each judged home with its test home.
 
-    With two homes, each is the test home of the other. A single home is its own test home.
+    With two homes, each is the test home for the other. A single home is its own test home.
     """
     homes = list(judged)
     return [(test, home, *judged[home]) for test, home in zip(homes, reversed(homes), strict=True)]
@@ -119,7 +119,7 @@ def judge_smoothing(
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(
-            f"{source} has no array cross_validated, but judging the smoothing needs it: set "
+            f"{source} has no array cross_validated, but judging smoothing requires it: set "
             "cross_validate: true for this cue, and run `dvc repro`"
         )
     held_out, truth = (fold_file.read(source, name) for name in ("cross_validated", "cross_validated_truth"))

@@ -25,7 +25,7 @@ class Cluster:
     `scheduler` is an address, such as ``tcp://10.0.0.1:8786``. `wait` is how many seconds to wait for the
     scheduler, for the first worker, and for a new worker if all are gone. `may_differ` lists the items of
     :func:`placecat.compute.fingerprint.fingerprint` that may differ from those of this process. Raises
-    PlacecatError if Dask is not installed, if no scheduler answers, or if workers are missing or unfit.
+    PlacecatError if Dask is not installed, if no scheduler responds, or if workers are missing or unfit.
     """
 
     def __init__(self, *, scheduler: str, wait: float = 30, may_differ: Sequence[str] = ()) -> None:
@@ -87,7 +87,8 @@ class Cluster:
         import cloudpickle
 
         calls = [cloudpickle.dumps((function, task)) for task in tasks]
-        # Send all tasks at once, so that workers that join later get some. Dask would merge equal pure calls.
+        # Send all tasks at once, so that workers that join later get some. Dask would merge identical pure
+        # calls.
         sent = self._client.map(perform, [self._expected] * len(calls), calls, pure=False)
         # Workers free a result once its future is deleted here.
         left = {future.key: future for future in sent}
@@ -166,15 +167,15 @@ def _distributed() -> Any:
 
 def _connect(client: Any, scheduler: str, wait: float) -> Any:
     try:
-        # Check first: the client would wait forever if another kind of server answered.
+        # Check first: the client would wait forever if a different kind of server responded.
         kind = asyncio.run(_kind(scheduler, wait))
         if kind != "Scheduler":
             raise ValueError(f"found a {kind}")
         return client(scheduler, timeout=wait, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
-        reason = " ".join(str(error).split()) or f"no answer for {wait:g} s"
+        reason = " ".join(str(error).split()) or f"no response for {wait:g} s"
         raise PlacecatError(
-            f"no scheduler answers at compute.scheduler={scheduler} ({reason}): start one (`dask "
+            f"no scheduler is responding at compute.scheduler={scheduler} ({reason}): start one (`dask "
             "scheduler`), or use compute=local"
         ) from None
 

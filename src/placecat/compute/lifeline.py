@@ -1,4 +1,4 @@
-"""End a process soon after its parent ends, for whatever reason.
+"""Terminate a process soon after its parent exits, for whatever reason.
 
 The run, DVC, a stage and its workers form a chain of processes. Any of them may be killed, so each watches
 its parent. The kernel signal PR_SET_PDEATHSIG does not help: it exists only on Linux, and it is sent too

@@ -79,8 +79,8 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
     if expected.mark not in _seen:
         if not (Path(expected.folder) / expected.mark).exists():
             return (
-                f"{name} does not see the project folder {expected.folder}: it must be there at the same "
-                "path, on a file system that both share"
+                f"{name} cannot see the project folder {expected.folder}: it must be at the same path, "
+                "on a file system that both share"
             )
         _seen.add(expected.mark)
     return None

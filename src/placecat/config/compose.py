@@ -154,7 +154,7 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
 
     Does nothing if files and overrides have not changed since the last call. Raises PlacecatError if a run is
     in progress, or if `found`, `compose`, :func:`placecat.config.check.check` or
-    :func:`placecat.config.tables.check` raises one. After an error, params.yaml is unchanged.
+    :func:`placecat.config.tables.check` raises one. On an error, params.yaml is left unchanged.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():

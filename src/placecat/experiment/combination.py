@@ -177,7 +177,7 @@ def _check_data(experiment: Experiment, kernel_rows: int) -> None:
                 "use other data" + ("" if experiment.judge == TEST_HOME else f" or judge={TEST_HOME}")
             )
         if not len(tested.chosen()[0]):
-            raise PlacecatError(f"{tested.sequence} has no labelled frame to test on: use another test home")
+            raise PlacecatError(f"{tested.sequence} has no labelled frames to test on: use another test home")
     classifier, descriptor = experiment.settings["classifier"], experiment.settings["descriptor"]
     is_kernel = isinstance(_base(classifier), KernelMachine)
     if is_kernel and descriptor["kind"] == "local":

@@ -28,7 +28,7 @@ def job(config: DictConfig) -> float:
 
     The accuracy is the mean over test homes in percent, or NaN if there is none. result.json contains the
     result of :func:`placecat.experiment.running.compute` and its origin. In a sweep, a failed job raises no
-    exception, because that would end the other experiments. Instead, result.json states the reason, and the
+    exception, because that would abort the other experiments. Instead, result.json states the reason, and the
     sweep exits with status 1. The result of a single experiment is also printed and logged here.
     """
     # Imported late: these import scikit-learn, which `--help` does not need.

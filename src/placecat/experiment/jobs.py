@@ -36,7 +36,7 @@ def run(
     for number, experiment in zip(numbers, experiments, strict=True):
         own = folder / str(number)
         if experiment is None or not is_finished(own, made_from(experiment)):
-            # The result is missing, is a failure, or comes from other settings, data or code.
+            # The result is missing, is a failure, or comes from different settings, data or code.
             (own / output.RESULT).unlink(missing_ok=True)
             todo.append(number)
     if len(todo) < len(lines):

@@ -25,7 +25,8 @@ from placecat.thesis.decisions import decisions_of
 from placecat.thesis.number import AVERAGE
 from placecat.thesis.tables import COLUMNS, comparable, in_percent, label
 
-# MLflow accepts 8000 characters. The margin leaves room for the run id, which is longer than its placeholder.
+# MLflow accepts up to 8000 characters. The margin leaves room for the run id, which is longer than its
+# placeholder.
 _LONGEST_DESCRIPTION = 7900
 # Paragraphs have no line breaks, since the user interface would show them.
 _READING = (

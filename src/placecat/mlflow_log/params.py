@@ -24,7 +24,7 @@ def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
 
     They start with ``decides`` (the part that decides, such as a cue, an integration or an HMM),
     ``protocol``, ``cues``, ``system``, ``filter`` and ``descriptor``. The settings of a single cue
-    (`params_of_cue`), of the integration and of the smoothing follow.
+    (`params_of_cue`), the integration and the smoothing follow.
     """
     values: dict[str, dict[str, None]] = {}
     for result, made in results.items():

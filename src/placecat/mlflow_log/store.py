@@ -59,13 +59,13 @@ def connect(uri: str) -> MlflowClient:
 
     Examples of `uri` are ``http://127.0.0.1:5000`` and ``sqlite:///mlflow.db`` (relative to the current
     folder). If several processes connect at once, one creates the database and the others wait. Raises
-    PlacecatError if `uri` is not an address, if no compatible MLflow answers there, or if the database driver
-    is not installed.
+    PlacecatError if `uri` is not an address, if no compatible MLflow responds there, or if the database
+    driver is not installed.
     """
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
     # Otherwise, MLflow prints a line per run.
     os.environ.setdefault("MLFLOW_SUPPRESS_PRINTING_URL_TO_STDOUT", "true")
-    # By default, MLflow retries for minutes before it reports that no server answers.
+    # By default, MLflow retries for minutes before it reports that no server is responding.
     os.environ.setdefault("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "3")
     from mlflow import MlflowClient
 
@@ -193,7 +193,7 @@ def finish_run(client: MlflowClient, run_id: str, *, status: str = "FINISHED") -
 def key(*parts: str) -> str:
     """Return a metric or parameter name that MLflow accepts: a path of letters, digits and ``_-. /``.
 
-    The path has at most 250 characters, and no part of it is empty or only dots.
+    The path is at most 250 characters long, and no part of it is empty or just dots.
     """
     text = "/".join(part for part in parts if part).replace("+", "and")
     allowed = re.sub(r"[^\w\-. /]", "", text).split("/")

@@ -111,7 +111,7 @@ def log_tables(
     """Log every table whose contents are new, and mark the runs that it supersedes.
 
     Returns the digest of each table by name; digests do not depend on the time or on earlier runs. Raises
-    PlacecatError if MLflow does not answer or rejects a request.
+    PlacecatError if MLflow does not respond or rejects a request.
 
     Parameters
     ----------
@@ -142,7 +142,7 @@ def log_tables(
             common[DVC_EXPERIMENT] = dvc_experiment
             runs = [replace(run, title=f"{run.title} ({dvc_experiment})") for run in runs]
         digests = {run.name: run.digest(data_version) for run in runs}
-        # Log the last table first, since the user interface shows the latest run on top.
+        # Log the last table first, since the user interface shows the latest run at the top.
         _log_new(client, number, runs[::-1], digests, common)
         _settle(client, number, dvc_experiment)
         return digests
@@ -217,7 +217,7 @@ def _log(
         )
         store.set_tags(client, run_id, {store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
         rows = []
-        # Log the last row first, since the user interface shows the latest run on top.
+        # Log the last row first, since the user interface shows the latest run at the top.
         for number, row in reversed(list(enumerate(run.rows))):
             (own := folder / str(number)).mkdir()
             nested = store.start_run(

@@ -62,7 +62,7 @@ def open_source(
         number = int(camera[1] or 0)
         return Camera(number, f"camera_{number}", fps, size, title=f"camera {number}")
     if path.exists():
-        raise PlacecatError(f"{text} is not an ordinary file: use a video or a folder of images")
+        raise PlacecatError(f"{text} is not a regular file: use a video or a folder of images")
     raise PlacecatError(
         f"there is no file or folder {text}: use a video, a folder of images, a bag, camera, camera:NUMBER, "
         "or the address of a stream (rtsp://..., http://...)"

@@ -25,9 +25,9 @@ class Made:
     `title` describes the result on one line, and `stages` are its DVC stages, without `scores` and `tables`.
     `cues`, `classifiers` and `descriptors` are the names of the cues and of their classifiers and
     descriptors. `system` and `filter` are "" if there is none. `plan` is the protocol, such as "5-5-1", or
-    the split; it is "" if there is neither. `fuses` says whether an integration or a smoothing is trained as
-    well. `extra` says whether the integration is also trained on the sequences of ``protocol.extra``.
-    `settings` maps each part to its settings. `clusters` maps each cue to the text of its descriptor and its
+    the split; it is "" if there is neither. `fuses` says whether integration or smoothing is also trained.
+    `extra` says whether the integration is also trained on the sequences of ``protocol.extra``. `settings`
+    maps each part to its settings. `clusters` maps each cue to the text of its descriptor and its
     number of cells, which determine the seeds of its codebooks.
     """
 

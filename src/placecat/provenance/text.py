@@ -17,7 +17,7 @@ def explanations(
     """Collect all explanations in JSON types.
 
     `params` contains all settings. `data_versions` maps each stage that lists frames to DVC's checksum of
-    that list. Returns ``lines``, ``blocks`` and ``cells``. Each line consists of a label and a text. Each
+    that list. Returns ``lines``, ``blocks`` and ``cells``. Each line consists of a label and text. Each
     block is a list of line numbers, which start at 0. ``cells`` maps the number of each cell to an ordered
     list that explains it. Each item of this list is a line or the number of a block.
     """

@@ -70,8 +70,8 @@ def pooled(
     """Read the results of all groups, each given by its number and homes, as if they were one data set.
 
     `params` contains all settings. `others` are the results of the project's own run, of which only those on
-    other data are added. Raises PlacecatError if the results of a group are missing, or belong to other homes
-    or settings.
+    other data are added. Raises PlacecatError if the results of a group are missing, or belong to different
+    homes or settings.
     """
     scores, missing, dropped = [], [], []
     for number, homes in groups:

@@ -76,7 +76,7 @@ def _restricted(params: Mapping[str, Any], of_group: Sequence[str], homes: Seque
 def run(group: Group) -> bool:
     """Run the stages of a group and write its results to reports/replication, unless nothing has changed.
 
-    A killed run continues where it stopped. Returns whether anything ran. Raises PlacecatError if a stage
+    A killed run resumes where it stopped. Returns whether anything ran. Raises PlacecatError if a stage
     fails, `make repro` has not run, or another process runs this group.
     """
     folder = group.folder

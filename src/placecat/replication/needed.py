@@ -28,9 +28,9 @@ SIX = Run(6, 0.95)
 
 
 class _Comparison(NamedTuple):
-    """A comparison, with the share of homes that count, their spread, the claimed range and two differences.
+    """A comparison: the share of homes that count, their spread, the claimed range, and both differences.
 
-    The two differences are the published and measured ones.
+    These are the published difference and the measured one.
     """
 
     share: float

@@ -2,7 +2,7 @@
 
 Plain DVC overwrites dvc.lock in place, and loses its records if it is killed while writing. This module makes
 DVC write the file under another name and rename it, print the number of stages and the time left, and hide
-messages about frozen stages. On SIGTERM, or once its parent is gone, it ends its stage first.
+messages about frozen stages. On SIGTERM, or once its parent is gone, it stops its stage before it exits.
 """
 
 import logging
@@ -33,7 +33,7 @@ def main() -> None:
     os.environ[lifeline.DVC] = str(os.getpid())
     from dvc.utils.serialize import _common
 
-    # If a new version of DVC renames this function, a test will fail, but `placecat mend` still works.
+    # If a new version of DVC renames this function, a test will fail, but `placecat mend` will still work.
     _common._dump_data = _write_whole
     from dvc.cli import main as dvc
 
@@ -76,7 +76,7 @@ def _stop(number: int, frame: FrameType | None) -> None:
     stage = psutil.Process().children()
     for process in stage:
         process.terminate()
-    # DVC ignores Ctrl-C while it waits for a stage, and ends once the stage has failed.
+    # DVC ignores Ctrl-C while it waits for a stage, and exits once the stage has failed.
     if not stage:
         raise KeyboardInterrupt
 

@@ -1,4 +1,4 @@
-"""Split the output of a stage into items, such as cues or homes, and remake only those with changed inputs.
+"""Split the output of a stage into items, such as cues or homes; rebuild only those with changed inputs.
 
 Each item has a manifest with checksums of its inputs and files, but no times or absolute paths.
 """
@@ -76,7 +76,7 @@ def refresh_together(
     for name, made_from, tasks, write in planned:
         with _item(folder / name, made_from) as temporary:
             write(temporary, list(itertools.islice(results, len(tasks))))
-    # The pool and its progress bar end only when another result is requested.
+    # The pool and its progress bar close only when another result is requested.
     next(results, None)
 
 

@@ -14,7 +14,7 @@ from placecat.errors import PlacecatError
 TEMPORARY = Path(".dvc/tmp")
 # DVC's record of the paths that each process reads and writes.
 DVC_IN_USE = TEMPORARY / "rwlock"
-# Seconds that DVC and its stage may take to end after their run was killed.
+# Seconds that DVC and its stage may take to exit after their run is killed.
 _ENDING = 12.0
 _FOREVER = -1.0
 

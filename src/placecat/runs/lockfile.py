@@ -26,7 +26,7 @@ def data_version(stage: str = "sequences") -> str:
     try:
         return str(settings.read_yaml(LOCK)["stages"][stage]["outs"][0]["md5"])
     except (PlacecatError, KeyError, TypeError):
-        raise PlacecatError(f"{LOCK} has no stage {stage}: run `dvc repro` to create it") from None
+        raise PlacecatError(f"{LOCK} has no stage {stage}: run `dvc repro` to add it") from None
 
 
 def check_data(params: Mapping[str, Any]) -> None:

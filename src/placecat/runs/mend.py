@@ -37,7 +37,7 @@ def mend() -> list[str]:
         mended, lost = _mended(text)
         if mended != text:
             files.write_text(LOCK, mended)
-            again = f"; these stages run again: {', '.join(lost)}" if lost else ""
+            again = f"; these stages will run again: {', '.join(lost)}" if lost else ""
             said.append(f"{LOCK} was truncated when a run was killed: its records have been restored{again}.")
     keep()
     # All entries belong to killed processes.

@@ -14,14 +14,14 @@ from placecat.errors import PlacecatError
 from placecat.runs import lock, mend
 from placecat.runs.lockfile import LOCK, defined_stages
 
-# Seconds that DVC and its stage may take to end after Ctrl-C, which the terminal also sends to them.
+# Seconds that DVC and its stage may take to exit after Ctrl-C, which the terminal also sends to them.
 _CTRL_C = 3.0
 
 
 def run(*, force: bool = False, **environment: str) -> int:
     """Clean up after a killed run, then run `dvc repro` in the terminal; return its exit status.
 
-    On Ctrl-C or SIGTERM, the stage cleans up, then DVC ends, and then this function returns. With `force`,
+    On Ctrl-C or SIGTERM, the stage cleans up, DVC exits, and then this function returns. With `force`,
     stages run even if no dependency has changed. `environment` contains additional environment variables for
     the stages. Raises PlacecatError if another run is in progress here, or if this folder is not a git
     repository.
@@ -84,7 +84,7 @@ def _check_git() -> None:
 
 
 def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
-    """End the stage and then DVC; return DVC's exit status."""
+    """Stop the stage, then DVC; return DVC's exit status."""
     try:
         processes = psutil.Process(dvc.pid).children(recursive=True)
     except psutil.NoSuchProcess:

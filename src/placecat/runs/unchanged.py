@@ -39,8 +39,8 @@ def check() -> None:
 def state(stage: str) -> dict[str, str]:
     """Return the states of params.yaml and of every file that dvc.yaml lists for a stage, by path.
 
-    The state of settings and code is a checksum. The state of other files, which may be large, is their size
-    and modification time.
+    For settings and code, the state is a checksum; for other files, which may be large, it is the size and
+    modification time.
     """
     found = {}
     for dep in [str(paths.PARAMS), *_dependencies(stage)]:

@@ -67,7 +67,7 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
     said = told["msg"].removeprefix("Value error, ").replace("Input should be", "it must be")
     said = said.replace("Value should", "it must").replace(" after validation", "")
     if kind == "string_type" and isinstance(value, int | float):
-        said = f"it must be text, but YAML reads a number: write '{value}', with quotes"
+        said = f"it must be text, but YAML reads it as a number: write '{value}', with quotes"
     elif kind == "list_type":
         said = f"it must be a list: write [{_short(value)}]"
     elif kind in ("dict_type", "mapping_type", "model_type"):

@@ -9,14 +9,14 @@ from placecat.schema.sections import Descriptor
 
 
 class ExperimentFrames(Section):
-    """The frames of an experiment; None stands for the value in params.yaml."""
+    """The frames of an experiment; None means the value in params.yaml."""
 
     offset: Index | None
     step: Count | None
 
 
 class ExperimentCodebook(Section):
-    """The codebook of an experiment; None stands for the default of the classifier."""
+    """The codebook of an experiment; None means the classifier's default."""
 
     cells: Count | None
     tree: Own

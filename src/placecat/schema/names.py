@@ -8,7 +8,7 @@ from typing import Annotated, TypeVar
 from pydantic import AfterValidator
 
 _Item = TypeVar("_Item", bound=Hashable)
-# A file name has at most 255 bytes. Some of them are reserved for a prefix and a suffix.
+# A file name can be at most 255 bytes long; some of these are reserved for a prefix and a suffix.
 _LONGEST_NAME, _LONGEST_TEXT = 200, 4000
 _KEY = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]*")
 # Values of `protocol.test_homes` that are not home names.

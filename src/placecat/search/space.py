@@ -74,7 +74,7 @@ def check(config: Mapping[str, Any]) -> None:
         )
     if home == "all" or (not isinstance(home, str | int) and len(home) != 1):
         raise PlacecatError(
-            f"test_home={home}: a search must leave out one test home, since a choice on all folds would use "
+            f"test_home={home}: a search must leave out one test home, since choosing on all folds would use "
             "every home; set one, such as test_home=home_1, and search once for each"
         )
 
@@ -175,7 +175,8 @@ def find_starts(
     Maps the source of each start to its values for the searched keys. `config` is the first start: the
     experiment composed without the searched settings, including Hydra's own settings. Raises PlacecatError
     for a key that `config` lacks. Cues in `params` that have the same descriptor and classifier as the
-    experiment but other settings are also starts, since conf/cue contains the best settings in the thesis.
+    experiment but different settings are also starts, since conf/cue contains the best settings in the
+    thesis.
     """
     first = {key: _value(key, config) for key in keys}
     found = {SETTINGS: first}

@@ -62,7 +62,7 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     files.write_csv(folder / "labels.csv", table)
     files.write_csv(folder / "sources.csv", _checksums(home))
     facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
-    # Only footage that is damaged or has a variable frame rate has these facts.
+    # These are written only for footage that is damaged or has a variable frame rate.
     odd = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
     facts |= {name: value for name, value in odd.items() if value}
     if not home.is_even:

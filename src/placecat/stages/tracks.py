@@ -76,7 +76,7 @@ def track(
     described = []
     for image, regions in zip(read_frames(root, frames, size=size), found, strict=True):
         described.append(describe_frame(image, options, regions=tracker.step(image, regions)))
-    # The information of a frame does not depend on the regions; the features already contain it.
+    # A frame's information does not depend on the regions; the features already contain it.
     names = [name for name in described[0] if name != "information"]
     return {name: np.stack([one[name] for one in described]) for name in names}
 
