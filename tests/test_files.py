@@ -44,7 +44,7 @@ def test_a_file_never_removes_a_folder(tmp_path, monkeypatch, name):
     (tmp_path / "kept/mine").touch()
     monkeypatch.chdir(tmp_path)
     target = Path(name.format(folder=tmp_path if name.startswith("{") else tmp_path.name))
-    with pytest.raises(PlacecatError, match="choose|specify"):
+    with pytest.raises(PlacecatError, match=r"choose|specify"):
         files.write_text(target, "x")
     assert (tmp_path / "kept/mine").exists()
 

@@ -128,7 +128,7 @@ def test_segments_can_be_used_as_labels(footage, capsys):
     # 14 of the 18 bedroom frames and all 8 living_room frames are correct.
     assert f"Accuracy (mean over the labelled places): {(100 * 14 / 18 + 100) / 2:.2f}%" in shown
     lines = [line.split() for line in shown.splitlines()]
-    assert ["bedroom", "14", "0", "4", "77.8", "%"] in lines
+    assert ["bedroom", "14", "0", "4", "77.8%"] in lines
     assert ["kitchen", "0", "0", "0", "-"] in lines
 
 
