@@ -117,7 +117,7 @@ def _fitting(text: str, size: int, width: int) -> int:
 
 
 def _bar(picture: NDArray[np.uint8], box: tuple[int, int, int, int], share: float, color: Color) -> None:
-    """Draw a bar in `box` (left, top, right, bottom), and fill the fraction `share` of it."""
+    """Draw a bar in `box` (left, top, right, bottom) and fill a fraction `share` of it."""
     left, top, right, bottom = box
     picture[top:bottom, left:right] = _LIGHT
     picture[top:bottom, left : left + round(share * (right - left))] = color

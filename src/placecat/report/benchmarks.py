@@ -23,7 +23,7 @@ def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
     """From the table that :func:`placecat_bench.run.run` returns, select the benchmarks that have a ratio.
 
     ``met`` becomes a bool and ``target`` a number. Missing numbers become NaN. The new column ``is_faster``
-    is True if the target is a minimum speed-up, and False if it is a maximum share of the peer's time.
+    is True if the target is a minimum speed-up, and False if it is a maximum multiple of the peer's time.
     """
     rows = benchmarks[benchmarks["ratio"].notna()]
     return rows.assign(

@@ -147,7 +147,7 @@ def duration(seconds: float) -> str:
 # Cached because each new environment would compile its templates again.
 @cache
 def page_templates() -> Environment:
-    """Return the Jinja environment of the page templates, with their filters."""
+    """Return the Jinja environment for the page templates, including its filters."""
     templates = environment("placecat.report").overlay()
     templates.filters = templates.filters | {
         "at": _at,

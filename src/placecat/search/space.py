@@ -49,7 +49,7 @@ class Space:
         return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
 
     def ends(self) -> list[tuple[str, ...]]:
-        """Return the overrides of the first start, then of variants that set one key to a limit or choice."""
+        """Return the overrides for the first starting point, then for variants with one key at a limit or choice."""
         first = next(iter(self.starts.values()))
         found = [first]
         for key, own in self.distributions.items():

@@ -68,8 +68,8 @@ def search(
         done = asked + len(batch)
         if done >= min(n_startup_trials, n_trials) and all(one.accuracy is None for one in known.values()):
             raise PlacecatError(
-                f"none of the first {len(known)} experiments of the search has an accuracy: see the "
-                "reasons in their result.json"
+                f"none of the first {len(known)} experiments in the search produced an accuracy: see "
+                "their result.json for the reasons"
             )
         for trial, one in zip(batch, chosen, strict=True):
             found = known[one].accuracy

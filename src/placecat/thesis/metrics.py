@@ -88,7 +88,7 @@ def _find(results: Results, name: str, where: str) -> Measured | None:
 
 
 def decisions(measured: Measured | None) -> pd.DataFrame:
-    """Return the first seed's decisions: the columns truth and decision, and one row per tested frame.
+    """Return the first seed's decisions, with the columns truth and decision and one row per tested frame.
 
     Rows are sorted by place. DVC's `confusion` template counts them.
     """

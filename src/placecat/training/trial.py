@@ -42,7 +42,7 @@ def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[
     """Train cues that share a descriptor and codebook settings, and apply them to the test sequence.
 
     The plan must have exactly one test sequence. Returns the true classes of the scored frames, and the
-    distributions of each cue for these frames. The labelled frames of the sequence are scored, or with a
+    distributions of each cue for these frames. The labelled frames of the sequence are scored or, with a
     region variant, only those that have a descriptor. `seed` is one of ``protocol.seeds``, or None if the
     cues have no clusters.
     """

@@ -133,7 +133,7 @@ def _cutlery(kind: str) -> Mesh:
 
 
 def candlestick(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a candlestick with one or three candles, sometimes burning."""
+    """Draw a candlestick with one or three candles, sometimes lit."""
     metal = style.metal
     arms = choose(rng, (1, 1, 3))
     height = between(rng, 0.1, 0.22)
