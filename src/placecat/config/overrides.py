@@ -36,7 +36,7 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
 def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where: str) -> str | None:
     """Name the first overridden setting that `content` lacks, and the valid ones; return None if all exist.
 
-    `where` is the file or folder of the settings.
+    `where` is the settings file or folder.
 
     >>> content = {"fps": 5.0, "size": {"width": 1, "height": 2}}
     >>> unknown_setting(["size.widht=3"], content, "conf/a.yaml")

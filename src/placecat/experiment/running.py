@@ -23,7 +23,7 @@ from placecat.training.plan import Plan
 
 # The `fingerprint` items that are part of a result's origin.
 _OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
-# The measures and confusion for one tested home and seed, or the reason why there are none.
+# The measures and confusion matrix for one test home and seed, or the reason why there are none.
 Outcome = dict[str, Any] | str
 
 

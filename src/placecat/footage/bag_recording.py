@@ -1,4 +1,4 @@
-"""Read the frames of one topic in a bag with their numbers and times, and detect lost frames."""
+"""Read the frames of one topic in a bag, with their numbers and times, and detect lost frames."""
 
 from collections.abc import Generator
 from dataclasses import dataclass

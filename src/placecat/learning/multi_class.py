@@ -145,7 +145,7 @@ class MultiClass:
 def encode_classes(
     X: ArrayLike, y: ArrayLike, class_names: Sequence[str] | None
 ) -> tuple[NDArray[np.float32], NDArray[Any], NDArray[np.intp], list[str]]:
-    """Check training data, and return float32 samples, classes, class indices, and names to show."""
+    """Check training data, and return float32 samples, classes, class indices, and display names."""
     samples = check_samples(X)
     classes, index = np.unique(check_labels(y, len(samples)), return_inverse=True)
     names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]

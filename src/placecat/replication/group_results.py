@@ -32,7 +32,7 @@ def folder_of(number: int) -> Path:
 def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, Any]) -> None:
     """Copy the results of a group from the folder of its run to `target`.
 
-    The files contain the decision counts in the homes of the group, all tables merged into one, the missing
+    The files contain the decision counts for the homes in the group, all tables merged into one, the missing
     results, the number of frames that each information filter drops, and the names of the homes with a
     checksum of the settings.
     """

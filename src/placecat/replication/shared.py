@@ -1,4 +1,4 @@
-"""The variance that homes in a group have in common, because each is training data for the others."""
+"""The variance shared by the homes in a group, since each serves as training data for the others."""
 
 import numpy as np
 from numpy.typing import ArrayLike

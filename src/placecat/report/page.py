@@ -61,7 +61,7 @@ class Report:
     times
         A stored record of a run's times. ``stages`` is a table with the columns stage, runs and seconds; a
         stage may run several times, for example once per home. ``data`` is the title of the data set,
-        ``cores`` is the machine's number of cores, and ``total`` is the duration of the complete run in
+        ``cores`` is the number of cores in the machine, and ``total`` is the duration of the complete run in
         seconds.
     speed, scale
         Stored records from :func:`placecat.report.benchmarks.shown_speed` and

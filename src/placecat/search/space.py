@@ -1,4 +1,4 @@
-"""A search space, read from Hydra overrides, and the settings with which the search starts."""
+"""A search space, read from Hydra overrides, and the settings that the search starts from."""
 
 import importlib.util
 from collections.abc import Mapping, Sequence
@@ -49,7 +49,10 @@ class Space:
         return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
 
     def ends(self) -> list[tuple[str, ...]]:
-        """Return the overrides for the first starting point, then for variants with one key at a limit or choice."""
+        """Return the overrides for the first starting point, then for its variants.
+
+        Each variant sets one key to one of its limits or choices.
+        """
         first = next(iter(self.starts.values()))
         found = [first]
         for key, own in self.distributions.items():

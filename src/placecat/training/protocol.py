@@ -42,7 +42,7 @@ def training_homes(
 
     Homes in `without` are never chosen. The test home comes first in `without`, which may be empty.
 
-    The schemes keep their names from the thesis for any number of homes. In "5-5-1", the cues and the
+    The schemes keep their thesis names regardless of the number of homes. In "5-5-1", the cues and the
     integration train on different frames of all other homes. In "4-5-1", one of these homes is used only for
     the integration, not for the cues. It is the one after the test home (wrapping around), or the first home
     if `without` is empty. The thesis does not say which home it used. Raises PlacecatError if the scheme or a

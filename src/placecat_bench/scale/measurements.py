@@ -26,7 +26,7 @@ def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frame
 
 
 def growths(measured: pd.DataFrame) -> pd.DataFrame:
-    """Fit how the run time of each stage, and of all stages together, grows with the number of frames.
+    """Estimate how the run time of each stage, and of all stages together, grows with the number of frames.
 
     `measured` has the columns `COLUMNS` and rows for at least two numbers of frames. Returns the columns
     `GROWTH_COLUMNS`. The exponents apply to CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are for the

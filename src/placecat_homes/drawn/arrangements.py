@@ -245,7 +245,7 @@ def angled(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
     sketch.join(dining, kitchen, "open" if rng.random() < 0.6 else "door")
     sketch.join(second, kitchen)
     sketch.join(second, bathroom)
-    # Any second bedroom and second bathroom are west of it.
+    # The second bedroom and the second bathroom, if any, are west of it.
     west = turn - WALL
     if chosen(rng, ranges.bedrooms) > 1:
         depth = rng.uniform(3.2, 4.2)

@@ -1,4 +1,4 @@
-"""A room with the objects already in it, and checks of whether another fits in."""
+"""A room with the objects already in it, and checks for whether another one fits."""
 
 from collections.abc import Sequence
 

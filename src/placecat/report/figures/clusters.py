@@ -175,23 +175,23 @@ def _sheet(
 FIGURES = {
     "figure_12": (
         "Salient regions in the largest cluster of the localized HOG descriptor, from the training frames of "
-        "one fold. The colour of each patch's border shows the place in its frame. The bar shows the places of "
-        "all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) and (c) "
+        "one fold. The colour of each patch's border shows the place in its frame. The bar shows the places "
+        "of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) and (c) "
         "random samples from the thirds of the patches with the highest and the lowest contrast (standard "
         "deviation of the grey levels).",
         lambda run: draw_cluster(run, 1, True, **run.options("clusters")),
     ),
     "figure_13": (
         "Salient regions in the second-largest cluster of the localized HOG descriptor, from the training "
-        "frames of one fold. The colour of each patch's border shows the place in its frame. The bar shows the "
-        "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
+        "frames of one fold. The colour of each patch's border shows the place in its frame. The bar shows "
+        "the places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",
         lambda run: draw_cluster(run, 2, False, **run.options("clusters")),
     ),
     "figure_14": (
         "Salient regions in the third-largest cluster of the localized HOG descriptor, from the training "
-        "frames of one fold. The colour of each patch's border shows the place in its frame. The bar shows the "
-        "places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
+        "frames of one fold. The colour of each patch's border shows the place in its frame. The bar shows "
+        "the places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
         "a random sample.",
         lambda run: draw_cluster(run, 3, False, **run.options("clusters")),
     ),
