@@ -1,4 +1,4 @@
-"""Stays in a place: runs of frames with the same decision."""
+"""Visits to a place: runs of frames with the same decision."""
 
 from dataclasses import dataclass, replace
 

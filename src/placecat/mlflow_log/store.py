@@ -254,7 +254,7 @@ def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path])
 
 @contextmanager
 def _quick_if_new(uri: str) -> Iterator[None]:
-    """During a block, do not wait for the disk when connected to a new SQLite database.
+    """Do not wait for the disk inside a block if the SQLite database is new.
 
     A new database has nothing to lose: after a power failure, it can be deleted and created again.
     """

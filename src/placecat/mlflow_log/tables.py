@@ -76,7 +76,7 @@ class TableRun:
 
     `content` is everything that the table shows, as text. `params` are the settings that affect the numbers,
     by dotted name. `metrics` are in percent unless their name says otherwise. `description` is Markdown, in
-    which `RUN_ID` is replaced by the run id. `rows` are nested runs, and `files` works as for a row. `kind`
+    which `RUN_ID` is replaced by the run id. `rows` are nested runs, and `files` is as in a row. `kind`
     is "table", or "figures" or "findings" for the two runs that are not tables.
     """
 

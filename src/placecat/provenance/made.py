@@ -89,7 +89,7 @@ def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_cue(name: str, params: Mapping[str, Any], scheme: str = "") -> Made:
-    """Describe a cue in the protocol `scheme` (by default, its first one)."""
+    """Describe a cue in the protocol `scheme`, by default the first one."""
     own, one = settings.get(params, f"cues.{name}"), _described_cue(name, params)
     scheme = scheme or own["schemes"][0]
     is_tracked = one.settings[f"descriptor of {name}"].get("tracked")

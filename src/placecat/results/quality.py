@@ -28,7 +28,7 @@ def gather(homes: Sequence[str], seeds: Sequence[str], measured: Sequence[Sequen
 
 
 def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
-    """List one result's rows for the file of all results (see `QUALITY_COLUMNS`)."""
+    """List the rows of one result for the combined results file (see `QUALITY_COLUMNS`)."""
     rows = []
     for s, seed in enumerate(one.seeds):
         for h, home in enumerate(one.homes):

@@ -26,7 +26,7 @@ MOST_BYTES = 16 << 20
 
 
 class Segment(NamedTuple):
-    """Frames `start` to `end` (counted from 1, both included), with their label and its line in the file."""
+    """Frames `start` to `end` (1-based, inclusive) with their label, and its line in the file."""
 
     start: int
     end: int

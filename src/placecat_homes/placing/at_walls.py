@@ -203,7 +203,7 @@ class AtWalls(Occupied):
     def _stands(
         self, model: Mesh, wall: int, at: float | None, front: float, corner: bool, z: float
     ) -> list[tuple[float, Placed, Floats]]:
-        """Return free spots along a wall, each with a rating (lower is better) and the floor in front of it."""
+        """Return free spots along a wall, with a rating (lower is better) and the floor in front of each."""
         width, depth = float(model.size[0]), float(model.size[1])
         length = self.length(wall)
         if at is None:

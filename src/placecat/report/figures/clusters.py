@@ -184,15 +184,15 @@ FIGURES = {
     "figure_13": (
         "Salient regions in the second-largest cluster of the localized HOG descriptor, from the training "
         "frames of one fold. The colour of each patch's border shows the place in its frame. The bar shows "
-        "the places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
-        "a random sample.",
+        "the places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; "
+        "(b) a random sample.",
         lambda run: draw_cluster(run, 2, False, **run.options("clusters")),
     ),
     "figure_14": (
         "Salient regions in the third-largest cluster of the localized HOG descriptor, from the training "
         "frames of one fold. The colour of each patch's border shows the place in its frame. The bar shows "
-        "the places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; (b) "
-        "a random sample.",
+        "the places of all regions in the cluster, in percent. (a) Patches nearest to the cluster's centre; "
+        "(b) a random sample.",
         lambda run: draw_cluster(run, 3, False, **run.options("clusters")),
     ),
 }
