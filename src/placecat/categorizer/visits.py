@@ -1,4 +1,4 @@
-"""Visits to a place: runs of frames with the same decision."""
+"""Stays: runs of frames with the same decision."""
 
 from dataclasses import dataclass, replace
 
