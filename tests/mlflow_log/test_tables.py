@@ -275,7 +275,7 @@ def test_measures_of_probabilities_are_logged_once(results, tmp_path):
     # There is no chart, because it would mix nats and percent, but the units are named.
     assert "chart.png" not in {path.name for path in run.files(tmp_path)}
     assert "chart.png" not in run.description and "accuracy in percent" not in run.description
-    assert "Log loss in nats" in run.description
+    assert "Log loss is in nats" in run.description
 
 
 def test_all_figures_share_one_run(tmp_path):
