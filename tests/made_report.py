@@ -115,7 +115,7 @@ def comparisons():
     )
     names += "measured_difference low high range units verdict"
     return pd.DataFrame(rows, columns=names.split()).assign(
-        reason="a reason", left_results="a/b", right_results=""
+        reading="", reason="a reason", left_results="a/b", right_results=""
     )
 
 

@@ -276,17 +276,30 @@ def test_the_summary_states_the_main_numbers(page):
     ) in summary
     assert "6 homes with 3,120 frames, of which 3,000 show one of 5 places" in summary
     (of_best, best), highest = averages.idxmax(), averages.max()
-    assert f"Best system{highest:.2f}% {best}, {of_best}: average accuracy over homes in Table 26." in summary
-    assert "Chance is 20%." in summary
+    assert f"Best system{highest:.2f}% {best}, {of_best}: average accuracy over homes in Table 26," in summary
+    assert "Table 26, on made-up homes. Chance is 20%." in summary
     counts = made_report.findings()["verdict"].value_counts()
     holds, fails, undecided = (counts[verdict] for verdict in made_report.VERDICTS)
     assert (
         f"Of the thesis’s 34 findings, {holds} hold, {fails} do not hold, and {undecided} are undecided"
     ) in summary
+    assert "1 home is used for testing. In “5-5-1”, the cues are trained on the same 5 homes" in summary
+    assert "as the integration. “All cues” are the single cues in Table 26. “HMM” is the hidden" in summary
     assert (
-        "41.87% for Centrist, 46.78% for Centrist filtered over time, and 39.8% for SIFT. Those data"
-        in text_of(page.read_text(encoding="utf-8"))
-    )
+        "41.87% for Centrist, 46.78% for Centrist filtered over time, and 39.8% for SIFT. The thesis’s "
+        "numbers are also from that database. It consists of real homes, which are not the homes of this run."
+    ) in text_of(page.read_text(encoding="utf-8"))
+
+
+def test_the_summary_depends_on_the_data():
+    report = made_report.report(tables=[26], figures=[])
+    assert "None" not in text_of(part_of(page_html(report), "summary"))
+    other = DATASET | {"note": "Only <made up>.", "homes": DATASET["homes"][:4]}
+    html = page_html(replace(report, dataset=other | {"thesis_data": "VPC-2009 home database"}))
+    summary = text_of(part_of(html, "summary"))
+    assert "show one of 5 places.Only &lt;made up&gt;." in summary
+    assert "stay the same here, with 4 homes." in summary
+    assert "not directly comparable" not in text_of(html)
 
 
 def test_a_cell_shows_its_difference_and_spread():
@@ -551,11 +564,24 @@ def test_verdicts_on_more_homes_follow_each_finding():
         "findings": more,
     }
     shown = text_of(page_html(replace(report, replication=replication)))
-    assert "On 24 homes (24 homes &lt;drawn&gt;), 34 hold, 0 do not, and 0 are undecided." in shown
+    assert "On 24 other homes, 34 hold, 0 do not, and 0 are undecided." in shown
+    assert "its verdict on the 24 homes of the data set “24 homes &lt;drawn&gt;”." in shown
+    assert "one or two of its six homes (then one or two of each group count), or" in shown
     difference, low, high = (f"{more[name][0]:.2f}" for name in ("difference", "low", "high"))
     assert f"On 24 homes: holds {difference} ({low} to {high}, 24 homes)" in shown
     assert shown.count("On 24 homes: holds") == 33
-    assert "On 24 homes" not in text_of(page_html(report))
+    without = text_of(page_html(report))
+    assert "On 24" not in without
+    assert "one or two of its six homes, or if a result cannot be computed for every home" in without
+
+
+def test_a_finding_judged_from_the_cases_of_all_comparisons_says_so():
+    report = small_report()
+    twice = pd.concat([report.comparisons[:1].assign(range="both signs")] * 2)
+    html = page_html(replace(report, comparisons=twice))
+    said = "partly above 0; the cases of all comparisons are judged together, so the verdicts on single"
+    rows = re.findall(r'<tr id="finding-(\d+)">(.*?)</tr>', html)
+    assert [number for number, row in rows if said in row] == ["1"]
 
 
 @needs_chromium

@@ -2,7 +2,8 @@ import numpy as np
 import pandas as pd
 
 from made_report import cells
-from placecat.report.summary import best_system, count_verdicts, headlines
+from placecat.report.summary import best_system, count_verdicts, headlines, judged_together
+from project import ROOT
 
 
 def test_headlines_of_published_numbers_match_the_thesis():
@@ -33,6 +34,10 @@ def test_the_best_cue_may_differ_from_the_published_one():
 def test_all_verdicts_are_counted():
     findings = pd.DataFrame({"verdict": ["holds", "undecided", "holds"]})
     assert count_verdicts(findings) == {"holds": 2, "does not hold": 0, "undecided": 1}
+
+
+def test_only_finding_23_is_judged_from_the_cases_of_all_comparisons():
+    assert judged_together(pd.read_csv(ROOT / "reports/findings_comparisons.csv")) == {23}
 
 
 def test_the_best_system_is_the_highest_average_that_was_measured():

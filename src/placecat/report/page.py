@@ -14,7 +14,7 @@ from placecat.provenance.cells import Table
 from placecat.report.embed import embed
 from placecat.report.grid import Cell, legend, make_cell, number_text, seeds_sentence, shade, shown_table
 from placecat.report.sections import arrange
-from placecat.report.summary import WU, best_system, count_verdicts, headlines, readings_of
+from placecat.report.summary import WU, best_system, count_verdicts, headlines, judged_together, readings_of
 from placecat.templates import environment
 from placecat.thesis.notes import joined
 
@@ -46,12 +46,12 @@ class Figure:
 class Report:
     """The content of the page, with tables and figures in any order.
 
-    `dataset` contains the run's ``title``, ``homes``, ``classes`` and ``thesis_data``. `frames` maps each
-    home to its number of frames in each place and its number of ``unlabelled`` frames. `data_version` is the
-    checksum of the data, and `settings` is the content of params.yaml. `in_text` contains the numbers that
-    appear only in the thesis's text, with the columns name, section, quantity, home, published, measured,
-    spread, seeds and notes. `findings` and `comparisons` come from :func:`placecat.thesis.findings.ledger`,
-    which explains their columns. The other attributes are optional:
+    `dataset` contains the run's ``title``, ``homes``, ``classes``, ``thesis_data`` and, optionally, a
+    ``note``. `frames` maps each home to its number of frames in each place and its number of ``unlabelled``
+    frames. `data_version` is the checksum of the data, and `settings` is the content of params.yaml.
+    `in_text` contains the numbers that appear only in the thesis's text, with the columns name, section,
+    quantity, home, published, measured, spread, seeds and notes. `findings` and `comparisons` come from
+    :func:`placecat.thesis.findings.ledger`, which explains their columns. The other attributes are optional:
 
     replication
         The findings on many homes: the ``title`` of their data set, the numbers of ``homes`` and ``groups``,
@@ -111,6 +111,7 @@ def page_html(report: Report) -> str:
             readings=readings_of(report.findings),
             replicated={one["number"]: one for one in replicated if one["replicated"]},
             interval_limit=_interval_limit(report.findings),
+            judged_together=judged_together(report.comparisons),
             comparisons=_plain(comparisons),
             sections=sections,
             rest=rest,

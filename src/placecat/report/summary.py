@@ -74,6 +74,12 @@ def readings_of(findings: pd.DataFrame) -> dict[str, str]:
     return {name: name.removeprefix(prefix) for name in findings.columns if name.startswith(prefix)}
 
 
+def judged_together(comparisons: pd.DataFrame) -> set[int]:
+    """Return the findings with several comparisons whose cases are judged together (range "both signs")."""
+    together = comparisons[comparisons["range"] == "both signs"]
+    return set(together.loc[together.duplicated(["finding", "reading"]), "finding"])
+
+
 def count_verdicts(findings: pd.DataFrame) -> dict[str, int]:
     """Count the findings by verdict; the three usual verdicts come first."""
     counts = findings["verdict"].value_counts()
