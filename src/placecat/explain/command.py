@@ -73,7 +73,7 @@ def text_of(number: str, content: Mapping[str, Any], stages: Mapping[str, str]) 
 
 def _listed(numbers: Sequence[str], content: Mapping[str, Any]) -> str:
     """List cells with their labels and numbers, and say how to choose one."""
-    rows = [("cell", *LABELS, "measured", "published")]
+    rows: list[tuple[str, ...]] = [("cell", *LABELS, "measured", "published")]
     for number in numbers:
         lines = dict(lines_of(content, number))
         # The numbers of the seeds and the difference follow.
