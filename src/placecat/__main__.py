@@ -141,7 +141,10 @@ def _add_results(commands: Commands) -> None:
         "Explain a number in a table or in the text: what it measures, and the settings, frames, seeds, "
         "data, code and stages behind it.",
     )
-    cell = "its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 HMM home_3"
+    cell = (
+        "its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 4-5-1 HMM home_3; "
+        "if several cells match, they are listed"
+    )
     explain.add_argument("cell", nargs="+", metavar="CELL", help=cell)
     again = "recompute it from stage outputs, and check that every bit agrees"
     explain.add_argument("--again", action="store_true", help=again)

@@ -49,7 +49,7 @@ def test_the_data_set_is_one_override(composed):
         ("classifier@cues.gist.classifier=kn", r"classifier has no 'kn'; did you mean 'knn'\? \(available: "),
         ("dataste=homes", r"conf/ has no setting 'dataste'; did you mean 'dataset'\? \(valid: dataset, "),
         ("attention=1", "attention"),
-        ("cues.gist.classifier.base.nu.x=1", r"Could not override 'cues\.gist\.classifier\.base\.nu\.x'\.$"),
+        ("cues.gist.classifier.base.nu.x=1", r"there is no setting 'cues\.gist\.classifier\.base\.nu\.x'$"),
         ("dataset=my_homes", r"dataset\.root has no value"),
     ],
 )

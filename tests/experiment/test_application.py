@@ -152,6 +152,40 @@ def test_an_invalid_combination_computes_nothing(sweep, monkeypatch):
     assert not (folder / "multirun").exists()
 
 
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["test_home=home9"], "test_home=home9 does not exist: for data set made, use H1, H2, H3, H4 or all"),
+        (
+            ["descriptor=hogg"],
+            "the settings cannot be composed: descriptor has no 'hogg'; did you mean 'hog'? (",
+        ),
+        (["-m", "descriptor=hogg", "test_home=h1,h2"], "the settings cannot be composed: descriptor has no "),
+        (
+            ["clasifier.clusters=3"],
+            "the settings cannot be composed: there is no setting 'clasifier.clusters'",
+        ),
+        (["seeds=${foo}"], "the settings cannot be composed: Interpolation key 'foo' not found"),
+    ],
+)
+def test_an_invalid_setting_gives_one_message_and_leaves_nothing(
+    project, monkeypatch, capsys, words, expected
+):
+    before = sorted(project.iterdir())
+    message = main_with(monkeypatch, *words)
+    assert message.startswith(f"placecat: {expected}")
+    assert "\n" not in message
+    assert "search path" not in message
+    assert capsys.readouterr() == ("", "")
+    assert sorted(project.iterdir()) == before
+
+
+def test_an_invalid_value_in_a_sweep_is_listed_without_the_search_path(project, monkeypatch):
+    message = main_with(monkeypatch, "-m", "descriptor=hogg,gist", "classifier=nu_svm")
+    assert "- the settings cannot be composed: descriptor has no 'hogg'; did you mean 'hog'? (" in message
+    assert "search path" not in message
+
+
 @pytest.mark.parametrize("command", ["experiment", "search"])
 def test_help_of_a_sweep(project, monkeypatch, capsys, command):
     monkeypatch.setattr(sys, "argv", sys.argv)

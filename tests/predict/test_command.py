@@ -236,6 +236,7 @@ def _damage(folder):
     ("arguments", "message"),
     [
         ("nothing.mp4", "there is no file or folder nothing.mp4"),
+        ("home_6", "or home:NAME for a home in the data set"),
         ("no.mp4", "no.mp4: not a readable video"),
         ("notes.txt", "notes.txt: not a video with a supported suffix"),
         ("void", "void: the folder has no images"),

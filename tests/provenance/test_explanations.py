@@ -10,8 +10,9 @@ import pandas as pd
 import pytest
 
 import made_report
-from placecat import paths, results
+from placecat import files, paths, results
 from placecat.errors import PlacecatError
+from placecat.explain.command import explain_command
 from placecat.explain.find import find
 from placecat.provenance import lines, numbering, tidy
 from placecat.provenance.made import all_stages, made
@@ -61,7 +62,13 @@ def test_a_cell_is_found_by_its_number_or_its_labels(words, expected):
     [
         ("table_62", "table_26"),
         ("table_26.9.1", "table_26.1.1"),
-        ("table_26 HMMM", "'hmm'"),
+        ("table_26 HMMM", "'HMM'"),
+        ("table_26 HMN", r"did you mean 'HMM'\?$"),
+        ("table_26 home_4", r"did you mean 'Home 3'\?$"),
+        (
+            "table_26 xyz",
+            "use a group: '4-5-1', '5-5-1'; or a row: 'HMM', 'Integration'; or a column: 'Home 3'$",
+        ),
     ],
 )
 def test_a_wrong_name_gives_similar_names(words, near):
@@ -69,10 +76,35 @@ def test_a_wrong_name_gives_similar_names(words, near):
         find(words.split(), SMALL)
 
 
-def test_ambiguous_labels_are_rejected():
-    many = content(*((f"table_26.{n}.1", "", f"row {n}", "Home 1") for n in range(1, 7)))
-    with pytest.raises(PlacecatError, match="matches 6 cells: add a label"):
-        find(["table_26", "row"], many)
+@pytest.fixture
+def project(tmp_path, monkeypatch):
+    """A folder with explanations of a few cells."""
+    cells = {number: [*of, ["here", "41.83 % (seed-0 42.10)"]] for number, of in SMALL["cells"].items()}
+    cells["table_26.1.1"].append(["thesis", "44.45; difference -2.62"])
+    files.write_json(tmp_path / paths.EXPLANATIONS, SMALL | {"cells": cells})
+    monkeypatch.chdir(tmp_path)
+
+
+def test_several_matching_cells_are_listed(project, capsys):
+    assert explain_command(["table_26", "HMM", "home_3"]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "2 cells match:",
+        "",
+        "cell          group  row  column  measured  published",
+        "table_26.1.1  4-5-1  HMM  Home 3  41.83 %   44.45",
+        "table_26.2.1  5-5-1  HMM  Home 3  41.83 %",
+        "",
+        "To explain one of them, add a label or use its number: placecat explain table_26.1.1",
+    ]
+    with pytest.raises(PlacecatError, match="--again recomputes one cell, but 2 cells match"):
+        explain_command(["table_26", "HMM"], again=True)
+
+
+def test_one_matching_cell_is_explained(project, capsys):
+    assert explain_command(["table_26", "4-5-1"]) == 0
+    printed = capsys.readouterr().out
+    assert printed.startswith("cell                    table_26.1.1\n")
+    assert "seed-0 42.10" in printed
 
 
 def test_lines_of_a_cell_are_in_order_and_survive_the_file():
@@ -174,9 +206,12 @@ def test_equal_tables_give_equal_files(tmp_path):
     assert (tmp_path / "one").read_bytes() == (tmp_path / "two").read_bytes()
 
 
-def test_results_are_loaded_from_a_project(tmp_path):
-    with pytest.raises(PlacecatError, match=r"results.parquet is missing: run `dvc repro`"):
+def test_results_are_loaded_from_a_project(tmp_path, monkeypatch):
+    with pytest.raises(PlacecatError, match=f"results.parquet is missing in {tmp_path}: .* or with its path"):
         results.load(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(PlacecatError, match=f"results.parquet is missing in {tmp_path}: "):
+        results.load()
     tidy.write(tmp_path / paths.RESULTS, pd.DataFrame({"cell": ["table_01.1.1"], "by_seed": [[1.0, 2.0]]}))
     assert list(results.load(tmp_path).explode("by_seed")["by_seed"]) == [1.0, 2.0]
 

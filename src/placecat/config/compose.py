@@ -91,7 +91,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
         if missing:
             raise PlacecatError(f"setting {missing[0]} has no value: add {missing[0]}=VALUE to the overrides")
     except OmegaConfBaseException as error:
-        raise _refusal(error) from None
+        raise refusal(error) from None
     return text
 
 
@@ -108,7 +108,7 @@ def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) ->
     try:
         result: dict[str, Any] = OmegaConf.to_container(_by_hydra(overrides, content, where), resolve=True)  # type: ignore[assignment]
     except OmegaConfBaseException as error:
-        raise _refusal(error) from None
+        raise refusal(error) from None
     return result
 
 
@@ -127,23 +127,30 @@ def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: st
         with initialize(version_base=None):
             return hydra_compose("merged", overrides=list(overrides))
     except MissingConfigException as error:
-        if error.missing_cfg_file is None or error.options is None:
-            raise _refusal(error) from None
-        group, _, name = error.missing_cfg_file.rpartition("/")
-        question = did_you_mean(name, error.options)
-        there = ", ".join(error.options)
-        raise _refusal(f"{where}{group} has no {name!r}{question} (available: {there})") from None
+        raise refusal(error, where) from None
     except (HydraException, yaml.YAMLError) as error:
         unknown = unknown_setting(overrides, source, where) if isinstance(source, dict) else None
-        raise _refusal(unknown or error) from None
+        raise refusal(unknown or error) from None
     except ValueError as error:
         # Hydra's message does not name the override.
         raise PlacecatError(f"the settings cannot be composed from {' '.join(overrides)}: {error}") from None
 
 
-def _refusal(error: Exception | str) -> PlacecatError:
+def refusal(error: Exception | str, where: str = "") -> PlacecatError:
+    """Turn an error from Hydra or OmegaConf, or its text, into a message on one line.
+
+    `where` is what the message calls the folder of the settings.
+    """
+    from hydra.errors import MissingConfigException
+
+    text = str(error)
+    if isinstance(error, MissingConfigException) and error.missing_cfg_file and error.options is not None:
+        group, _, name = error.missing_cfg_file.rpartition("/")
+        there = ", ".join(error.options)
+        text = f"{where}{group} has no {name!r}{did_you_mean(name, error.options)} (available: {there})"
     # Hydra's search path and its general advice on unknown settings do not help the user.
-    text = re.split("Config search path:|To append to your config", str(error))[0]
+    text = re.split("Config search path:|To append to your config", text)[0]
+    text = re.sub(r"^Could not override '(.*)'\.$", r"there is no setting '\1'", text.strip())
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     return PlacecatError(f"the settings cannot be composed: {' '.join(lines)}")
 

@@ -8,9 +8,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import hydra
+from hydra.errors import HydraException
+from omegaconf.errors import OmegaConfBaseException
 
 from placecat import compute, paths
 from placecat.config import overrides
+from placecat.config.compose import refusal
 from placecat.errors import PlacecatError
 from placecat.experiment import options
 from placecat.experiment.job import job
@@ -22,8 +25,8 @@ _LONGEST = 80
 def main(arguments: Sequence[str]) -> None:
     """Run the experiments described by the Hydra arguments.
 
-    Raises PlacecatError outside a project folder. Raises SystemExit, with a message or status 1, if a setting
-    is invalid or an experiment fails.
+    Raises PlacecatError outside a project folder, or if Hydra cannot compose the settings. Raises SystemExit,
+    with a message or status 1, if another setting is invalid or an experiment fails.
     """
     for path in (paths.CONF / f"{options.CONFIG}.yaml", paths.PARAMS):
         if not path.is_file():
@@ -50,8 +53,13 @@ def main(arguments: Sequence[str]) -> None:
     start = hydra.main(version_base="1.3", config_path=str(paths.CONF.resolve()), config_name=options.CONFIG)(
         job
     )
-    with compute.as_set():
-        start()
+    # Otherwise, Hydra prints its errors itself, with its search path.
+    os.environ.setdefault("HYDRA_FULL_ERROR", "1")
+    try:
+        with compute.as_set():
+            start()
+    except (HydraException, OmegaConfBaseException) as error:
+        raise refusal(error) from None
 
 
 def folder_of(given: Sequence[str]) -> str:

@@ -7,20 +7,48 @@ import sys
 import time
 import traceback
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hydra.core.hydra_config import HydraConfig
+from hydra.experimental.callback import Callback
 from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
+from omegaconf.errors import OmegaConfBaseException
 
 from placecat import compute, files, settings
 from placecat.compute import lifeline, parallel
+from placecat.config.compose import refusal
 from placecat.errors import PlacecatError
 from placecat.experiment import output
+
+if TYPE_CHECKING:
+    from placecat.experiment.combination import Experiment
 
 # Environment variable that passes the sweep's process ID to workers.
 WORKERS_OF = "PLACECAT_SWEEP"
 _log = logging.getLogger(__name__)
+
+
+class Check(Callback):
+    """Reject invalid settings of a single experiment before Hydra makes its folder (conf/experiment.yaml)."""
+
+    def on_run_start(self, config: DictConfig, **kwargs: Any) -> None:
+        """Exit with one message if the settings are invalid."""
+        own = OmegaConf.masked_copy(config, [str(name) for name in config if name != "hydra"])
+        try:
+            _experiment(own)
+        # Hydra only warns of other exceptions from a callback.
+        except PlacecatError as error:
+            sys.exit(f"placecat: {error}")
+        except OmegaConfBaseException as error:
+            sys.exit(f"placecat: {refusal(error)}")
+
+
+def _experiment(config: DictConfig) -> "Experiment":
+    # Imported late: this imports scikit-learn, which `--help` does not need.
+    from placecat.experiment.combination import resolve
+
+    return resolve(OmegaConf.to_container(config, resolve=True), settings.load())  # type: ignore[arg-type]
 
 
 def job(config: DictConfig) -> float:
@@ -31,9 +59,8 @@ def job(config: DictConfig) -> float:
     exception, because that would abort the other experiments. Instead, result.json states the reason, and the
     sweep exits with status 1. The result of a single experiment is also printed and logged here.
     """
-    # Imported late: these import scikit-learn, which `--help` does not need.
+    # Imported late, as above.
     from placecat.experiment import running
-    from placecat.experiment.combination import resolve
 
     hydra = HydraConfig.get()
     folder = Path(hydra.runtime.output_dir)
@@ -48,7 +75,7 @@ def job(config: DictConfig) -> float:
     try:
         # In a sweep, experiments already run in parallel, so each uses one process unless there is a cluster.
         workers = parallel.workers() if is_single or compute.cluster() is not None else 1
-        experiment = resolve(OmegaConf.to_container(config, resolve=True), settings.load())  # type: ignore[arg-type]
+        experiment = _experiment(config)
         origin = running.made_from(experiment)
         result = running.compute(experiment, workers=workers)
     except PlacecatError as error:

@@ -15,6 +15,7 @@ from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
 from placecat import settings
+from placecat.config.compose import refusal
 from placecat.errors import PlacecatError
 from placecat.experiment import output, summary
 from placecat.experiment.combination import Experiment, resolve
@@ -69,7 +70,8 @@ def check(
         try:
             experiments.append(_meant(config, line, params))
         except _REFUSALS as error:
-            refused.setdefault(" ".join(str(error).split()), []).append(summary.label(own))
+            reason = error if isinstance(error, PlacecatError) else refusal(error)
+            refused.setdefault(" ".join(str(reason).split()), []).append(summary.label(own))
     if refused:
         count = sum(map(len, refused.values()))
         text = [f"{count} of {len(lines)} combinations are invalid; nothing was computed:"]

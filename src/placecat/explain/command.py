@@ -8,11 +8,12 @@ import shutil
 import subprocess
 import textwrap
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from placecat import paths, settings
 from placecat.errors import PlacecatError
-from placecat.explain.find import find
+from placecat.explain.find import LABELS, find
 from placecat.provenance.lines import STAGES, Line, lines_of, stage_texts
 from placecat.runs.lockfile import LOCK, git_commit
 
@@ -21,33 +22,36 @@ _INDENT = 24
 
 
 def explain_command(words: Sequence[str], *, again: bool = False) -> int:
-    """Explain the cells that match the words (see :func:`placecat.explain.find.find`).
+    """Explain the cell that matches the words (see :func:`placecat.explain.find.find`).
 
-    With `again`, also recompute each cell. Returns the exit status, which is 1 if any recomputed number
-    differs from the stored one.
+    If several cells match, list them instead. With `again`, also recompute the cell. Returns the exit status,
+    which is 1 if the recomputed number differs from the stored one.
     """
     content = read()
-    numbers = find(words, content)
+    number, *others = numbers = find(words, content)
+    if others:
+        if again:
+            raise PlacecatError(f"--again recomputes one cell, but {_listed(numbers, content)}")
+        print(_listed(numbers, content))
+        return 0
     stages = stage_texts(settings.read_yaml(LOCK)) if LOCK.is_file() else {}
-    print("\n\n".join(text_of(number, content, stages) for number in numbers))
+    print(text_of(number, content, stages))
     print(_shown(("code", _code())))
     if not again:
         return 0
     from placecat.explain.again import compute
 
-    same = True
-    for number in numbers:
-        is_same, said = compute(number)
-        print(_shown(("again", said)))
-        same = same and is_same
-    return 0 if same else 1
+    is_same, said = compute(number)
+    print(_shown(("again", said)))
+    return 0 if is_same else 1
 
 
 def read() -> dict[str, Any]:
     """Read the explanations of all cells; raise PlacecatError if their file is missing."""
     if not paths.EXPLANATIONS.is_file():
         raise PlacecatError(
-            f"{paths.EXPLANATIONS} is missing: run `dvc repro` to create it, or restore it from git"
+            f"{paths.EXPLANATIONS} is missing here ({Path.cwd()}): run this in the project folder; if this "
+            "is one, run `dvc repro`, or restore the file from git"
         )
     content: dict[str, Any] = json.loads(paths.EXPLANATIONS.read_text(encoding="utf-8"))
     return content
@@ -65,6 +69,21 @@ def text_of(number: str, content: Mapping[str, Any], stages: Mapping[str, str]) 
         else:
             lines.append((label, text))
     return "\n".join(map(_shown, lines))
+
+
+def _listed(numbers: Sequence[str], content: Mapping[str, Any]) -> str:
+    """List cells with their labels and numbers, and say how to choose one."""
+    rows: list[tuple[str, ...]] = [("cell", *LABELS, "measured", "published")]
+    for number in numbers:
+        lines = dict(lines_of(content, number))
+        # The numbers of the seeds and the difference follow.
+        measured, published = lines["here"].partition(" (")[0], lines.get("thesis", "").partition(";")[0]
+        rows.append((number, *(lines.get(kind, "") for kind in LABELS), measured, published))
+    columns = [column for column in zip(*rows, strict=True) if any(column[1:])]
+    padded = [[text.ljust(max(map(len, column))) for text in column] for column in columns]
+    table = "\n".join("  ".join(row).rstrip() for row in zip(*padded, strict=True))
+    choose = f"To explain one of them, add a label or use its number: placecat explain {numbers[0]}"
+    return f"{len(numbers)} cells match:\n\n{table}\n\n{choose}"
 
 
 def _shown(line: Line) -> str:

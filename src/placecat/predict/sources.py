@@ -65,7 +65,7 @@ def open_source(
         raise PlacecatError(f"{text} is not a regular file: use a video or a folder of images")
     raise PlacecatError(
         f"there is no file or folder {text}: use a video, a folder of images, a bag, camera, camera:NUMBER, "
-        "or the address of a stream (rtsp://..., http://...)"
+        "the address of a stream (rtsp://..., http://...), or home:NAME for a home in the data set"
     )
 
 

@@ -32,7 +32,10 @@ def load(project: Path | str = ".") -> "pd.DataFrame":
     from placecat import paths
     from placecat.errors import PlacecatError
 
-    path = Path(project) / paths.RESULTS
-    if not path.is_file():
-        raise PlacecatError(f"{path} is missing: run `dvc repro` to create it, or restore it from git")
-    return pd.read_parquet(path)
+    project = Path(project).resolve()
+    if not (project / paths.RESULTS).is_file():
+        raise PlacecatError(
+            f"{paths.RESULTS} is missing in {project}: call load() in the project folder or with its path; "
+            "if this is one, run `dvc repro` there, or restore the file from git"
+        )
+    return pd.read_parquet(project / paths.RESULTS)
