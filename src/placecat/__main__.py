@@ -153,7 +153,7 @@ def _add_results(commands: Commands) -> None:
         "demo",
         _demo,
         "a one-minute demo: train on a few frames of five homes, and classify a walk through the sixth",
-        "Train the five-cue system on every 10th frame of five of the project's homes, and name the places "
+        "Train the five-cue system on a few frames of five of the project's homes, and name the places "
         "along a walk through the sixth. Writes a timeline, an annotated clip and a page with both to "
         "predictions/demo. Works without a previous `placecat repro`.",
     )
