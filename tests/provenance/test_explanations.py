@@ -12,6 +12,7 @@ import pytest
 import made_report
 from placecat import files, paths, results
 from placecat.errors import PlacecatError
+from placecat.explain import command
 from placecat.explain.command import explain_command
 from placecat.explain.find import find
 from placecat.provenance import lines, numbering, tidy
@@ -85,18 +86,32 @@ def project(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
-def test_several_matching_cells_are_listed(project, capsys):
+LIST = [
+    "2 cells match:",
+    "",
+    "cell          group  row  column  measured  published",
+    "table_26.1.1  4-5-1  HMM  Home 3  41.83 %   44.45",
+    "table_26.2.1  5-5-1  HMM  Home 3  41.83 %",
+    "",
+    "To explain only one of them, add a label or use its number: placecat explain table_26.1.1",
+]
+
+
+def test_a_few_matching_cells_are_explained_and_listed_at_the_end(project, capsys):
     assert explain_command(["table_26", "HMM", "home_3"]) == 0
-    assert capsys.readouterr().out.splitlines() == [
-        "2 cells match:",
-        "",
-        "cell          group  row  column  measured  published",
-        "table_26.1.1  4-5-1  HMM  Home 3  41.83 %   44.45",
-        "table_26.2.1  5-5-1  HMM  Home 3  41.83 %",
-        "",
-        "To explain one of them, add a label or use its number: placecat explain table_26.1.1",
+    printed = capsys.readouterr().out.splitlines()
+    assert printed[-len(LIST) :] == LIST
+    assert [line for line in printed if line.startswith("cell   ")][:2] == [
+        "cell                    table_26.1.1",
+        "cell                    table_26.2.1",
     ]
-    with pytest.raises(PlacecatError, match="--again recomputes one cell, but 2 cells match"):
+
+
+def test_many_matching_cells_are_only_listed(project, capsys, monkeypatch):
+    monkeypatch.setattr(command, "_MOST", 1)
+    assert explain_command(["table_26", "HMM", "home_3"]) == 0
+    assert capsys.readouterr().out.splitlines() == LIST
+    with pytest.raises(PlacecatError, match="--again recomputes at most 1 cells, but 2 cells match"):
         explain_command(["table_26", "HMM"], again=True)
 
 

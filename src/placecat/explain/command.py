@@ -19,31 +19,41 @@ from placecat.runs.lockfile import LOCK, git_commit
 
 _CODE = ("src", "conf", "data/thesis", "dvc.yaml", "params.yaml")
 _INDENT = 24
+# Maximum number of cells to explain at once.
+_MOST = 3
 
 
 def explain_command(words: Sequence[str], *, again: bool = False) -> int:
-    """Explain the cell that matches the words (see :func:`placecat.explain.find.find`).
+    """Explain the cells that match the words (see :func:`placecat.explain.find.find`).
 
-    If several cells match, list them instead. With `again`, also recompute the cell. Returns the exit status,
-    which is 1 if the recomputed number differs from the stored one.
+    If several cells match, they are also listed; if more than `_MOST` match, they are only listed. With
+    `again`, also recompute each cell that is explained. Returns the exit status, which is 1 if any recomputed
+    number differs from the stored one.
     """
     content = read()
-    number, *others = numbers = find(words, content)
-    if others:
+    numbers = find(words, content)
+    if len(numbers) > _MOST:
         if again:
-            raise PlacecatError(f"--again recomputes one cell, but {_listed(numbers, content)}")
+            raise PlacecatError(f"--again recomputes at most {_MOST} cells, but {_listed(numbers, content)}")
         print(_listed(numbers, content))
         return 0
     stages = stage_texts(settings.read_yaml(LOCK)) if LOCK.is_file() else {}
-    print(text_of(number, content, stages))
+    print("\n\n".join(text_of(number, content, stages) for number in numbers))
     print(_shown(("code", _code())))
-    if not again:
-        return 0
+    same = _recompute(numbers) if again else True
+    if len(numbers) > 1:
+        # The list comes last, so that a terminal shows it.
+        print(f"\n{_listed(numbers, content)}")
+    return 0 if same else 1
+
+
+def _recompute(numbers: Sequence[str]) -> bool:
     from placecat.explain.again import compute
 
-    is_same, said = compute(number)
-    print(_shown(("again", said)))
-    return 0 if is_same else 1
+    outcomes = [compute(number) for number in numbers]
+    for _, said in outcomes:
+        print(_shown(("again", said)))
+    return all(is_same for is_same, _ in outcomes)
 
 
 def read() -> dict[str, Any]:
@@ -82,7 +92,7 @@ def _listed(numbers: Sequence[str], content: Mapping[str, Any]) -> str:
     columns = [column for column in zip(*rows, strict=True) if any(column[1:])]
     padded = [[text.ljust(max(map(len, column))) for text in column] for column in columns]
     table = "\n".join("  ".join(row).rstrip() for row in zip(*padded, strict=True))
-    choose = f"To explain one of them, add a label or use its number: placecat explain {numbers[0]}"
+    choose = f"To explain only one of them, add a label or use its number: placecat explain {numbers[0]}"
     return f"{len(numbers)} cells match:\n\n{table}\n\n{choose}"
 
 
