@@ -1,4 +1,4 @@
-"""The application from the command line, with real workers and a real MLflow database."""
+"""The application from the command line, with real workers, a real MLflow database and no extras."""
 
 import json
 import os
@@ -11,6 +11,7 @@ import pandas as pd
 import pytest
 from made_experiments import SMALL, make_project, resolved
 
+import plain_install
 from placecat import __main__, files
 from placecat.experiment import summary
 from placecat.experiment.running import compute, made_from
@@ -24,7 +25,10 @@ CLUSTERS = SMALL[1:]
 
 
 def run(folder, *arguments, **environment):
+    plain = folder.parent / "plain_install"
+    path = str(plain) if plain.exists() else plain_install.path_of(plain)
     own = {"PLACECAT_WORKERS": "2", "MLFLOW_DISABLE_TELEMETRY": "true"}
+    own["PYTHONPATH"] = os.pathsep.join(filter(None, [path, os.environ.get("PYTHONPATH")]))
     return subprocess.run(
         [sys.executable, "-m", "placecat", "experiment", *arguments],
         cwd=folder,
@@ -111,6 +115,8 @@ def test_the_same_experiment_runs_on_another_launcher(sweep):
         "hydra/launcher=submitit_local",
         "hydra.sweep.dir=submitted",
         "track=false",
+        # Submitit is in an extra.
+        PYTHONPATH=os.environ.get("PYTHONPATH", ""),
     )
     assert result.returncode == 0, result.stderr
     one, other = (folder / f"{name}/0/result.json" for name in ("swept", "submitted"))

@@ -1,6 +1,7 @@
 """A description of everything that can change results: code, versions, kernels, processor."""
 
 import hashlib
+import importlib.util
 import platform
 from functools import cache
 from importlib import metadata
@@ -8,8 +9,10 @@ from pathlib import Path
 
 import placecat
 
-# Packages that compute results, or that pickle tasks and results.
-PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
+# Packages that compute results.
+PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib")
+# It pickles tasks and results on a cluster, and is not always installed.
+_CLUSTER = "distributed"
 
 
 @cache
@@ -35,13 +38,17 @@ def fingerprint() -> dict[str, str]:
     return {
         "placecat": f"{metadata.version('placecat')}, code {_digest(Path(placecat.__file__).parent)}",
         "Python": ".".join(platform.python_version_tuple()[:2]),
-        **{name: metadata.version(name) for name in PACKAGES},
+        **{name: metadata.version(name) for name in (*PACKAGES, *_installed(_CLUSTER))},
         "OpenCV": cv2.__version__,
         "BLAS": ", ".join(sorted(blas)),
         "processor": f"{platform.machine()}; NumPy {' '.join(vectors['found']) or 'baseline'}; "
         f"OpenCV {_used(cv2.getCPUFeaturesLine())}",
         "C library": " ".join(platform.libc_ver()).strip() or platform.system(),
     }
+
+
+def _installed(package: str) -> tuple[str, ...]:
+    return (package,) if importlib.util.find_spec(package) is not None else ()
 
 
 def _digest(folder: Path) -> str:
