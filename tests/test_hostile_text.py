@@ -80,6 +80,14 @@ def test_terminal_output_is_escaped(text):
     assert printable("H\u00e4user $1 <b>") == "H\u00e4user $1 <b>"
 
 
+def test_a_terminal_can_be_flushed_after_its_stream_is_closed():
+    """Python flushes an object of this kind when it frees it, and 3.13 reports errors."""
+    target = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+    terminal = Terminal(target)
+    target.close()
+    terminal.flush()
+
+
 def test_the_page_shows_the_text(text):
     shown = (
         environment("placecat.report").from_string('<p title="{{ text }}">{{ text }}</p>').render(text=text)

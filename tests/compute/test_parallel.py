@@ -47,8 +47,10 @@ def test_only_workers_ignore_ctrl_c(two_workers):
 
 def test_ctrl_c_between_two_results_ends_the_workers_without_a_word(two_workers, recwarn):
     def consume():
-        for number in parallel.stream(time.sleep, [(0.01,)] * 200, "work", n_jobs=2):
-            raise KeyboardInterrupt(number)
+        for _ in parallel.stream(time.sleep, [(0.01,)] * 200, "work", n_jobs=2):
+            # More results arrive, and nobody uses them.
+            time.sleep(0.2)
+            raise KeyboardInterrupt
 
     with pytest.raises(SystemExit) as caught, exiting():
         consume()
@@ -61,11 +63,12 @@ def test_ctrl_c_between_two_results_ends_the_workers_without_a_word(two_workers,
     assert not [warning for warning in recwarn if "executed" in str(warning.message)]
 
 
+# One call writes the number and the line break, so that two workers cannot mix them.
 LOOP = """
 import os, time
 from placecat.compute import parallel
 def work(number):
-    print(os.getpid(), flush=True)
+    os.write(1, b"%d\\n" % os.getpid())
     time.sleep(60)
 parallel.in_parallel(work, [(1,), (2,)], "work", n_jobs=2)
 """
